@@ -20,7 +20,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "support"
 
 from curved_mechanisms import FAMILIES
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
-from sim2reason.simulation.certify import witnessed
+from sim2reason.simulation.certify import certify_trace
 from sim2reason.simulation.trace import ENGINES
 
 TIMES = np.linspace(0.0, 2.0, 101)
@@ -52,7 +52,7 @@ def attempt(job: tuple[str, int]) -> Try:
     except (SimulationError, UnsupportedError, SceneError) as error:
         return Try(family, seed, "refused", f"{type(error).__name__}: {error}", process_time() - start, 0.0)
     middle = process_time()
-    _, certificate = witnessed(recorded)
+    _, certificate = certify_trace(recorded)
     parted = certificate.reason.startswith(PARTED)
     worst = max(certificate.agreement.values(), default=0.0)
     times = (middle - start, process_time() - middle)

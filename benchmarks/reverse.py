@@ -18,7 +18,7 @@ from sim2reason.datasets.plan import Config
 from sim2reason.errors import Sim2ReasonError, TextError
 from sim2reason.generation.make import make
 from sim2reason.generation.recipes import RECIPES
-from sim2reason.questions import KINDS, Study, Words
+from sim2reason.questions import KINDS, SimulatedScene, Words
 from sim2reason.questions.given import StatedResult
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.parse_prompt import ParsedPrompt, parse_prompt
@@ -45,7 +45,7 @@ def of_number(read: ParsedPrompt, path: str, answer: float) -> tuple[Function, n
         try:
             other = scene.having(path, value)
             for times in (1.0, LONGER):
-                study = Study.of(other, np.array([0.0, times * other.horizon]))
+                study = SimulatedScene.of(other, np.array([0.0, times * other.horizon]))
                 found = answered(query, study)
                 if found is not None:
                     return float(found)
@@ -60,7 +60,7 @@ def of_time(read: ParsedPrompt, moment: Reached) -> tuple[Function, np.ndarray]:
     """The quantity as a function of time, and until when it is followed."""
     scene = read.study.scene
     times = np.linspace(0.0, scene.horizon, INSTANTS)
-    study = Study.of(scene, times)
+    study = SimulatedScene.of(scene, times)
 
     def result(value: float) -> float | None:
         return moment.target.value(study.trace.sample(np.array([value])))

@@ -2,7 +2,7 @@
 
 Usage: ``python benchmarks/solutions.py [ITEMS] [SEED] [RECIPES] [MODES] [UNITS] [KEPT]``.
 
-Of a problem of several parts each part is looked at by itself, as `worked_parts` solves it.
+Of a problem of several parts each part is looked at by itself, as `part_solutions` solves it.
 For each recipe how many have a derivation, how many an integration alone, how many a fault, and why others have none.
 Then every line of the bar, figure against bar, by difficulty: how many have a solution, whether answers, relations and
 five-digit arithmetic hold, whether two strategies agree, what the text alone says, how many planted faults it shows
@@ -24,20 +24,20 @@ from itertools import islice
 from statistics import median
 
 from sim2reason.datasets.grade import grade
-from sim2reason.generation.certified import worked, worked_parts
+from sim2reason.generation.certified import part_solutions, worked_solution
 from sim2reason.generation.item import Item
 from sim2reason.generation.item_search import ItemSearch
 from sim2reason.generation.make import item_of
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.generation.request import SI, Request
 from sim2reason.questions.difficulty import DIFFICULTIES
-from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
+from sim2reason.solutions import STRATEGIES, ProblemContext, Solution, solve, solve_with
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data
 from sim2reason.solutions.multipart.in_sequence import results_of
 from sim2reason.solutions.reverse import forward
-from sim2reason.solutions.solution import SAME, WELL
-from sim2reason.solutions.verification import refusal
+from sim2reason.solutions.solution import ANSWER_RTOL, RELATION_RTOL
+from sim2reason.solutions.verification import verification_fault
 from sim2reason.testing.solutions.faults import SEEN, WORDS, faults, words
 from sim2reason.testing.solutions.planted import KINDS, planted_faults
 from sim2reason.testing.solutions.reading import read
@@ -94,7 +94,7 @@ class Solved:
     """A question with its worked solution: a problem, or one part of a problem of several parts."""
 
     item: Item
-    setting: Setting
+    setting: ProblemContext
     solution: Solution
     whole: str  # the text that is graded as an answer to the problem
     earlier: Mapping[str, float]  # the answers to earlier parts by name
@@ -113,20 +113,20 @@ def problems(requested: Iterator[Request], kept: str) -> Iterator[list[Solved]]:
     """Yield the parts of each requested problem; with `EVENTS`, only of problems in which an event precedes a part."""
     for request in requested:
         held = list(solved(request))
-        if kept != EVENTS or any(forward(part.setting).story for part in held):
+        if kept != EVENTS or any(forward(part.setting).earlier_event_kinds for part in held):
             yield held
 
 
 def solved(request: Request) -> Iterator[Solved]:
     """Yield the problem of a request with its solution as the text asks for it; each part by itself if it has parts."""
-    found = ItemSearch(request).found()
+    found = ItemSearch(request).find()
     if found is None:
         return
-    item, solution = item_of(request, found), worked(request, found)
+    item, solution = item_of(request, found), worked_solution(request, found)
     if not found.parts:
         yield Solved(item, found.setting, solution, solution.text, {})
         return
-    parts = worked_parts(request, found) if solution.answer is not None else [solution] * len(found.parts)
+    parts = part_solutions(request, found) if solution.answer is not None else [solution] * len(found.parts)
     for number, (part, held) in enumerate(zip(found.parts, parts, strict=True)):
         yield Solved(item, part.certified.setting, held, solution.text, results_of(parts[:number]))
 
@@ -143,9 +143,9 @@ def planted(text: str, rng: random.Random) -> Iterator[tuple[str, str]]:
             yield kind, text[: at.start()] + put + text[at.end() :]
 
 
-def derivations(setting: Setting) -> list[Solution]:
+def derivations(setting: ProblemContext) -> list[Solution]:
     """The derivations by all strategies that apply."""
-    return [solution for strategy in DERIVED if (solution := by(strategy, setting)).answer is not None]
+    return [solution for strategy in DERIVED if (solution := solve_with(strategy, setting)).answer is not None]
 
 
 def differ(held: list[Solution]) -> bool:
@@ -189,7 +189,7 @@ def _wrong(solved: Solved, tally: Tally) -> Iterator[str]:
     """Yield what checks, other strategies and the grader find wrong with a solution."""
     setting, solution = forward(solved.setting), solved.solution
     assert setting.answer is not None
-    near = SEEN.get(setting.query.kind, WELL)
+    near = SEEN.get(setting.query.kind, RELATION_RTOL)
     found, held = faults(solution, setting.answer, near), derivations(setting)
     others = [other for other in held if other.strategy != solution.strategy]
     amiss = {other.strategy: _but_for_length(faults(other, setting.answer, near)) for other in others}
@@ -242,12 +242,14 @@ def _recomputed(solved: Solved, tally: Tally, rng: random.Random) -> Iterator[st
     begin, data = time.process_time(), as_data(solved.solution)
     found = recompute(data)
     tally.checks.append(time.process_time() - begin)
-    tally.count.update(recomputed=found.agrees(setting.answer, SAME))
+    tally.count.update(recomputed=found.agrees(setting.answer, ANSWER_RTOL))
     yield from (f"recomputed: {fault}" for fault in found.faults)
-    if reason := refusal(data, setting, solved.earlier):
+    if reason := verification_fault(data, setting, solved.earlier):
         yield f"refused: {reason}"
     for kind, spoiled in planted_faults(data, found.values, rng, PLANTED):
-        tally.count.update({f"planted: {kind}": 1, f"refused: {kind}": bool(refusal(spoiled, setting, solved.earlier))})
+        tally.count.update(
+            {f"planted: {kind}": 1, f"refused: {kind}": bool(verification_fault(spoiled, setting, solved.earlier))}
+        )
 
 
 def _tell(tallies: dict[str, Tally]) -> int:

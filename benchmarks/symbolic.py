@@ -26,7 +26,7 @@ from sim2reason.generation.recipes import RECIPES
 from sim2reason.generation.request import Request
 from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.questions.parse_prompt import parse_prompt
-from sim2reason.text.prose.symbol_names import said_in
+from sim2reason.text.prose.symbol_names import stated_value
 
 MUTANTS, FRESH = 20, 2
 WIDTH = 0.05  # of the numbers that are put in when a prompt is read back
@@ -228,7 +228,7 @@ def read_back(item: Item, rng: np.random.Generator) -> str:
     done = 0
     for _ in range(6 * FRESH):
         point = {s: x * float(np.exp(rng.uniform(-WIDTH, WIDTH))) for s, x in formula.points[0].items()}
-        given = {s: said_in(x, unit) for (s, x), unit in zip(point.items(), formula.units, strict=True)}
+        given = {s: stated_value(x, unit) for (s, x), unit in zip(point.items(), formula.units, strict=True)}
         try:
             found = parse_prompt(item.prompt, given=given)
         except TextError as error:

@@ -24,7 +24,7 @@ from sim2reason.generation.make import make
 from sim2reason.generation.recipes import RECIPES, difficulty_named
 from sim2reason.questions import MODES, Question
 from sim2reason.questions.choices import ENDINGS
-from sim2reason.questions.dependence import Dependence
+from sim2reason.questions.dependence import AnswerFunction
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.text.prose.description import describe
@@ -46,7 +46,7 @@ def candidate_of(item: Item) -> tuple[Candidate, frozenset[str]]:
     question = Question(item.mode, query, "", answer, item.answer.unit, item.answer.sign, unknown, given)
     if given is not None and unknown:
         study = MODES[item.mode].study(question, study)
-        elasticity = (Dependence(query, study, unknown).rate(answer) or 0.0) * answer / given.value
+        elasticity = (AnswerFunction(query, study, unknown).rate(answer) or 0.0) * answer / given.value
         question = Question(item.mode, query, "", answer, item.answer.unit, "", unknown, given, elasticity)
     level, told = difficulty_named(item.difficulty), describe(study.scene, without=parsed.reading.without).told
     return Candidate(study, question, item.prompt, difficulty=level, tolerance=item.answer.tolerance), frozenset(told)
@@ -98,8 +98,8 @@ class Count:
         """Those that are paid; and parts that could be taken away, though the item does not say so."""
         parts = [effect for effect in effects(found, part=True) if effect.change <= item.answer.tolerance]
         slips = [effect for effect in effects(found, part=False) if effect.change <= item.answer.tolerance]
-        paid = [effect for effect in (*slips, *parts) if effect.simplification.misleads and effect.wrong]
-        self.sound += sum(not effect.wrong for effect in slips)
+        paid = [effect for effect in (*slips, *parts) if effect.simplification.misleads and effect.is_error]
+        self.sound += sum(not effect.is_error for effect in slips)
         for effect in paid:
             (self.marked if item.idle else self.paid)[effect.simplification.name] += 1
         self.paying += bool(paid) and not item.idle
@@ -127,7 +127,7 @@ class Count:
         stated = [given for given in stated if told.issuperset(given.paths)]
         own = f"{found.question.query.subject}.mass"
         idle = [e.given for e in elasticities(found) if e.given in stated and not matters(found, e)]
-        parts = [effect.subject for effect in effects(found, part=True) if effect.close]
+        parts = [effect.subject for effect in effects(found, part=True) if effect.is_accepted]
         unmarked = [g for g in idle if not any(g.paths[0].startswith(f"{part}.") for part in parts)]
         self.cancelling += sum(own in given.paths for given in unmarked)
         for name in (item.recipe, item.difficulty, item.mode):

@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 from math import isfinite
 
 from sim2reason.errors import SceneError
-from sim2reason.questions import Study
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.questions import SimulatedScene
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import NO_INERTIA, ZERO, Elastic, Mechanism, RigidBody
 
 Change = Callable[[Mechanism], Mechanism]
@@ -22,10 +22,10 @@ class WrongIdea:
     """One wrong idea, with the motion that follows from it."""
 
     name: str
-    study: Study | None
+    study: SimulatedScene | None
 
 
-def wrong_ideas(study: Study, until: float | None, spared: Collection[str]) -> Iterator[WrongIdea]:
+def wrong_ideas(study: SimulatedScene, until: float | None, spared: Collection[str]) -> Iterator[WrongIdea]:
     """Yield all that apply to a scene, each followed until a time, s; nothing that is spared is held."""
     for name, change in _changes(study.mechanism, spared):
         yield WrongIdea(name, study.changed(("wrong idea", name), change, until))
@@ -81,7 +81,7 @@ def _resting(body: RigidBody) -> RigidBody:
 
 def _of_faces(mechanism: Mechanism) -> Iterator[tuple[str, Change]]:
     rough = [face for face in mechanism.faces if face.friction and isfinite(face.friction)]
-    frames = start(mechanism)
+    frames = initial_frames(mechanism)
     for face in rough:
         yield f"no friction: {face.subject}", _friction({face.subject: 0.0})
     flat = [face.subject for face in rough if not face.turning]
@@ -143,7 +143,7 @@ def _turns(mechanism: Mechanism, body: RigidBody) -> bool:
     return body.parent is not None and _turns(mechanism, mechanism.body[body.parent])
 
 
-def _values(study: Study) -> Iterator[tuple[str, dict[str, float]]]:
+def _values(study: SimulatedScene) -> Iterator[tuple[str, dict[str, float]]]:
     """Numbers that a student has wrong: a hole that is not there, a wall that is thin, sine for cosine."""
     for parameter in study.scene.parameters:
         owner, _, name = parameter.path.rpartition(".")

@@ -33,7 +33,7 @@ def requests(recipe: str, difficulty: str, mode: str) -> Iterator[Request]:
 def entry(recipe: str, difficulty: str, mode: str, figures: Path) -> str:
     """The part of the page on one problem, whose figure is drawn into a folder."""
     for request in requests(recipe, difficulty, mode):
-        found = ItemSearch(request).found()
+        found = ItemSearch(request).find()
         if found is not None:
             item = item_of(request, found)
             with warnings.catch_warnings():

@@ -4,7 +4,7 @@ import pytest
 
 from cells import CELLS, drawn
 from sim2reason.questions.difficulty import Difficulty
-from sim2reason.simulation.certify import CHANGES, EVENTFUL, SMOOTH, witnessed
+from sim2reason.simulation.certify import CHANGES, EVENTFUL, SMOOTH, certify_trace
 from sim2reason.simulation.scenes import simulate
 
 SCENES = 20  # of each cell; benchmarks/certified.py takes 100
@@ -17,7 +17,7 @@ def test_most_scenes_are_certified_as_long_as_their_motion_is_described(recipe: 
     certified = 0
     for scene in drawn(recipe, difficulty, SCENES):
         described = simulate(scene)
-        trace, certificate = witnessed(described)
+        trace, certificate = certify_trace(described)
         changes = any(match.event.kind in CHANGES for match in certificate.matched)
         assert certificate.tolerance == (EVENTFUL if changes else SMOOTH)
         if 0.0 < described.stable_until <= certificate.stable_until * (1.0 + 1e-6):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cells import asked
-from sim2reason.questions import KINDS, Study
+from sim2reason.questions import KINDS, SimulatedScene
 from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.scenes import simulate
@@ -33,7 +33,7 @@ def test_hidden_numbers_change_no_answer(recipe: str, difficulty: Difficulty) ->
     for scene, found in islice(hiding, ITEMS):
         other = redrawn(scene, rng)
         assert other != scene
-        study, query = Study(other, simulate(other)), found.question.query
+        study, query = SimulatedScene(other, simulate(other)), found.question.query
         time, answer = KINDS[query.kind].time(query, study), KINDS[query.kind].answer(query, study)
         if time is None or answer is None or time > study.trace.stable_until:
             continue  # with shorter strings the motion ends before

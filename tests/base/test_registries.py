@@ -23,7 +23,7 @@ from sim2reason.generation.filters import FILTERS, Candidate
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.random_scenes import sample
 from sim2reason.generation.recipes import RECIPES
-from sim2reason.questions import KINDS, MODES, MOMENTS, Query, Study, Words
+from sim2reason.questions import KINDS, MODES, MOMENTS, Query, SimulatedScene, Words
 from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.moments.times import AllAlong, AtTime
@@ -151,16 +151,16 @@ def test_quantities_are_read_off_any_motion(name: str) -> None:
     assert seen
 
 
-def told(scene: Scene) -> tuple[Study, Words]:
+def told(scene: Scene) -> tuple[SimulatedScene, Words]:
     """A scene with its motion, and what questions need to know of its text."""
-    return Study(scene, simulate(scene)), words_of(describe(scene))
+    return SimulatedScene(scene, simulate(scene)), words_of(describe(scene))
 
 
 SCENES = Path(__file__).parents[1] / "data" / "ordinary_scenes"
 
 
 @cache
-def varied() -> list[tuple[Study, Words]]:
+def varied() -> list[tuple[SimulatedScene, Words]]:
     """Motions in which all that is registered can be asked."""
     carts = row((2.0, 1.0), (50.0, 30.0), "left", tilt=20.0)
     own = [
@@ -265,7 +265,10 @@ def test_moments_are_found_and_every_phrase_is_parsed_back(name: str) -> None:
             phrases = moment.phrases(words)
             assert len(set(phrases)) >= 3
             assert all(moment in cls.parsed(f"What is it {phrase}?", study.trace, words) for phrase in phrases)
-            assert all(told.subject in names(study.mechanism) and told.quantity in QUANTITIES for told in moment.tells)
+            assert all(
+                told.subject in names(study.mechanism) and told.quantity in QUANTITIES
+                for told in moment.revealed_channels
+            )
             assert set(moment.channels) <= {channel for channel, _ in channels(study.mechanism)}
     assert found
 

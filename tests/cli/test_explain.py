@@ -69,7 +69,7 @@ def test_an_unknown_problem_is_one_line(data: Path) -> None:
 
 
 def test_a_problem_of_another_version_is_said_to_be_one(data: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("sim2reason.generation.item_search.ItemSearch.found", lambda _: None)
+    monkeypatch.setattr("sim2reason.generation.item_search.ItemSearch.find", lambda _: None)
     told = call("explain", data, "--id", "incline-easy-numeric-0-0")
     assert told.exit_code == 2
     assert "another problem" in told.output

@@ -29,7 +29,7 @@ def test_what_was_swallowed_is_raised_again(monkeypatch: pytest.MonkeyPatch, num
         reached.append("after it")
         time.sleep(10.0)
 
-    with pytest.raises(KeyboardInterrupt), interrupts.heard():
+    with pytest.raises(KeyboardInterrupt), interrupts.handled_interrupts():
         work()
     assert reached == ["after it"]
 
@@ -38,7 +38,7 @@ def test_afterwards_all_is_as_before(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(interrupts, "PATIENCE", 0.05)
     heeded = *SIGNALS, signal.SIGALRM
     before = [signal.getsignal(number) for number in heeded]
-    with pytest.raises(KeyboardInterrupt), interrupts.heard():
+    with pytest.raises(KeyboardInterrupt), interrupts.handled_interrupts():
         interrupt()
     assert [signal.getsignal(number) for number in heeded] == before
     time.sleep(0.2)  # no alarm is left
@@ -46,7 +46,7 @@ def test_afterwards_all_is_as_before(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_what_a_library_says_of_being_interrupted_is_not_shown() -> None:
     before = list(warnings.filters)
-    with interrupts.heard():
+    with interrupts.handled_interrupts():
         with suppress(KeyboardInterrupt):
             interrupt()
         warnings.warn("a value of another type", stacklevel=1)
@@ -57,7 +57,7 @@ def test_what_a_library_says_of_being_interrupted_is_not_shown() -> None:
 def test_where_it_is_ignored_it_stays_so(number: signal.Signals) -> None:
     before = signal.signal(number, signal.SIG_IGN)
     try:
-        with interrupts.heard():
+        with interrupts.handled_interrupts():
             interrupt(number)
             assert signal.getsignal(number) is signal.SIG_IGN
     finally:
@@ -71,7 +71,7 @@ def test_children_hear_nothing_and_their_parent_does(number: signal.Signals) -> 
         child = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
     child.send_signal(number)
     assert child.communicate()[0] == "whole\n"
-    with pytest.raises(KeyboardInterrupt), interrupts.heard():
+    with pytest.raises(KeyboardInterrupt), interrupts.handled_interrupts():
         interrupt(number)
 
 

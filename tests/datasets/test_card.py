@@ -12,7 +12,7 @@ from click.testing import CliRunner
 
 from sim2reason.cli import main
 from sim2reason.datasets.card import SIZES, command
-from sim2reason.datasets.card_content import EXAMPLES, SHOWN, chosen, counted, histogram
+from sim2reason.datasets.card_content import EXAMPLES, SHOWN, choose_examples, count_histograms, histogram
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.generate import Order, configured, generate
 from sim2reason.datasets.manifest import Manifest, load
@@ -72,7 +72,7 @@ def test_the_blocks_of_python_are_python(data: Path) -> None:
 
 
 def test_examples_differ_as_much_as_they_can(data: Path) -> None:
-    found = chosen(Dataset(data))
+    found = choose_examples(Dataset(data))
     assert [item.recipe for item in found] == ["incline", "pulley"] * 3
 
 
@@ -144,7 +144,7 @@ def test_a_licence_is_a_name_of_the_hub(name: str) -> None:
 
 def test_histograms_show_every_item_once_and_gaps_between_numbers(data: Path) -> None:
     items = list(Dataset(data))
-    for name, counts in counted(items).items():
+    for name, counts in count_histograms(items).items():
         shown = histogram(name, counts)
         assert sum(map(sum, shown.series.values())) == len(items)
         assert all(len(values) == len(shown.labels) for values in shown.series.values())

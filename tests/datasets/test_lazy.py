@@ -12,7 +12,7 @@ import pytest
 import fake_makers
 from sim2reason.datasets import lazy
 from sim2reason.datasets.contamination import Benchmarks
-from sim2reason.datasets.lazy import MOST, LazyProblems
+from sim2reason.datasets.lazy import INDEX_STRIDE, LazyProblems
 from sim2reason.datasets.plan import Config
 from sim2reason.errors import DatasetError, DrawError
 from sim2reason.generation.request import Made, Request
@@ -33,7 +33,9 @@ def test_positions_are_those_of_a_dataset_and_what_no_draw_fills_goes_to_an_inde
         item, request = found[position], found.config.request(position)
         if item.id != request.id:
             moved[request.id] = item.id
-    assert moved == {f"incline-{hard}-numeric-5-3": f"incline-{hard}-numeric-5-{3 + MOST}" for hard in ("easy", "hard")}
+    assert moved == {
+        f"incline-{hard}-numeric-5-3": f"incline-{hard}-numeric-5-{3 + INDEX_STRIDE}" for hard in ("easy", "hard")
+    }
 
 
 def _ids(found: LazyProblems) -> list[str]:
@@ -101,7 +103,7 @@ def test_there_is_nothing_beyond_its_length(position: int) -> None:
 @pytest.mark.parametrize(
     ("make", "told"),
     [
-        (lambda: problems(MOST + 1), f"items: {MOST + 1} are too many; give {MOST} at most"),
+        (lambda: problems(INDEX_STRIDE + 1), f"items: {INDEX_STRIDE + 1} are too many; give {INDEX_STRIDE} at most"),
         (lambda: problems(of="dev", split=SPLIT), "there is no split 'dev'; there is test, train"),
         (lambda: problems(maker="fake_makers:missing"), "no maker of items can be imported from here"),
     ],

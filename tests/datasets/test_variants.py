@@ -14,7 +14,7 @@ from fake_makers import steady
 from sim2reason.datasets import duplicates
 from sim2reason.datasets.build import build, build_part
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.duplicates import Marks, doubles, variant
+from sim2reason.datasets.duplicates import Marks, find_duplicates, variant
 from sim2reason.datasets.manifest import Manifest, refused
 from sim2reason.datasets.plan import Config
 from sim2reason.generation.item import Item
@@ -58,7 +58,7 @@ def shard(rows: list[tuple[int, Row]]) -> Marks:
 def left_out(rows: list[Row], distance: float, places: list[int] | None = None) -> dict[int, tuple[int, bool]]:
     places = list(range(len(rows))) if places is None else places
     parts = [[(at, rows[at]) for at in places if at // 7 == number] for number in range(-(-len(rows) // 7))]
-    found = doubles(lambda number: shard(parts[number]), len(parts), len(rows), distance)
+    found = find_duplicates(lambda number: shard(parts[number]), len(parts), len(rows), distance)
     return {each.position: (each.first, each.alike) for _, held in found for each in held}
 
 

@@ -4,7 +4,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sim2reason.figures.curves import motion_curves, told
+from sim2reason.figures.curves import describe_event, motion_curves
 from sim2reason.figures.plot import REASONS, Colors, plot
 from sim2reason.generation.random_scenes import sample
 from sim2reason.scenes.bodies.pendulums import Ball
@@ -15,7 +15,7 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.projectile import Projectile
 from sim2reason.scenes.entities.slopes import TwoSideMassPlane
 from sim2reason.scenes.entities.two_d_collision_plane import TwoDCollisionPlane
-from sim2reason.simulation.scenes import simulate, whole
+from sim2reason.simulation.scenes import simulate, simulate_full_duration
 from sim2reason.simulation.trace import EVENT_KINDS, Event, Trace
 from sim2reason.text.prose.description import describe
 
@@ -36,7 +36,7 @@ MEETING = alone(
 
 
 def exact(scene: Scene, duration: float = 2.0) -> Trace:
-    return whole(scene, duration)
+    return simulate_full_duration(scene, duration)
 
 
 def test_curves_are_named_as_in_the_text(scenes: list[Scene]) -> None:
@@ -137,6 +137,6 @@ def test_every_kind_of_event_has_words() -> None:
     mentions = {address: describe(scene).mention(address) for address in scene.bodies}
     body = next(name for name in scene.mechanism.body)
     for kind in EVENT_KINDS:
-        said = told(Event(0.1, kind, (body, body)), scene.mechanism, mentions)
+        said = describe_event(Event(0.1, kind, (body, body)), scene.mechanism, mentions)
         assert "{" not in said
         assert kind == "crowd" or mentions[body] in said

@@ -11,7 +11,7 @@ import pytest
 from sim2reason.datasets.items import made, requested
 from sim2reason.figures import canvas
 from sim2reason.figures.drawing import drawing
-from sim2reason.figures.labels import disguised, unknowns
+from sim2reason.figures.labels import disguise_unknowns, unknowns
 from sim2reason.figures.scenes import figure
 from sim2reason.figures.shapes import Area, Drawing, LineShape
 from sim2reason.generation.random_scenes import sample
@@ -76,7 +76,7 @@ def test_there_are_many_of_several_recipes() -> None:
 
 @pytest.mark.parametrize("case", SHAPES, ids=lambda case: case.path)
 def test_an_unknown_length_or_angle_is_drawn_with_another_value(case: Asked) -> None:
-    shown, _ = disguised(case.scene, case.description, lambda scene: drawing(scene, describe(scene)))
+    shown, _ = disguise_unknowns(case.scene, case.description, lambda scene: drawing(scene, describe(scene)))
     value, other = float(case.scene.value(case.path)), float(shown.value(case.path))
     assert abs(other - value) >= LEAST * abs(value)
     drawn = drawing(case.scene, case.description)

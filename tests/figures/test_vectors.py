@@ -1,7 +1,7 @@
 import pytest
 
-from sim2reason.figures.labels import placed
-from sim2reason.figures.shapes import LineShape, Wanted
+from sim2reason.figures.labels import place_labels
+from sim2reason.figures.shapes import LabelRequest, LineShape
 from sim2reason.figures.vectors import common, crosses, depth, hull, length_inside, rectangle, ring
 
 
@@ -31,5 +31,5 @@ def test_segments_and_boxes() -> None:
 
 def test_a_label_gives_way_to_lines_and_to_labels() -> None:
     line = LineShape((-2.0 + 0j, 2.0 + 0j))
-    (first, second), _ = placed([Wanted("A", (0j, 1j), "a"), Wanted("B", (1j, 2j), "b")], [line])
+    (first, second), _ = place_labels([LabelRequest("A", (0j, 1j), "a"), LabelRequest("B", (1j, 2j), "b")], [line])
     assert (first.at, second.at) == (1j, 2j)

@@ -11,7 +11,7 @@ from sim2reason.generation.make import make
 from sim2reason.generation.request import Request
 from sim2reason.questions.difficulty import Difficulty
 from sim2reason.questions.need import Need
-from sim2reason.questions.simplifications import SIMPLIFICATIONS
+from sim2reason.questions.simplifications import MISCONCEPTIONS
 from sim2reason.rewards import boxed
 
 CASES: tuple[tuple[str, Difficulty], ...] = (
@@ -42,7 +42,7 @@ def check(item: Item) -> None:
         assert wrong.value > 0.0 or item.answer.sign
         assert abs(wrong.value / item.answer.value - 1.0) > 2.0 * item.answer.tolerance
         assert grade_answer(item.answer, boxed(f"{wrong.value:.6g}")).reward == 0.0
-        assert wrong.simplification in SIMPLIFICATIONS
+        assert wrong.simplification in MISCONCEPTIONS
         assert wrong.reason[0].isupper()
         assert "." not in wrong.reason[:-1], "it names an address, or says two things"
 

@@ -8,7 +8,7 @@ import pytest
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.items import item
 from sim2reason.generation.item import Item
-from sim2reason.generation.make import told_in
+from sim2reason.generation.make import in_units
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.spoken_units import system_named
@@ -26,7 +26,7 @@ made = cache(lambda recipe, mode: item(recipe, "easy", mode, seed=3))
 @pytest.mark.parametrize(("recipe", "mode"), CASES)
 def test_the_same_problem_in_other_units(recipe: str, mode: str, units: str) -> None:
     usual: Item = made(recipe, mode)
-    other = told_in(system_named(units), usual)
+    other = in_units(system_named(units), usual)
     assert other.scene == usual.scene
     factor = parse_unit(usual.answer.unit).factor_to(parse_unit(other.answer.unit))
     assert factor is not None
@@ -44,7 +44,7 @@ def test_an_item_that_is_ordered_in_other_units_says_so() -> None:
     usual, other = item("pulley", "easy", seed=3), item("pulley", "easy", seed=3, units="cgs")
     assert other.id == f"{usual.id}-cgs"
     assert (usual.provenance.units, other.provenance.units) == ("SI", "cgs")
-    assert other.prompt == told_in(system_named("cgs"), usual).prompt != usual.prompt
+    assert other.prompt == in_units(system_named("cgs"), usual).prompt != usual.prompt
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ from sim2reason.datasets.grade import grade
 from sim2reason.datasets.items import item
 from sim2reason.datasets.store import read, write
 from sim2reason.generation.item import Answer, Distractor, Item
-from sim2reason.generation.options import FEWEST, OPTION_RTOL, options, options_of, values
+from sim2reason.generation.options import OPTION_RTOL, REQUIRED_DISTRACTORS, options, options_of, values
 from sim2reason.grading import Outcome
 from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt, parse_choice
 from sim2reason.scenes.dsl.measures import join_unit
@@ -31,7 +31,7 @@ def made(recipe: str, difficulty: str, index: int, units: str = "SI") -> Item:
 def test_one_letter_is_right_and_its_number_too(cell: tuple[str, str, int], units: str) -> None:
     told = made(*cell, units)
     letters = LETTERS[: len(told.answer.options)]
-    assert len(letters) > FEWEST
+    assert len(letters) > REQUIRED_DISTRACTORS
     assert told.answer.options[letters.index(told.answer.letter)] == told.answer.value
     for letter, value in zip(letters, told.answer.options, strict=True):
         right = float(letter == told.answer.letter)

@@ -10,7 +10,7 @@ from sim2reason import rewards
 from sim2reason.datasets.duplicates import marks, variant
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.items import item
-from sim2reason.datasets.separate import separated
+from sim2reason.datasets.separate import split_parts
 from sim2reason.datasets.store import read, write
 from sim2reason.generation.certified import CertifiedQuestion
 from sim2reason.generation.filters import FILTERS
@@ -42,7 +42,7 @@ def made(recipe: str, difficulty: str, index: int) -> Item:
 
 @cache
 def found(recipe: str, difficulty: str, index: int) -> CertifiedQuestion:
-    certified = ItemSearch(Request(recipe, difficulty, "multipart", 5, index)).found()
+    certified = ItemSearch(Request(recipe, difficulty, "multipart", 5, index)).find()
     assert certified is not None
     return certified
 
@@ -101,7 +101,7 @@ def test_later_solutions_start_from_earlier_results() -> None:
 @pytest.mark.parametrize("cell", CELLS)
 def test_separate_parts_give_the_answers_before_them(cell: tuple[str, str, int]) -> None:
     told = made(*cell)
-    single = separated(told)
+    single = split_parts(told)
     assert [each.id for each in single] == [f"{told.id}-{label}" for label in "abcd"[: len(single)]]
     for number, each in enumerate(single):
         assert each.prompt.count("Answer: ") == number
@@ -109,7 +109,7 @@ def test_separate_parts_give_the_answers_before_them(cell: tuple[str, str, int])
         assert grade(each, rewards.boxed(rewards.answered(each))).reward == 1.0
         if each.solution is not None:
             assert grade(each, each.solution.text).reward == 1.0
-    assert separated(single[0]) == (single[0],)
+    assert split_parts(single[0]) == (single[0],)
 
 
 def test_they_travel_through_files(tmp_path: Path) -> None:

@@ -10,11 +10,11 @@ from sim2reason.generation.asked_scenes import ASKED
 from sim2reason.generation.example_scenes import OWN
 from sim2reason.generation.question_page import COMMAND, format_page
 from sim2reason.questions import KINDS, MOMENTS
-from sim2reason.questions.following import motion_of
+from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.outcomes import OUTCOMES
-from sim2reason.questions.posing import posed
+from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.scenes.dsl.connection import CONNECTIONS
@@ -63,13 +63,13 @@ def test_every_connection_has_an_example(page: str) -> None:
 def test_ordinary_sentences_are_on_the_page_and_read_back(page: str, text: str, sentence: str) -> None:
     """Each asks the query that the form in parts beside it asks."""
     scene = loads(text)
-    motion, words = motion_of(scene), words_of(describe(scene))
+    motion, words = simulate_scene(scene), words_of(describe(scene))
     meant = understood(sentence, motion, words)
     assert meant is not None
     parts = next(row.split(" | ")[3] for row in page.splitlines() if f" | {sentence} | " in row)
     options = dict(zip(*[iter(shlex.split(parts.strip("|` ")))] * 2, strict=True))
     asked = StructuredQuestion(**{name.removeprefix("--"): part for name, part in options.items()})
-    assert posed(asked, motion, words).query == meant.posed.query
+    assert pose_question(asked, motion, words).query == meant.posed.query
 
 
 def test_every_entity_shows_its_coordinates_or_has_none(page: str) -> None:

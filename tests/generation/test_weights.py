@@ -11,7 +11,7 @@ from sim2reason.generation.filters.well_known import FEW_LAWS
 from sim2reason.generation.item_search import ItemSearch
 from sim2reason.generation.make import make
 from sim2reason.generation.recipes import RECIPES
-from sim2reason.generation.request import Request, check, in_drawn_order, weight
+from sim2reason.generation.request import Request, check, random_kind_order, weight
 from sim2reason.questions import KINDS, MODES
 
 ONLY_SUMS = dict.fromkeys(KINDS, 0.0) | {"sum": 1.0}
@@ -67,7 +67,7 @@ def test_the_first_that_can_be_had_is_drawn_by_its_weight() -> None:
     ordered = tuple((dict.fromkeys(KINDS, 0.0) | {"state": 3.0, "event": 2.0, "sum": 1.0}).items())
     rng, first = np.random.default_rng(1), Counter[str]()
     for _ in range(4000):
-        order = in_drawn_order("numeric", "pulley", ordered, rng)
+        order = random_kind_order("numeric", "pulley", ordered, rng)
         assert sorted(order) == ["event", "state", "sum"]  # what has the weight 0 is never asked
         first[next(kind for kind in order if kind != "event")] += 1
     assert first["state"] / 4000 == pytest.approx(0.75, abs=0.03)
@@ -128,7 +128,7 @@ def test_what_is_wanted_is_nearly_always_kept() -> None:
 def test_a_search_is_a_pure_function_of_its_request() -> None:
     request = Request("incline", "easy", "numeric", 2, 5)
     searches = ItemSearch(request), ItemSearch(request)
-    prompts = [found.prompt for search in searches if (found := search.found()) is not None]
+    prompts = [found.prompt for search in searches if (found := search.find()) is not None]
     assert len(prompts) == 2
     assert prompts[0] == prompts[1]
     assert searches[0].rejected == searches[1].rejected
@@ -139,6 +139,6 @@ def test_what_a_textbook_has_ready_is_not_counted_as_asked_for() -> None:
     """Hard periods of planets follow from Kepler's third law, or are too easy: no filter leaves the cell empty."""
     only_periods = tuple((dict.fromkeys(KINDS, 0.0) | {"period": 1.0}).items())
     search = ItemSearch(Request("orbital", "hard", "numeric", 4, 0, weights=only_periods))
-    assert search.found() is None
+    assert search.find() is None
     assert search.rejected.keys() == {FEW_LAWS, "difficulty: too easy"}
     assert search.wanted == ""

@@ -13,7 +13,7 @@ from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.plan import Config
 from sim2reason.datasets.store import read, write
-from sim2reason.generation.certified import recorded
+from sim2reason.generation.certified import solution_record
 from sim2reason.generation.item import Item
 from sim2reason.generation.request import Request
 from sim2reason.solutions import Solution
@@ -56,7 +56,7 @@ def test_two_workers_and_a_second_run_end_in_the_same_bytes(
 def test_a_problem_without_a_solution_says_why(tmp_path: Path) -> None:
     made = steady(Request("pulley", "easy", "numeric", 0, 0)).item
     assert made is not None
-    solution, unsolved = recorded(Solution("", reason="no strategy applies"))
+    solution, unsolved = solution_record(Solution("", reason="no strategy applies"))
     item: Item = made.model_copy(update={"solution": solution, "unsolved": unsolved})
     write(tmp_path / "shard.parquet", [item])
     assert read(tmp_path / "shard.parquet") == [item]

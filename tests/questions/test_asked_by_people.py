@@ -9,16 +9,16 @@ import pytest
 from plain_scenes import G, atwood, ramp
 from sim2reason.questions import KINDS, MOMENTS
 from sim2reason.questions.choices import pick
-from sim2reason.questions.following import motion_of
+from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.parse_question import parse_question
-from sim2reason.questions.posing import posed
+from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import targets
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import loads
-from sim2reason.simulation.certify import witnessed
+from sim2reason.simulation.certify import certify_trace
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.text.parsing import parse_scene
 from sim2reason.text.prose.description import describe
@@ -110,13 +110,13 @@ def scene(text: str) -> Callable[[], Scene]:
 def test_the_answer_is_that_of_the_closed_form(made: Callable[[], Scene], parts: dict[str, str], answer: float) -> None:
     """By one structured question; both engines agree, and the sentence leads back to it where there is one."""
     found = made()
-    motion, words = motion_of(found), words_of(describe(found))
+    motion, words = simulate_scene(found), words_of(describe(found))
     if parts["find"] == "relative velocity":
         parts = {**parts, "of": QUANTITIES["relative velocity"].of.names(words.mechanism)[0]}
-    question = posed(StructuredQuestion.read(parts), motion, words)
+    question = pose_question(StructuredQuestion.read(parts), motion, words)
     followed = question.followed(motion)
     assert followed.answer == pytest.approx(answer, rel=1e-6)
-    certificate = witnessed(followed.study.trace)[1]
+    certificate = certify_trace(followed.study.trace)[1]
     query = question.query
     assert KINDS[query.kind].doubt(query, followed.study, certificate) == ""
     sentence = question.sentence(words)

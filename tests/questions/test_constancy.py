@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from plain_scenes import arm, atwood, ramp, table
-from sim2reason.questions import KINDS, Moment, Study, Target
-from sim2reason.questions.choices import hangs_on, lasts
+from sim2reason.questions import KINDS, Moment, SimulatedScene, Target
+from sim2reason.questions.choices import depends_on_moment, is_constant
 from sim2reason.questions.moments.collisions import Collided
 from sim2reason.questions.moments.times import AllAlong, AtStart, AtTime
 from sim2reason.questions.prompt import words_of
@@ -18,15 +18,15 @@ BLOCK = "ramp.blocks.0"
 TENSION = Target("tension", "tendon_1")
 
 
-def study(scene: Scene) -> Study:
-    return Study.of(scene, np.linspace(0.0, 2.0, 41))
+def study(scene: Scene) -> SimulatedScene:
+    return SimulatedScene.of(scene, np.linspace(0.0, 2.0, 41))
 
 
 def matters(scene: Scene, moment: Moment, target: Target) -> bool:
     seen = study(scene)
     time = seen.time(moment)
     assert time is not None
-    return hangs_on(moment, seen.trace, time, lambda times: target.values(seen.trace.sample(times)))
+    return depends_on_moment(moment, seen.trace, time, lambda times: target.values(seen.trace.sample(times)))
 
 
 def test_velocities_of_free_pucks_hang_on_which_collision_has_been_alone() -> None:
@@ -40,22 +40,22 @@ def test_velocities_of_free_pucks_hang_on_which_collision_has_been_alone() -> No
 def test_a_value_that_has_settled_may_be_asked_for_at_any_time(when: float, hangs: bool) -> None:
     """1 − e^(−t/τ), which differs from its limit by 5 % until 3τ alone."""
     trace = study(atwood()).trace
-    assert hangs_on(AtTime(when), trace, when, lambda times: 1.0 - np.exp(-times / 0.04)) is hangs
+    assert depends_on_moment(AtTime(when), trace, when, lambda times: 1.0 - np.exp(-times / 0.04)) is hangs
 
 
 def test_constant_forces_last() -> None:
     """In an Atwood machine a = g (M − m)/(M + m) and T = 2 M m g/(M + m), all the while."""
     trace = study(atwood()).trace
-    assert lasts(TENSION, trace)
-    assert not lasts(Target("velocity", "one.system.blocks.0"), trace)
+    assert is_constant(TENSION, trace)
+    assert not is_constant(Target("velocity", "one.system.blocks.0"), trace)
     assert not matters(atwood(), AtTime(0.5), TENSION)
     assert matters(atwood(), AtTime(0.5), Target("velocity", "one.system.blocks.0"))
 
 
 def test_what_rubs_and_did_not_begin_at_rest_may_stop() -> None:
     """Up a slope a block slows down at g (sin θ + μ cos θ), down it speeds up at g (sin θ − μ cos θ)."""
-    assert lasts(Target("net force", BLOCK), study(ramp(friction=0.2)).trace)
-    assert not lasts(Target("net force", BLOCK), study(ramp(friction=0.2, speed=2.0)).trace)
+    assert is_constant(Target("net force", BLOCK), study(ramp(friction=0.2)).trace)
+    assert not is_constant(Target("net force", BLOCK), study(ramp(friction=0.2, speed=2.0)).trace)
 
 
 @pytest.mark.parametrize(("scene", "moment"), [(atwood(), AllAlong), (arm(), AtStart)])
@@ -63,6 +63,6 @@ def test_a_start_is_named_where_it_matters(scene: Scene, moment: type[Moment]) -
     words, seen = words_of(describe(scene)), study(scene)
     drawn = (KINDS["start"].draw(seen, words, targets(words), np.random.default_rng(seed)) for seed in range(6))
     asked = [query for query in drawn if query is not None and query.target is not None]
-    assert {type(query.moment) for query in asked if lasts(query.target, seen.trace) == (moment is AllAlong)} == {
+    assert {type(query.moment) for query in asked if is_constant(query.target, seen.trace) == (moment is AllAlong)} == {
         moment
     }

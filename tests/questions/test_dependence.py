@@ -5,12 +5,12 @@ from math import exp, log
 import numpy as np
 import pytest
 
-from sim2reason.questions import Query, Study, Target
-from sim2reason.questions.dependence import Dependence
+from sim2reason.questions import Query, SimulatedScene, Target
+from sim2reason.questions.dependence import AnswerFunction
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.distances import Farthest
 from sim2reason.questions.moments.times import AtTime
-from sim2reason.questions.study import ENOUGH
+from sim2reason.questions.study import EXACT_STEP_ERROR
 from sim2reason.scenes.bodies.space import LevelGround, Rocket
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
@@ -20,7 +20,7 @@ from sim2reason.scenes.files import loads
 ROOT = 3.0
 
 
-class Weak(Dependence):
+class Weak(AnswerFunction):
     """An answer that goes with a small power of the number; as well known as numbers are."""
 
     def __init__(self, power: float) -> None:
@@ -33,7 +33,7 @@ class Weak(Dependence):
 @pytest.mark.parametrize("power", [0.05, -0.05, 1.0])
 def test_a_weak_dependence_leaves_the_number_as_well_known(power: float) -> None:
     for away in (0.01, -0.008, 0.005, 0.002, -0.001, 0.0003):
-        found = Weak(power).solved(exp(1.0), ROOT * (1.0 + away))
+        found = Weak(power).solve_from(exp(1.0), ROOT * (1.0 + away))
         assert found == pytest.approx(ROOT, rel=1e-13 / abs(power))
 
 
@@ -46,12 +46,12 @@ def test_what_has_come_down_lies_there(time: float, height: float | None) -> Non
     mass, dry, exhaust, rate, g = 574.0, 220.0, 440.0, 22.0, 9.8
     entity = RocketEntity(rocket=Rocket(mass=mass, dry=dry), place=LevelGround(), exhaust=0.44, rate=rate)
     scene = Scene(entities=(Named(name="rocket", entity=entity),))
-    study = Study.of(scene, np.array([0.0, 20.0]))
+    study = SimulatedScene.of(scene, np.array([0.0, 20.0]))
     query = StretchQuery("sum", None, AtTime(time), "distance travelled", "rocket.rocket")
     burnt = (mass - dry) / rate
     speed = exhaust * log(mass / dry) - g * burnt
     top = exhaust * (burnt - dry / rate * log(mass / dry)) - 0.5 * g * burnt**2 + speed**2 / (2.0 * g)
-    found = Dependence(query, study, "rocket.rocket.mass")(mass)
+    found = AnswerFunction(query, study, "rocket.rocket.mass")(mass)
     assert found is not None
     if height is None:
         assert found < 2.0 * top
@@ -76,9 +76,9 @@ scene:
 
 def test_what_goes_round_may_overtake_what_flies_off() -> None:
     """Planet B escapes from a star of 0.343 solar masses, but A goes round: they are farthest apart after 7.4 years."""
-    study = Study.of(loads(PLANETS), np.array([0.0, 0.3]))
+    study = SimulatedScene.of(loads(PLANETS), np.array([0.0, 0.3]))
     pair = Farthest("system.planets.0 & system.planets.1")
     query = Query("event", Target("kinetic energy", "system.planets.0"), pair)
-    dependence = Dependence(query, study, "system.star.mass", ENOUGH)
+    dependence = AnswerFunction(query, study, "system.star.mass", EXACT_STEP_ERROR)
     assert dependence(0.89) == pytest.approx(9.2, rel=1e-3)
     assert dependence(0.343) == pytest.approx(9.2, rel=0.02)

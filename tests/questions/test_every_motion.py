@@ -5,7 +5,7 @@ import pytest
 
 import motions
 from sim2reason.generation.question_search import QuestionSearch
-from sim2reason.questions import KINDS, MODES, Query, Question, Study, Words
+from sim2reason.questions import KINDS, MODES, Query, Question, SimulatedScene, Words
 from sim2reason.questions.choices import has_formula_of_time
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.questions.query import targets
@@ -18,7 +18,7 @@ from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.scenes import simulate
 
 
-def questions(study: Study, words: Words, draws: int = 60) -> list[Question]:
+def questions(study: SimulatedScene, words: Words, draws: int = 60) -> list[Question]:
     """What is asked over many draws."""
     found = (MODES["numeric"].ask(study, words, "", np.random.default_rng(seed)) for seed in range(draws))
     return [question for question in found if question is not None]

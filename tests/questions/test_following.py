@@ -5,10 +5,10 @@ from math import pi, sqrt
 import pytest
 
 from plain_scenes import G, atwood, ramp, swing
-from sim2reason.questions.following import Followed, eventful, follow, motion_of
+from sim2reason.questions.following import SimulatedAnswer, simulate_scene, simulate_until_answer, simulate_until_event
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.parse_question import parse_question
-from sim2reason.questions.posing import posed
+from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.scenes.dsl.scene import Scene, World
@@ -19,12 +19,12 @@ MOON = 1.62
 FORM = r" Give your answer in {}, to three significant figures, inside \boxed{{}}."
 
 
-def asked(scene: Scene, question: str) -> Followed:
+def asked(scene: Scene, question: str) -> SimulatedAnswer:
     """The answer to a question about a scene."""
-    motion, words = motion_of(scene), words_of(describe(scene))
+    motion, words = simulate_scene(scene), words_of(describe(scene))
     query = parse_question(question, motion.study, words)
     assert query is not None, question
-    return follow(query, motion)
+    return simulate_until_answer(query, motion)
 
 
 def alone(entity: str, **world: float) -> Scene:
@@ -80,8 +80,8 @@ DAMPED = """scene:
 def test_too_little_energy_to_reach_a_place_is_a_reason(when: str) -> None:
     """A motion that dies away neither repeats itself nor ends: it has turned back on both sides."""
     scene = loads(DAMPED)
-    motion, words = motion_of(scene), words_of(describe(scene))
-    found = posed(StructuredQuestion("time", when=when), motion, words).followed(motion)
+    motion, words = simulate_scene(scene), words_of(describe(scene))
+    found = pose_question(StructuredQuestion("time", when=when), motion, words).followed(motion)
     assert found.answer is None
     assert "has no energy to come any farther" in found.reason
 
@@ -89,9 +89,9 @@ def test_too_little_energy_to_reach_a_place_is_a_reason(when: str) -> None:
 def test_a_place_within_its_turning_points_is_reached() -> None:
     """Before it has turned back on both sides, or never."""
     scene = loads(DAMPED)
-    motion, words = motion_of(scene), words_of(describe(scene))
+    motion, words = simulate_scene(scene), words_of(describe(scene))
     asked = StructuredQuestion("time", when="moved 0.3 m")
-    assert posed(asked, motion, words).followed(motion).answer == pytest.approx(0.4989, rel=1e-3)
+    assert pose_question(asked, motion, words).followed(motion).answer == pytest.approx(0.4989, rel=1e-3)
 
 
 def test_there_is_as_much_room_as_it_takes() -> None:
@@ -168,9 +168,9 @@ def test_a_ball_lands_on_the_moon() -> None:
 
 def test_a_slow_motion_is_followed_until_something_happens() -> None:
     """What never does anything is left as it is."""
-    assert eventful(motion_of(SLIDING)).study.trace.events[0].kind == "stick"
-    steady = motion_of(ramp(angle=0.0, speed=5.0))
-    assert eventful(steady) == steady
+    assert simulate_until_event(simulate_scene(SLIDING)).study.trace.events[0].kind == "stick"
+    steady = simulate_scene(ramp(angle=0.0, speed=5.0))
+    assert simulate_until_event(steady) == steady
 
 
 def test_a_prompt_is_followed_as_far() -> None:
@@ -186,10 +186,10 @@ def test_a_prompt_is_followed_as_far() -> None:
 
 def test_queries_share_the_longer_motions_that_they_follow() -> None:
     """A second query about the same motion follows no longer motion of its own."""
-    begun = motion_of(ramp())
+    begun = simulate_scene(ramp())
     words = words_of(describe(ramp()))
     late = StructuredQuestion("time", when="speed of block = 60 m/s")
-    one = posed(late, begun, words).followed(begun)
-    other = posed(late, begun, words).followed(begun)
+    one = pose_question(late, begun, words).followed(begun)
+    other = pose_question(late, begun, words).followed(begun)
     assert one.study is not begun.study
     assert one.study is other.study

@@ -14,8 +14,8 @@ import motions
 from plain_scenes import atwood, ramp, squeezed, swing, table
 from sim2reason.generation.filters import FILTERS, Candidate
 from sim2reason.generation.question_search import QuestionSearch
-from sim2reason.questions import KINDS, MODES, Moment, Question, Study, Words
-from sim2reason.questions.following import motion_of
+from sim2reason.questions import KINDS, MODES, Moment, Question, SimulatedScene, Words
+from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.paths import AreaSwept
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
@@ -41,7 +41,7 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.solar_system import SolarSystem
 from sim2reason.scenes.files import load
 from sim2reason.simulation.certify import certify
-from sim2reason.simulation.quantities.subjects.bodies import ALL
+from sim2reason.simulation.quantities.subjects.bodies import WHOLE_SCENE
 from sim2reason.simulation.quantities.subjects.pairs import Pairs, members
 from sim2reason.text.prose.description import describe
 
@@ -54,18 +54,18 @@ TABLE = "table.pucks.0 & table.pucks.1"
 SKY = "sky.planet & sky.star"
 SLOPE, ROUGH = radians(30.0), 0.2  # of a ramp
 
-Made = Callable[[], tuple[Study, Words]]
+Made = Callable[[], tuple[SimulatedScene, Words]]
 
 
 def told(scene: Scene) -> Made:
     """A scene as a motion with its words."""
-    return lambda: (motion_of(scene).study, words_of(describe(scene)))
+    return lambda: (simulate_scene(scene).study, words_of(describe(scene)))
 
 
 def stored(name: str, until: float) -> Made:
     """A stored scene as a motion up to a time, s, with its words."""
     scene = load(Path(__file__).parents[1] / "data" / "ordinary_scenes" / f"{name}.yaml")
-    return lambda: (motion_of(scene, until).study, words_of(describe(scene)))
+    return lambda: (simulate_scene(scene, until).study, words_of(describe(scene)))
 
 
 def dashpot() -> motions.Motion:
@@ -348,7 +348,7 @@ SUMS: Sequence[Case] = (
     Case(
         motions.thrown_ball().told,
         "energy lost in collisions",
-        ALL,
+        WHOLE_SCENE,
         Bounced("field.ball", 2),
         0.1 * FALL**2 * (1.0 - 0.8**4),
     ),
@@ -380,7 +380,7 @@ SUMS: Sequence[Case] = (
     ),
 )
 COUNTS: Sequence[Case] = (
-    Case(told(squeezed()), "number of collisions", ALL, LastCollision(), ceil(pi / atan(0.5)) - 1),
+    Case(told(squeezed()), "number of collisions", WHOLE_SCENE, LastCollision(), ceil(pi / atan(0.5)) - 1),
     Case(motions.thrown_ball().told, "number of bounces", "field.ball", AtTime(2.4), 2),
     Case(motions.spring_block().told, "number of reversals", "bench.block", AtTime(1.8), floor(1.8 * RATE / pi)),
 )
@@ -389,7 +389,7 @@ EVERY = pytest.mark.parametrize("case", CASES, ids=[f"{case.name}, {case.subject
 
 
 @cache
-def known(case: Case) -> tuple[Study, Words]:
+def known(case: Case) -> tuple[SimulatedScene, Words]:
     return case.made()
 
 
@@ -485,25 +485,25 @@ def test_what_turns_over_returns_after_a_whole_turn() -> None:
 @pytest.mark.parametrize("heavy", [1.0, 2.0, 4.0, 9.0, 16.0])
 def test_collisions_are_counted_by_unfolding(heavy: float) -> None:
     """Between a wall and a cart with mass ratio M/m there are ⌈π/arctan √(m/M)⌉ − 1 elastic collisions in all."""
-    study = Study.of(squeezed(heavy), np.linspace(0.0, 60.0, 41))
-    query = StretchQuery("count", None, LastCollision(), "number of collisions", ALL)
+    study = SimulatedScene.of(squeezed(heavy), np.linspace(0.0, 60.0, 41))
+    query = StretchQuery("count", None, LastCollision(), "number of collisions", WHOLE_SCENE)
     assert KINDS["count"].answer(query, study) == ceil(round(pi / atan(1.0 / sqrt(heavy)), 9)) - 1
 
 
 def test_a_collision_may_follow_as_long_as_anything_approaches() -> None:
-    study = Study.of(squeezed(9.0), np.linspace(0.0, 2.0, 41))
+    study = SimulatedScene.of(squeezed(9.0), np.linspace(0.0, 2.0, 41))
     assert LastCollision().time(study.trace) is None
-    assert LastCollision().time(Study.of(table(), np.linspace(0.0, 2.0, 41)).trace) == pytest.approx(0.4)
+    assert LastCollision().time(SimulatedScene.of(table(), np.linspace(0.0, 2.0, 41)).trace) == pytest.approx(0.4)
 
 
 def test_symbols_name_those_who_collide_last_where_several_may() -> None:
     """With mass ratio M/m there are ⌈π/arctan √(m/M)⌉ − 1 collisions, with the cart and the wall in turn: 3, and 4."""
     for heavy, last in ((1.0, Collided("track.gliders.0 & track.gliders.1", 2)), (1.5, Bounced("track.gliders.1", 2))):
-        trace = Study.of(squeezed(heavy), np.linspace(0.0, 60.0, 41)).trace
+        trace = SimulatedScene.of(squeezed(heavy), np.linspace(0.0, 60.0, 41)).trace
         moment = LastCollision().in_symbols(trace)
         assert moment == last
         assert moment.time(trace) == LastCollision().time(trace)
-    lone = Study.of(table(), np.linspace(0.0, 2.0, 41)).trace
+    lone = SimulatedScene.of(table(), np.linspace(0.0, 2.0, 41)).trace
     assert LastCollision().in_symbols(lone) == LastCollision()
 
 
@@ -525,7 +525,7 @@ def test_areas_are_asked_for_where_the_line_turns_in_one_sense(*, turns: bool, w
     near = HeavyPlanet(mass=0.44, x=0.57, y=-0.54, vx=5.18, vy=7.13)
     system = SolarSystem(star=Star(mass=1.5), planets=(near, far))
     scene = Scene(entities=(Named(name="system", entity=system),))
-    study = Study.of(scene, np.linspace(0.0, 0.36, 50))
+    study = SimulatedScene.of(scene, np.linspace(0.0, 0.36, 50))
     pair = next(
         name for name in Pairs().names(study.mechanism) if {"system.star", "system.planets.0"} == {*members(name)}
     )

@@ -11,8 +11,8 @@ import motions
 from plain_scenes import ramp, table
 from sim2reason.generation.filters import FILTERS, Candidate
 from sim2reason.generation.random_scenes import sample
-from sim2reason.questions import KINDS, MOMENTS, Moment, Query, Question, Study, Words
-from sim2reason.questions.following import motion_of
+from sim2reason.questions import KINDS, MOMENTS, Moment, Query, Question, SimulatedScene, Words
+from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.moments.angles import Deflected, Orbited, TurnedThrough
 from sim2reason.questions.moments.bounces import Bounced, Landed, StayedBelow, TopAfterBounce
 from sim2reason.questions.moments.burned_out import BurnedOut
@@ -27,7 +27,7 @@ from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import targets
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.mechanism import Z
-from sim2reason.scenes.dsl.model import rebuilt
+from sim2reason.scenes.dsl.model import replace_validated
 from sim2reason.scenes.files import load
 from sim2reason.simulation.certify import Certificate, certify
 from sim2reason.simulation.engines.exact import simulate as exact
@@ -87,7 +87,7 @@ def kepler(anomaly: float, eccentricity: float = 0.5) -> float:
 def prism() -> motions.Motion:
     """A decagonal prism with its edges 0.10 m from its axis, which tips over on a slope of 12° at 5.3 rad/s."""
     scene = load(Path(__file__).parents[1] / "data" / "ordinary_scenes" / "tumbling_prism.yaml")
-    return motions.Motion(motion_of(scene).study.mechanism, {"roller.prism": "the prism"}, 0.3)
+    return motions.Motion(simulate_scene(scene).study.mechanism, {"roller.prism": "the prism"}, 0.3)
 
 
 def tumbled() -> float:
@@ -108,9 +108,9 @@ def beads(electric: bool) -> motions.Motion:
     """A bead of 1.5 mg with −4.1 µC at 2.7 m/s, 304° from x, in 1 T along z and perhaps 0.76 N/C against x."""
     scene = load(Path(__file__).parents[1] / "data" / "ordinary_scenes" / "crossed_fields.yaml")
     held = scene.entities[0]
-    fields = held.entity if electric else rebuilt(held.entity, electric=None)
-    made = rebuilt(scene, entities=(rebuilt(held, entity=fields),))
-    return motions.Motion(motion_of(made).study.mechanism, {"fields.particle": "the bead"}, 3.0)
+    fields = held.entity if electric else replace_validated(held.entity, electric=None)
+    made = replace_validated(scene, entities=(replace_validated(held, entity=fields),))
+    return motions.Motion(simulate_scene(made).study.mechanism, {"fields.particle": "the bead"}, 3.0)
 
 
 def crossed() -> motions.Motion:
@@ -201,7 +201,7 @@ def test_both_engines_vouch_for_it(motion: Callable[[], motions.Motion], moment:
     assert expected > 0.0
 
 
-def refused(query: Query, study: Study, certificate: Certificate) -> str:
+def refused(query: Query, study: SimulatedScene, certificate: Certificate) -> str:
     """Why the agreement of both engines does not cover a question; empty if it does."""
     answer = KINDS[query.kind].answer(query, study)
     assert answer is not None
@@ -239,7 +239,7 @@ def test_a_top_that_is_lower_than_the_start_is_not_the_highest_point() -> None:
     assert HighestPoint("field.ball").time(trace) is None
 
 
-def drawn(study: Study, words: Words, kind: str) -> list[Query]:
+def drawn(study: SimulatedScene, words: Words, kind: str) -> list[Query]:
     """What a kind would ask, over many draws."""
     found = (KINDS[kind].draw(study, words, targets(words), np.random.default_rng(seed)) for seed in range(120))
     return [query for query in found if query is not None]
@@ -253,10 +253,10 @@ def test_a_force_that_never_changes_is_not_asked_at_a_moment() -> None:
         assert not asked & {"acceleration", "net force", "normal force", "friction force"}
 
 
-def told() -> tuple[Study, Words]:
+def told() -> tuple[SimulatedScene, Words]:
     """A block that slides down a rough ramp."""
     scene = ramp(friction=0.2)
-    return Study(scene, simulate(scene)), words_of(describe(scene))
+    return SimulatedScene(scene, simulate(scene)), words_of(describe(scene))
 
 
 def test_where_a_force_jumps_at_an_event_it_is_not_asked_there() -> None:
@@ -272,6 +272,6 @@ def test_where_a_force_jumps_at_an_event_it_is_not_asked_there() -> None:
 def test_of_what_is_thrown_no_slant_distance_fixes_a_moment(recipe: str, asked: bool) -> None:
     """Of a bead in a field one may ask when it is so far from where it began, if seldom."""
     scene = sample(recipe, "easy", seed=3)
-    words, study = words_of(describe(scene)), Study(scene, simulate(scene))
+    words, study = words_of(describe(scene)), SimulatedScene(scene, simulate(scene))
     found = [moment for seed in range(99) for moment in Away.found(study, words, np.random.default_rng(seed))]
     assert bool(found) is asked

@@ -3,11 +3,11 @@
 import pytest
 
 from plain_scenes import G, ramp
-from sim2reason.questions.following import motion_of
+from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.inversion import values_giving, why_not_one
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.parse_question import parse_question
-from sim2reason.questions.posing import posed
+from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.unknown import range_of
@@ -30,7 +30,7 @@ scene:
 
 def found(question: str, given: float, path: str) -> tuple[list[float], str]:
     """The values of a number for which an answer is as given, and why it is not one."""
-    motion, words = motion_of(SLIDING), words_of(describe(SLIDING))
+    motion, words = simulate_scene(SLIDING), words_of(describe(SLIDING))
     query = parse_question(question, motion.study, words)
     assert query is not None
     hidden = Words.of(SLIDING, words.mentions, {path: "p"})
@@ -88,8 +88,8 @@ def test_a_prompt_says_why_it_has_no_answer() -> None:
 def test_a_magnitude_is_small_without_a_change_of_sign(given: str, end: str, force: float) -> None:
     """A hand that pulls with m g holds the block on the other end of the string."""
     scene = loads(HAND)
-    motion, words = motion_of(scene), words_of(describe(scene))
-    asked = posed(StructuredQuestion("hand.force", when="at start", given=given), motion, words)
+    motion, words = simulate_scene(scene), words_of(describe(scene))
+    asked = pose_question(StructuredQuestion("hand.force", when="at start", given=given), motion, words)
     assert asked.end == end
     assert asked.followed(motion).answer == pytest.approx(force, rel=1e-6)
 
@@ -97,6 +97,6 @@ def test_a_magnitude_is_small_without_a_change_of_sign(given: str, end: str, for
 def test_no_number_gives_what_is_beyond_a_minimum() -> None:
     """A magnitude is never negative."""
     scene = loads(HAND)
-    motion, words = motion_of(scene), words_of(describe(scene))
-    asked = posed(StructuredQuestion("hand.force", when="at start", given="acceleration = -1"), motion, words)
+    motion, words = simulate_scene(scene), words_of(describe(scene))
+    asked = pose_question(StructuredQuestion("hand.force", when="at start", given="acceleration = -1"), motion, words)
     assert asked.followed(motion).reason.startswith("no value of ")

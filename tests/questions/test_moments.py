@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plain_scenes import G, arm, atwood, ramp, row, squeezed, table
-from sim2reason.questions import KINDS, Moment, Study
-from sim2reason.questions.crossing import begins_beyond, crossings, first_crossing, jumps
+from sim2reason.questions import KINDS, Moment, SimulatedScene
+from sim2reason.questions.crossing import crossings, first_crossing, jumps, rises_from_zero
 from sim2reason.questions.moments.collisions import Collided
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.parts.turning_points import SpringTurn
@@ -20,7 +20,7 @@ from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import targets
-from sim2reason.questions.words import round_number, said, say, spoken, two_digits
+from sim2reason.questions.words import format_number, numbers_in_text, round_number, rounded_as_written, two_digits
 from sim2reason.scenes.bodies.planes import Incline
 from sim2reason.scenes.bodies.round_bodies import Hoop
 from sim2reason.scenes.dsl.builder import Builder
@@ -68,8 +68,8 @@ def test_what_is_never_reached_is_none() -> None:
 
 def test_what_begins_at_zero_must_fall_below_it_first() -> None:
     assert first_crossing(FALL, lambda state: state.times) is None
-    assert begins_beyond(FALL, lambda state: state.times)
-    assert not begins_beyond(FALL, lambda state: state.times * (state.times - 1.0))
+    assert rises_from_zero(FALL, lambda state: state.times)
+    assert not rises_from_zero(FALL, lambda state: state.times * (state.times - 1.0))
     found = first_crossing(FALL, lambda state: state.times * (state.times - 1.0))
     assert found == pytest.approx(1.0, rel=1e-12)
 
@@ -166,7 +166,7 @@ def test_pucks_meet_when_the_gap_is_closed_and_sides_differ() -> None:
     trace = simulate(table(speed=2.0))
     before, after = Collided(PUCKS, after=False), Collided(PUCKS, after=True)
     assert before.time(trace) == after.time(trace) == pytest.approx(0.8 / 2.0, rel=1e-12)
-    assert before.side(0.4) < 0.4 == after.side(0.4)
+    assert before.evaluation_time(0.4) < 0.4 == after.evaluation_time(0.4)
     assert Collided("table.pucks.0 & nobody", after=True).time(trace) is None
 
 
@@ -180,9 +180,9 @@ def test_times_are_those_that_are_said() -> None:
 @given(st.floats(0.01, 900.0))
 def test_spoken_numbers_have_two_digits_and_are_what_is_said(value: float) -> None:
     said = two_digits(value)
-    assert float(said) == spoken(value) == pytest.approx(value, rel=0.05)
+    assert float(said) == rounded_as_written(value) == pytest.approx(value, rel=0.05)
     assert "e" not in said
-    assert spoken(spoken(value)) == spoken(value)
+    assert rounded_as_written(rounded_as_written(value)) == rounded_as_written(value)
 
 
 @given(st.floats(0.01, 900.0), st.floats(1.0, 3.0))
@@ -193,7 +193,7 @@ def test_a_round_number_is_the_nearest_between_its_bounds(value: float, factor: 
         assert bounds[0] <= found <= bounds[1]
         assert max(found / value, value / found) <= 1.4**0.5 * (1.0 + 1e-9)
     if not bounds[0] <= found <= bounds[1]:
-        assert found == spoken(value)
+        assert found == rounded_as_written(value)
 
 
 @pytest.mark.parametrize(
@@ -234,9 +234,9 @@ def test_two_of_a_kind_are_a_pair() -> None:
 
 @given(st.floats(0.01, 900.0), st.sampled_from(["s", "m", "m/s", "m/s^2", "J"]))
 def test_numbers_are_found_again_by_their_unit_alone(value: float, unit: str) -> None:
-    text = f"What is it when A is at {say(value, unit)}?"
-    assert said(text, unit) == [pytest.approx(value, rel=1e-12)]
-    assert not any(said(text, other) for other in ("s", "m", "m/s", "m/s^2", "J") if other != unit)
+    text = f"What is it when A is at {format_number(value, unit)}?"
+    assert numbers_in_text(text, unit) == [pytest.approx(value, rel=1e-12)]
+    assert not any(numbers_in_text(text, other) for other in ("s", "m", "m/s", "m/s^2", "J") if other != unit)
 
 
 ROCKS = (
@@ -311,7 +311,7 @@ def test_what_an_arm_carries_comes_to_rest_again_only_if_the_arm_was_at_rest() -
 def test_a_spring_is_not_asked_about_where_it_is_stretched_or_compressed_the_most() -> None:
     """What has its extreme there is asked for by that name; of the carts, much is."""
     scene = row((1.0, 2.0), (100.0, 60.0), "left", strain=0.1, speed=0.5)
-    seen, words = Study(scene, simulate(scene)), words_of(describe(scene))
+    seen, words = SimulatedScene(scene, simulate(scene)), words_of(describe(scene))
     drawn = (KINDS["event"].draw(seen, words, targets(words), np.random.default_rng(seed)) for seed in range(60))
     found = [query for query in drawn if query is not None and isinstance(query.moment, SpringTurn)]
     assert found
@@ -340,7 +340,7 @@ def test_a_speed_that_only_touches_zero_is_at_rest_then(speed: float, rests: flo
     bead = f"{{particle: {particle}, electric: {field}, start: {start}}}"
     scene = load(f"scene: {{name: bead, entities: [{{name: bead, type: EmEntity, parameters: {bead}}}]}}")
     for duration in (2.0, 64.0):
-        found = Stopped("bead.particle").time(Study.of(scene, np.linspace(0.0, duration, 11)).trace)
+        found = Stopped("bead.particle").time(SimulatedScene.of(scene, np.linspace(0.0, duration, 11)).trace)
         assert found == (pytest.approx(rests, abs=1e-6) if rests is not None else None)
 
 
@@ -351,4 +351,4 @@ def test_a_relaxed_spring_has_its_natural_length_again_after_half_a_period() -> 
     (moment,) = NaturalLength.parsed("the spring", trace, words)
     assert moment.time(trace) == pytest.approx(pi * sqrt(1.6 * 1.1 / 2.7 / 79.0), rel=1e-9)
     assert "has its natural length again" in moment.phrases(words)[0]
-    assert not NaturalLength.found(Study(scene, trace), words, np.random.default_rng(0))
+    assert not NaturalLength.found(SimulatedScene(scene, trace), words, np.random.default_rng(0))

@@ -4,7 +4,7 @@ import pytest
 
 from lone_entities import alone
 from plain_scenes import ramp, row
-from sim2reason.questions.functionals.parts.integral import encounter
+from sim2reason.questions.functionals.parts.integral import collision_phrases
 from sim2reason.questions.moments.collisions import Collided
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.strings import MostStretched
@@ -55,7 +55,7 @@ def test_two_pucks_without_walls_collide_but_once() -> None:
     told = words(on_table(2))
     moment = Collided(PAIR)
     assert "just after pucks A and B collide" in moment.phrases(told)
-    assert encounter(moment, told, PAIR)[0] == "in their collision"
+    assert collision_phrases(moment, told, PAIR)[0] == "in their collision"
     assert not any("first" in phrase for phrase in (*moment.phrases(told), *moment.stretches(told)))
 
 
@@ -63,7 +63,7 @@ def test_two_pucks_without_walls_collide_but_once() -> None:
 def test_pucks_that_may_meet_again_first_collide(scene: Scene) -> None:
     told = words(scene)
     assert all("first" in phrase for phrase in Collided(PAIR).phrases(told))
-    assert encounter(Collided(PAIR), told, PAIR)[0] == "in their first collision"
+    assert collision_phrases(Collided(PAIR), told, PAIR)[0] == "in their first collision"
 
 
 @pytest.mark.parametrize("restitution", [0.0, 0.6, 1.0])

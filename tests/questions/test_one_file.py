@@ -15,7 +15,7 @@ from sim2reason.generation.certified import CertifiedQuestion
 from sim2reason.generation.make import item_of
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.request import Request
-from sim2reason.questions import KINDS, MODES, MOMENTS, Query, Study, Target
+from sim2reason.questions import KINDS, MODES, MOMENTS, Query, SimulatedScene, Target
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.parse_question import parse_question
@@ -23,7 +23,7 @@ from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import targets
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.simulation.certify import witnessed
+from sim2reason.simulation.certify import certify_trace
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities import QUANTITIES
 
@@ -306,7 +306,7 @@ def test_a_new_quantity_is_a_channel_and_has_a_panel() -> None:
     panel = next(panel for panel in shown.panels if panel.title == "power (W)")
     assert [curve.name for curve in panel.curves] == ["A", "B"]
     assert all(np.abs(curve.values).max() > 1.0 for curve in panel.curves)
-    assert Channel("one.system.blocks.0", "power of weight") in witnessed(search.study.trace)[1].until
+    assert Channel("one.system.blocks.0", "power of weight") in certify_trace(search.study.trace)[1].until
 
 
 @pytest.mark.parametrize("share", [None, 0.0, -1.0, float("nan")])
@@ -326,7 +326,7 @@ def test_a_kind_without_a_share_is_refused_since_it_would_never_be_asked(share: 
 
 
 def test_a_study_works_nothing_out_twice() -> None:
-    study = Study.of(ramp(), np.linspace(0.0, 2.0, 41))
+    study = SimulatedScene.of(ramp(), np.linspace(0.0, 2.0, 41))
     steeper = ramp(angle=40.0)
     assert study.variant(steeper) is study.variant(ramp(angle=40.0))
     assert study.variant(steeper).scene == steeper

@@ -13,7 +13,7 @@ from sim2reason.questions.moments import Happening
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.part_prompts import AS_PURE, AS_WHOLE, FORMS, PartPrompt, parse_parts, together
 from sim2reason.questions.query import targets
-from sim2reason.questions.references import THAT, referring, spelled_out
+from sim2reason.questions.references import THAT, resolved_references, with_reference
 
 UNITS = st.lists(st.sampled_from(["m/s", "N·s", "degrees", "m/s²", AS_WHOLE, AS_PURE]), min_size=2, max_size=4)
 SENTENCES = st.sampled_from(["What is it?", "Find the speed (of A) in m/s.", "How many (a) are there?", "A | b"])
@@ -70,8 +70,8 @@ def test_a_stretch_that_ends_at_a_moment_just_told_lasts_until_then() -> None:
     moment = AtTime(0.5)
     for stretch in moment.stretches(search.words):
         text = f"Find how far A travels in all {stretch}."
-        assert referring(text, moment, search.words) == f"Find how far A travels in all until {THAT}."
-        assert text in spelled_out(referring(text, moment, search.words), moment, search.words)
+        assert with_reference(text, moment, search.words) == f"Find how far A travels in all until {THAT}."
+        assert text in resolved_references(with_reference(text, moment, search.words), moment, search.words)
 
 
 def test_words_for_a_moment_come_back_whatever_the_sentence() -> None:
@@ -81,7 +81,7 @@ def test_words_for_a_moment_come_back_whatever_the_sentence() -> None:
         noun = targets(search.words)[question.query.target] if question.query.target is not None else None
         for shape in kind.shapes(question.query, search.words, noun):
             text = shape[0].upper() + shape[1:]
-            short = referring(text, moment, search.words)
-            assert short == text or text in spelled_out(short, moment, search.words)
-    assert referring("What is it?", None, search.words) == "What is it?"
-    assert not list(spelled_out("What is it at that moment?", None, search.words))
+            short = with_reference(text, moment, search.words)
+            assert short == text or text in resolved_references(short, moment, search.words)
+    assert with_reference("What is it?", None, search.words) == "What is it?"
+    assert not list(resolved_references("What is it at that moment?", None, search.words))

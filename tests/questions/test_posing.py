@@ -11,11 +11,11 @@ from sim2reason.datasets.items import sample
 from sim2reason.errors import TextError
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import KINDS, MOMENTS, Words
-from sim2reason.questions.following import Followed, motion_of
+from sim2reason.questions.following import SimulatedAnswer, simulate_scene
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.questions.parse_question import parse_question
-from sim2reason.questions.posing import PosedQuestion, findable, posed
+from sim2reason.questions.posing import PosedQuestion, findable, pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion, moment_named, moment_told, resolved
 from sim2reason.scenes.dsl.scene import Scene
@@ -29,12 +29,12 @@ FAR, LATE = 25.0 / (0.1 * G), 5.0 / (0.05 * G)
 def read(scene: Scene, **parts: str) -> tuple[PosedQuestion, Words]:
     """Return the query of a question in parts, and the words of its scene."""
     words = words_of(describe(scene))
-    return posed(StructuredQuestion.read(parts), motion_of(scene), words), words
+    return pose_question(StructuredQuestion.read(parts), simulate_scene(scene), words), words
 
 
-def found(scene: Scene, **parts: str) -> Followed:
+def found(scene: Scene, **parts: str) -> SimulatedAnswer:
     """Return the answer to a question in parts, with the motion."""
-    return read(scene, **parts)[0].followed(motion_of(scene))
+    return read(scene, **parts)[0].followed(simulate_scene(scene))
 
 
 @pytest.mark.parametrize(
@@ -125,7 +125,7 @@ def test_a_sentence_is_one_writing_of_the_same_query() -> None:
     """The sentence of a question in parts is read as the same query."""
     for parts in ({"find": "velocity", "when": "moved 0.5 m"}, {"find": "time", "when": "stopped"}):
         question, words = read(SLIDING, **parts)
-        assert parse_question(question.sentence(words), motion_of(SLIDING).study, words) == question.query
+        assert parse_question(question.sentence(words), simulate_scene(SLIDING).study, words) == question.query
 
 
 def test_what_no_text_gives_is_not_found() -> None:
@@ -138,7 +138,7 @@ def test_what_no_text_gives_is_not_found() -> None:
 def test_every_moment_that_a_scene_offers_is_told_and_read(recipe: str) -> None:
     """Each moment that a motion offers is read back from its name."""
     scene = sample(recipe, seed=3)
-    study, words = motion_of(scene).study, words_of(describe(scene))
+    study, words = simulate_scene(scene).study, words_of(describe(scene))
     for cls in MOMENTS.values():
         for moment in cls.found(study, words, np.random.default_rng(1)):
             told = moment_told(moment, words)
@@ -151,12 +151,12 @@ def test_every_moment_that_a_scene_offers_is_told_and_read(recipe: str) -> None:
 def test_every_quantity_and_functional_of_a_scene_can_be_found(recipe: str) -> None:
     """Each of them by its name alone, no list of which is kept anywhere."""
     scene = sample(recipe, seed=3)
-    motion, words = motion_of(scene), words_of(describe(scene))
+    motion, words = simulate_scene(scene), words_of(describe(scene))
     for name in findable(words):
         if name in FUNCTIONALS or not any(name in KINDS[kind].finds(words) for kind in ("state", "sum")):
             continue
         try:
-            question = posed(StructuredQuestion(name, when="at 0.1 s"), motion, words)
+            question = pose_question(StructuredQuestion(name, when="at 0.1 s"), motion, words)
         except TextError as error:
             assert error.place == "of" or "the text does not give" in str(error), error  # several have it  # noqa: PT017
         else:

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from motions import Motion, charge, light_rod, orbit, rolling_ball, slab, spring_block, string_pendulum, thrown_ball
-from sim2reason.questions.following import motion_of
+from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.period_words import attracted_by
-from sim2reason.questions.recurrence import Repetition, drift_return, first_return, flies_off, nothing_new
+from sim2reason.questions.recurrence import Repetition, drift_return, escapes, first_return, has_known_continuation
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.fields import Magnetic, Profile, Push
 from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism, X, Y, Z
@@ -79,16 +79,16 @@ def test_what_is_faster_than_it_must_be_to_escape_never_comes_back(share: float,
     planet = room.body("planet", 1e-3, at=(3.0, 0.0, 0.0))
     planet.slide(X, outward * 0.8 * speed, name="x").slide(Y, 0.6 * speed, name="y").attract(star, 2.0)
     trace = simulate(builder.finish(), np.linspace(0.0, 0.1, 3))
-    assert flies_off(trace, "planet") is flies
-    assert not flies_off(trace, "star")
+    assert escapes(trace, "planet") is flies
+    assert not escapes(trace, "star")
 
 
 @pytest.mark.parametrize(("angle", "rate"), [(0.3, 0.0), (0.0, 0.0)])
 def test_what_repeats_itself_or_rests_brings_nothing_new(angle: float, rate: float) -> None:
     """A swing is known from one period on; what hangs at rest, at once."""
     mechanism, whole = rod(0.8, angle, rate), 2.0 * pi * sqrt(0.8 / G)
-    assert nothing_new(simulate(mechanism, np.linspace(0.0, 1.1 * whole, 5)))
-    assert nothing_new(simulate(mechanism, np.linspace(0.0, 0.5 * whole, 5))) is (angle == 0.0)
+    assert has_known_continuation(simulate(mechanism, np.linspace(0.0, 1.1 * whole, 5)))
+    assert has_known_continuation(simulate(mechanism, np.linspace(0.0, 0.5 * whole, 5))) is (angle == 0.0)
 
 
 def particle(electric: float) -> Mechanism:
@@ -158,15 +158,15 @@ def test_what_drifts_on_repeats_itself_elsewhere() -> None:
     """Two trolleys on a spring, after the period of their relative oscillation; a wall would be a special place."""
     masses, stiffness = (1.1, 3.5), 40.0
     reduced = masses[0] * masses[1] / sum(masses)
-    free = motion_of(load(SCENES / "struck_trolleys.yaml"), 2.0).study.trace
+    free = simulate_scene(load(SCENES / "struck_trolleys.yaml"), 2.0).study.trace
     assert first_return(free) is None
     assert drift_return(free) == pytest.approx(2.0 * pi * sqrt(reduced / stiffness), rel=1e-6)
-    assert drift_return(motion_of(load(SCENES / "elastic_balls.yaml")).study.trace) is None
+    assert drift_return(simulate_scene(load(SCENES / "elastic_balls.yaml")).study.trace) is None
 
 
 def test_what_starts_on_a_relaxed_spring_and_drifts_repeats_itself() -> None:
     """Trolleys of 4.1 kg and 2.1 kg on a relaxed spring of 139 N/m: nothing is accelerated at first."""
     reduced = 4.1 * 2.1 / (4.1 + 2.1)
-    trace = motion_of(load(SCENES / "struck_second_trolley.yaml"), 3.0).study.trace
+    trace = simulate_scene(load(SCENES / "struck_second_trolley.yaml"), 3.0).study.trace
     assert not trace.at(0.0).a[0].any()
     assert drift_return(trace) == pytest.approx(2.0 * pi * sqrt(reduced / 139.0), rel=1e-6)

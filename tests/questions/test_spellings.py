@@ -6,15 +6,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plain_scenes import ramp
-from sim2reason.questions import KINDS, Study
+from sim2reason.questions import KINDS, SimulatedScene
 from sim2reason.questions.parse_question import parse_question, plainly
 from sim2reason.questions.prompt import words_of
-from sim2reason.questions.words import said, say, two_digits
+from sim2reason.questions.words import format_number, numbers_in_text, two_digits
 from sim2reason.scenes.dsl.units import ASTRONOMICAL, SI
 from sim2reason.text.prose.description import describe
 
 SCENE = ramp()
-STUDY, WORDS = Study.of(SCENE, np.linspace(0.0, 1.0, 11)), words_of(describe(SCENE))
+STUDY, WORDS = SimulatedScene.of(SCENE, np.linspace(0.0, 1.0, 11)), words_of(describe(SCENE))
 
 
 @pytest.mark.parametrize(
@@ -59,14 +59,14 @@ def test_among_planets_in_their_units() -> None:
 @given(st.floats(1e-6, 9e9))
 def test_what_is_said_is_heard(value: float) -> None:
     """To twelve digits at least."""
-    (found,) = said(say(value, "s"), "s")
+    (found,) = numbers_in_text(format_number(value, "s"), "s")
     assert found == pytest.approx(value, rel=1e-12)
 
 
 @given(st.floats(1e-4, 1e4))
 def test_two_digits_stay_two_digits(value: float) -> None:
     """What is drawn is told as it ever was."""
-    assert say(float(two_digits(value)), "s") == f"{two_digits(value)} s"
+    assert format_number(float(two_digits(value)), "s") == f"{two_digits(value)} s"
 
 
 @pytest.mark.parametrize(

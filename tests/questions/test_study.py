@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from plain_scenes import swing
-from sim2reason.questions import Study
+from sim2reason.questions import SimulatedScene
 
 SHORT, LONG = 0.4, 2.5  # s
 CHANGE = {"swing.angle": 50.0}
@@ -13,7 +13,7 @@ CHANGE = {"swing.angle": 50.0}
 @pytest.mark.parametrize("before", [(), (LONG,), (0.3, LONG), (0.3, 0.4, 1.2)])
 def test_how_far_a_variant_is_followed_hangs_on_no_question_before(before: tuple[float, ...]) -> None:
     """It swings through its lowest point after 0.47 s, which who asks for 0.4 s does not learn."""
-    study = Study.of(swing(), np.linspace(0.0, 3.0, 41))
+    study = SimulatedScene.of(swing(), np.linspace(0.0, 3.0, 41))
     for until in before:
         other = study.with_values(CHANGE, until)
         assert other is not None
@@ -24,6 +24,6 @@ def test_how_far_a_variant_is_followed_hangs_on_no_question_before(before: tuple
     assert found.trace.stable_until == pytest.approx(SHORT)
     assert not found.trace.events
     assert found is study.with_values(CHANGE, SHORT)
-    alone = Study.of(swing(), np.linspace(0.0, 3.0, 41)).with_values(CHANGE, SHORT)
+    alone = SimulatedScene.of(swing(), np.linspace(0.0, 3.0, 41)).with_values(CHANGE, SHORT)
     assert alone is not None
     assert found.trace.at(SHORT).q == pytest.approx(alone.trace.at(SHORT).q, rel=1e-4)

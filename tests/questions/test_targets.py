@@ -8,7 +8,7 @@ import pytest
 
 from motions import told_motions
 from plain_scenes import G, atwood, ramp, squeezed, swing, table
-from sim2reason.questions import KINDS, MODES, Noun, Query, Study, Words
+from sim2reason.questions import KINDS, MODES, Noun, Query, SimulatedScene, Words
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.phrasing import QUOTA, asking, chosen
@@ -40,7 +40,7 @@ def offered(scene: Scene) -> dict[str, Target]:
 
 def answer(scene: Scene, phrase: str, time: float) -> float:
     query = Query("state", offered(scene)[phrase], AtTime(time))
-    found = KINDS["state"].answer(query, Study(scene, simulate(scene)))
+    found = KINDS["state"].answer(query, SimulatedScene(scene, simulate(scene)))
     assert found is not None
     return found
 
@@ -102,7 +102,7 @@ def test_signed_targets_have_a_sense_and_magnitudes_have_none() -> None:
 def test_every_kind_asks_in_three_shapes_that_end_as_they_begin(kind: str) -> None:
     asked = 0
     scenes = (ramp(speed=2.0), ramp(friction=0.2), atwood(), table(), squeezed(), swing())
-    told = [(Study(scene, simulate(scene)), words_of(describe(scene))) for scene in scenes]
+    told = [(SimulatedScene(scene, simulate(scene)), words_of(describe(scene))) for scene in scenes]
     for study, words in [*told, *told_motions()]:
         found = targets(words)
         for seed in range(8):
@@ -136,7 +136,7 @@ def test_verbs_are_drawn_by_quota() -> None:
 
 def test_a_mode_asks_what_it_answers() -> None:
     scene = ramp(speed=2.0)
-    words, study = words_of(describe(scene)), Study(scene, simulate(scene))
+    words, study = words_of(describe(scene)), SimulatedScene(scene, simulate(scene))
     for seed in range(30):
         question = MODES["numeric"].ask(study, words, "", np.random.default_rng(seed))
         if question is not None:
@@ -146,7 +146,7 @@ def test_a_mode_asks_what_it_answers() -> None:
 
 
 def test_an_unknown_time_has_no_answer() -> None:
-    study = Study(ramp(), simulate(ramp()))
+    study = SimulatedScene(ramp(), simulate(ramp()))
     target = next(iter(offered(ramp()).values()))
     assert KINDS["state"].answer(Query("state", target, AtTime(99.0)), study) is None
     assert KINDS["time_to_event"].answer(Query("time_to_event", None, AtStart()), study) == 0.0
@@ -163,9 +163,10 @@ def test_what_hangs_on_the_frame_names_it_where_something_rides(riding: bool) ->
     of_frame = {"displacement", "velocity", "acceleration", "momentum", "kinetic energy"}
     asked = {target.quantity: noun.phrase for target, noun in targets(words).items() if target.subject == body}
     asked |= {
-        name: found.asked(words)[body].phrase
+        name: found.noun_phrases(words)[body].phrase
         for name, found in FUNCTIONALS.items()
-        if name in ("greatest kinetic energy", "greatest speed", "work of a tension") and body in found.asked(words)
+        if name in ("greatest kinetic energy", "greatest speed", "work of a tension")
+        and body in found.noun_phrases(words)
     }
     assert of_frame <= asked.keys()
     assert ("work of a tension" in asked) == (not riding)
@@ -212,4 +213,4 @@ def test_of_a_part_of_a_rigid_body_no_force_is_asked_for(several: bool) -> None:
     asked = {"net force", "torque", "translational kinetic energy", "rotational kinetic energy"} & found
     assert bool(asked) != several
     words = words_of(describe(scene))
-    assert ("arm.pieces.0.body" in FUNCTIONALS["impulse of the net force"].asked(words)) != several
+    assert ("arm.pieces.0.body" in FUNCTIONALS["impulse of the net force"].noun_phrases(words)) != several

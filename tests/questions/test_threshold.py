@@ -9,17 +9,17 @@ import pytest
 from plain_scenes import ramp
 from sim2reason.errors import SimulationError
 from sim2reason.generation.question_search import QuestionSearch
-from sim2reason.questions import KINDS, MODES, Study, Words
-from sim2reason.questions.following import UNDECIDED, motion_of
+from sim2reason.questions import KINDS, MODES, SimulatedScene, Words
+from sim2reason.questions.following import UNDECIDED, simulate_scene
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes import OUTCOMES, Onset
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.phrasing import sentence
-from sim2reason.questions.posing import posed
+from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import prompt, words_of
-from sim2reason.questions.simplifications import SIMPLIFICATIONS
+from sim2reason.questions.simplifications import MISCONCEPTIONS
 from sim2reason.questions.structured import StructuredQuestion
-from sim2reason.questions.trial import Trial
+from sim2reason.questions.trial import ThresholdSearch
 from sim2reason.scenes.bodies.pendulums import Ball, Cord, LightRod
 from sim2reason.scenes.bodies.planes import Incline, Plane
 from sim2reason.scenes.bodies.pulleys import FixedPulley
@@ -52,12 +52,12 @@ scene:
 """
 
 
-def study(scene: Scene) -> Study:
-    return Study(scene, simulate(scene))
+def study(scene: Scene) -> SimulatedScene:
+    return SimulatedScene(scene, simulate(scene))
 
 
 def critical(scene: Scene, outcome: str, name: str, path: str) -> float | None:
-    return Trial(study(scene), OUTCOMES[outcome](name), path).change()
+    return ThresholdSearch(study(scene), OUTCOMES[outcome](name), path).change()
 
 
 def pendulum(hanger: Cord | LightRod, angle: float, speed: float) -> Scene:
@@ -94,7 +94,7 @@ class Slow(Onset):
 
 def test_what_fails_when_followed_for_long_is_followed_for_less() -> None:
     """The nearest value that was tried needs a longer motion, which this one does not have."""
-    trial = Trial(study(ramp(angle=20.0, friction=0.2)), Slow("ramp.blocks.0"), "ramp.plane.friction")
+    trial = ThresholdSearch(study(ramp(angle=20.0, friction=0.2)), Slow("ramp.blocks.0"), "ramp.plane.friction")
     assert trial(0.28) is True
     assert trial(0.32) is True
 
@@ -102,7 +102,7 @@ def test_what_fails_when_followed_for_long_is_followed_for_less() -> None:
 def test_what_changes_far_from_what_is_drawn_is_not_closed_in_on() -> None:
     """Friction is drawn up to 0.7; on a slope of 60° it would have to be tan 60° = 1.73, beyond twice that."""
     scene = ramp(angle=60.0, friction=0.3)
-    trial = Trial(study(scene), OUTCOMES["slides"]("ramp.blocks.0"), "ramp.plane.friction")
+    trial = ThresholdSearch(study(scene), OUTCOMES["slides"]("ramp.blocks.0"), "ramp.plane.friction")
     assert trial.usual_change() is None
     tried = len(trial._known)
     assert trial.change() == pytest.approx(tan(radians(60.0)), rel=1e-7)
@@ -128,15 +128,17 @@ def test_a_limit_is_found_within_the_usual_range_of_a_number_and_beyond(mass: fl
     found = critical(scene, "rises", "lift.load", "hand.force")
     assert found == pytest.approx(force * G, rel=1e-6)
     words = words_of(describe(scene))
-    asked = posed(StructuredQuestion("hand.force", when="lift.load rises"), motion_of(scene), words)
-    assert asked.followed(motion_of(scene)).answer == pytest.approx(force * G, rel=1e-6)
+    asked = pose_question(StructuredQuestion("hand.force", when="lift.load rises"), simulate_scene(scene), words)
+    assert asked.followed(simulate_scene(scene)).answer == pytest.approx(force * G, rel=1e-6)
 
 
 def test_that_a_number_decides_nothing_is_the_reason() -> None:
     """How heavy a block is does not matter to whether it slips."""
     scene = ramp(angle=25.0, friction=0.3)
-    asked = posed(StructuredQuestion("ramp.blocks.0.mass", when="slides"), motion_of(scene), words_of(describe(scene)))
-    found = asked.followed(motion_of(scene))
+    asked = pose_question(
+        StructuredQuestion("ramp.blocks.0.mass", when="slides"), simulate_scene(scene), words_of(describe(scene))
+    )
+    found = asked.followed(simulate_scene(scene))
     assert found.answer is None
     assert found.reason == UNDECIDED
 
@@ -162,7 +164,7 @@ def test_one_of_two_changes_is_doubted() -> None:
     """From v² = 2 g ℓ cos θ on it goes slack, until v² = g ℓ (3 + 2 cos θ), with which it goes right round."""
     scene, outcome = pendulum(Cord(length=1.0), 40.0, 2.0), OUTCOMES["goes_slack"]("p.hanger")
     first = sqrt(2.0 * G * cos(radians(40.0)))
-    assert not Trial(study(scene), outcome, "p.speed").changes_only_at(first)
+    assert not ThresholdSearch(study(scene), outcome, "p.speed").changes_only_at(first)
     query = ThresholdQuery("threshold", None, None, outcome, "p.speed", "", about=first)
     assert "other values" in KINDS["threshold"].doubt(query, study(scene), None)
 
@@ -202,7 +204,7 @@ def test_where_a_number_hardly_matters_the_limit_is_found_as_closely() -> None:
     entity = scene.entities[0].entity.model_copy(update={"system": slope})
     scene = scene.model_copy(update={"entities": (Named(name="one", entity=entity), scene.entities[1])})
     block = "one.system.blocks.0"
-    trial = Trial(study(scene), OUTCOMES["rises"](block), f"{block}.mass")
+    trial = ThresholdSearch(study(scene), OUTCOMES["rises"](block), f"{block}.mass")
     assert trial.between(0.8 * expected, 1.2 * expected) == pytest.approx(expected, rel=3e-7)
 
 
@@ -220,7 +222,7 @@ def test_the_second_engine_sees_both_sides(scene: Scene, outcome: str, name: str
     query = ThresholdQuery("threshold", None, None, OUTCOMES[outcome](name), path, "", about=found)
     assert KINDS["threshold"].doubt(query, known, None) == ""
     wrong = ThresholdQuery("threshold", None, None, OUTCOMES[outcome](name), path, "", about=1.02 * found)
-    first = Trial(known, OUTCOMES[outcome](name), path)
+    first = ThresholdSearch(known, OUTCOMES[outcome](name), path)
     assert first(0.995 * found) != first(1.005 * found)
     assert KINDS["threshold"].answer(wrong, known) == pytest.approx(found, rel=1e-4)
 
@@ -238,10 +240,10 @@ def test_secants_lead_where_halving_does(
     scene: Scene, outcome: str, name: str, path: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Both close in on the same number to 1e-9; by halving, an interval of a tenth takes log2(1e8) = 27 trials."""
-    trial = Trial(study(scene), OUTCOMES[outcome](name), path)
+    trial = ThresholdSearch(study(scene), OUTCOMES[outcome](name), path)
     found, tried = trial.change(), len(trial._known)
-    monkeypatch.setattr(Trial, "_aimed", lambda *_: None)
-    halving = Trial(study(scene), OUTCOMES[outcome](name), path)
+    monkeypatch.setattr(ThresholdSearch, "_aimed", lambda *_: None)
+    halving = ThresholdSearch(study(scene), OUTCOMES[outcome](name), path)
     assert halving.change() == pytest.approx(found, rel=2e-9)
     assert len(halving._known) > tried + 10
 
@@ -314,8 +316,8 @@ def test_a_wrong_idea_is_tried_on_the_mechanism_of_every_value(friction: float, 
     about = 3.0 * (sin(radians(30.0)) - friction * cos(radians(30.0)))
     query = ThresholdQuery("threshold", None, None, OUTCOMES["rises"](name), path, "kg", about=about)
     assert KINDS["threshold"].answer(query, seen) == pytest.approx(about)
-    (subject,) = SIMPLIFICATIONS[slip].subjects(query, seen)
-    wrong = SIMPLIFICATIONS[slip].simplified(seen, subject, 0.0)
+    (subject,) = MISCONCEPTIONS[slip].subjects(query, seen)
+    wrong = MISCONCEPTIONS[slip].simplified(seen, subject, 0.0)
     assert wrong is not None
     found = KINDS["threshold"].answer(query, wrong)
     assert found == (None if kept is None else pytest.approx(3.0 * kept, rel=1e-4))
@@ -325,7 +327,7 @@ def test_how_strong_gravity_is_is_no_matter() -> None:
     seen = study(lifted(3.0, 0.2))
     query = ThresholdQuery("threshold", None, None, OUTCOMES["rises"]("other.system.blocks.0"), "", "kg")
     weightless, smooth = (
-        SIMPLIFICATIONS[name].simplified(seen, "", 0.0) for name in ("gravity left out", "no friction")
+        MISCONCEPTIONS[name].simplified(seen, "", 0.0) for name in ("gravity left out", "no friction")
     )
     assert weightless is not None
     assert smooth is not None
@@ -338,7 +340,7 @@ def test_at_the_limit_itself_the_sentence_is_true(greatest: bool, beyond: str) -
     """There nothing happens: the values with which it does have no least or greatest, those without have one."""
     scene = ramp(angle=25.0, friction=0.3)
     outcome, path = OUTCOMES["slides"]("ramp.blocks.0"), "ramp.plane.friction"
-    trial = Trial(study(scene), outcome, path)
+    trial = ThresholdSearch(study(scene), outcome, path)
     assert trial(tan(radians(25.0)) * (1.0 - 1e-6))
     assert not trial(tan(radians(25.0)) * (1.0 + 1e-12))
     words = words_of(describe(scene, 2))

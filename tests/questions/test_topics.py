@@ -11,7 +11,7 @@ from sim2reason.errors import TextError
 from sim2reason.generation.certified import CertifiedQuestion
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.recipes import RECIPES, difficulty_named
-from sim2reason.questions import MODES, Query, Question, Study, Target
+from sim2reason.questions import MODES, Query, Question, SimulatedScene, Target
 from sim2reason.questions.given import StatedResult
 from sim2reason.questions.kinds.equilibrium import EquilibriumQuery
 from sim2reason.questions.moments.parts.reached import Reached
@@ -56,8 +56,8 @@ def throw(restitution: float | None = None) -> Scene:
     return Scene(entities=(Named(name="throw", entity=entity),))
 
 
-def study(scene: Scene) -> Study:
-    return Study(scene, simulate(scene))
+def study(scene: Scene) -> SimulatedScene:
+    return SimulatedScene(scene, simulate(scene))
 
 
 def asked(query: Query, text: str = "", unknown: str = "", given: StatedResult | None = None) -> Question:

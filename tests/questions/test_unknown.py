@@ -5,7 +5,7 @@ from collections import Counter
 import numpy as np
 
 from sim2reason.questions.prompt import words_of
-from sim2reason.questions.unknown import some
+from sim2reason.questions.unknown import draw_unknowns
 from sim2reason.scenes.files import loads
 from sim2reason.text.prose.description import describe
 
@@ -26,7 +26,9 @@ scene:
 def asked_for(angle: float) -> set[str]:
     scene = loads(SLOPES.format(angle=angle))
     words = words_of(describe(scene, 1))
-    return {found.path for seed in range(60) for found in some(words.unknowns, scene, np.random.default_rng(seed))}
+    return {
+        found.path for seed in range(60) for found in draw_unknowns(words.unknowns, scene, np.random.default_rng(seed))
+    }
 
 
 def test_no_angle_is_asked_for_where_another_one_would_need_a_pulley() -> None:
@@ -65,6 +67,6 @@ def test_what_people_measure_by_what_happens_is_left_unknown_more_often() -> Non
         "blocks: [{mass: 2.0}], speed: 3.0}}]}"
     )
     words = words_of(describe(scene, 1))
-    first = Counter(next(some(words.unknowns, scene, np.random.default_rng(seed))).name for seed in range(400))
+    first = Counter(next(draw_unknowns(words.unknowns, scene, np.random.default_rng(seed))).name for seed in range(400))
     assert set(first) >= {"mass", "angle", "coefficient of friction"}
     assert first["coefficient of friction"] > 2.0 * max(first["mass"], first["angle"])

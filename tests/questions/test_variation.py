@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from sim2reason.errors import TextError
-from sim2reason.questions.following import FollowedMotion, motion_of
-from sim2reason.questions.posing import PosedQuestion, posed
+from sim2reason.questions.following import FollowedMotion, simulate_scene
+from sim2reason.questions.posing import PosedQuestion, pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.variation import removable, variation
@@ -27,12 +27,12 @@ LOAD, BLOCK = "mass_with_fixed_pulley.system.blocks.0.mass", "two_side_mass_plan
 def scene(name: str) -> tuple[FollowedMotion, Words]:
     """Return the motion of a scene, and its words."""
     held = load(SCENES / f"{name}.yaml")
-    return motion_of(held), words_of(describe(held))
+    return simulate_scene(held), words_of(describe(held))
 
 
 def question(name: str, asked: StructuredQuestion) -> PosedQuestion:
     """Return a question in parts as it is posed about a scene."""
-    return posed(asked, *scene(name))
+    return pose_question(asked, *scene(name))
 
 
 def found(name: str, asked: StructuredQuestion) -> float:

@@ -9,7 +9,7 @@ from plain_scenes import G, atwood, ramp
 from sim2reason.datasets.solve import SolvedProblem, solve
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import load, loads
-from sim2reason.solutions.solve import SAME
+from sim2reason.solutions.solve import ANSWER_RTOL
 
 SCENES = Path(__file__).parents[1] / "data" / "ordinary_scenes"
 SLIDING = ramp(angle=0.0, friction=0.05, speed=5.0)
@@ -36,7 +36,7 @@ HELD = scene(
 def solved(found: SolvedProblem) -> float:
     """Return the answer of a worked solution that agrees with the motion."""
     assert found.solution.answer is not None, found.reason
-    assert found.answer == pytest.approx(found.solution.answer, rel=SAME)
+    assert found.answer == pytest.approx(found.solution.answer, rel=ANSWER_RTOL)
     assert found.reason == ""
     return found.solution.answer
 

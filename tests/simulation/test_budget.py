@@ -9,7 +9,7 @@ from sim2reason.scenes.dsl.mechanism import Mechanism, X
 from sim2reason.simulation import budget
 from sim2reason.simulation.budget import Budget
 from sim2reason.simulation.engines.exact.flow import Flow
-from sim2reason.simulation.engines.exact.formulas import CurvedEquations
+from sim2reason.simulation.engines.exact.formulas import VariableEquations
 from sim2reason.simulation.engines.exact.settling import Settling
 from sim2reason.simulation.engines.mujoco.changing_equations import model
 from sim2reason.simulation.trace import ENGINES, FINEST
@@ -37,7 +37,7 @@ def test_work_is_counted_alike_each_time() -> None:
     for _ in range(2):
         run = Settling(singing(), 1e-4, FINEST)
         flow = Flow(
-            CurvedEquations(run.system), run.instant(), run.phase, run.balance(run.instant(), set(), ()), FINEST
+            VariableEquations(run.system), run.instant(), run.phase, run.balance(run.instant(), set(), ()), FINEST
         )
         flow.advance(1e-4, 1e-4)
         spent.append(run.system.budget.all - run.system.budget.left)

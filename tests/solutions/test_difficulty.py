@@ -14,7 +14,13 @@ from sim2reason.questions.need import MEANINGS, Need
 from sim2reason.solutions import STRATEGIES, Solution, Step
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Root
-from sim2reason.solutions.difficulty import LABELS, SolutionDifficulty, different_laws, measured, unknowns_together
+from sim2reason.solutions.difficulty import (
+    LABELS,
+    SolutionDifficulty,
+    count_coupled_unknowns,
+    count_different_laws,
+    measure_difficulty,
+)
 from sim2reason.solutions.solution import Condition, Coordinate, Integration, Phase, Relation
 
 PAGE = Path(__file__).parents[2] / "docs" / "difficulty.md"
@@ -40,10 +46,10 @@ def solution(*steps: Step, phases: int = 0) -> Solution:
 
 def test_unknowns_that_laws_connect_are_found_together() -> None:
     """The acceleration and the tension of two blocks; a speed that a law defines is none."""
-    assert unknowns_together(solution(GIVEN, TOGETHER, SOLVED)) == 2
+    assert count_coupled_unknowns(solution(GIVEN, TOGETHER, SOLVED)) == 2
     alone = step(law(V, Root(A * F)), gives=("v",))
-    assert unknowns_together(solution(GIVEN, TOGETHER, SOLVED, alone)) == 2
-    assert unknowns_together(solution(GIVEN, SOLVED)) == 1
+    assert count_coupled_unknowns(solution(GIVEN, TOGETHER, SOLVED, alone)) == 2
+    assert count_coupled_unknowns(solution(GIVEN, SOLVED)) == 1
 
 
 def test_a_law_that_holds_for_another_body_is_the_same() -> None:
@@ -51,27 +57,27 @@ def test_a_law_that_holds_for_another_body_is_the_same() -> None:
     found = solution(
         step(law(Symbol("m_A") * Symbol("a_A"), F), law(Symbol("m_B") * Symbol("a_{B,2}"), F), law(T, F * V))
     )
-    assert different_laws(found) == 2
+    assert count_different_laws(found) == 2
 
 
 def test_the_score_adds_up() -> None:
     """Two laws, a second unknown, and two points for each further phase but the fifth and later ones."""
     whole = solution(GIVEN, TOGETHER, SOLVED)
-    assert measured((whole, 0)) == SolutionDifficulty(laws=2, phases=1, unknowns=2, needs=Need.ARITHMETIC)
-    assert measured((whole, 0)).score == 3
-    assert measured((whole, 2)).score == measured((solution(*whole.steps, phases=3), 0)).score == 7
-    assert measured((whole, 9)).score == 9
+    assert measure_difficulty((whole, 0)) == SolutionDifficulty(laws=2, phases=1, unknowns=2, needs=Need.ARITHMETIC)
+    assert measure_difficulty((whole, 0)).score == 3
+    assert measure_difficulty((whole, 2)).score == measure_difficulty((solution(*whole.steps, phases=3), 0)).score == 7
+    assert measure_difficulty((whole, 9)).score == 9
     rooted = solution(GIVEN, TOGETHER, step(Relation(A, Root(F), "result"), gives=("a_A",)))
-    assert measured((rooted, 0)).score == 4
+    assert measure_difficulty((rooted, 0)).score == 4
 
 
 def test_parts_are_measured_together() -> None:
     """A law counts once in all, phases and unknowns as in the part that has most, and the most advanced need."""
     whole = solution(GIVEN, TOGETHER, SOLVED)
     later = solution(GIVEN, TOGETHER, step(law(V, Root(A * F)), gives=("v",)))
-    both = measured((whole, 3), (later, 1))
+    both = measure_difficulty((whole, 3), (later, 1))
     assert both == SolutionDifficulty(laws=3, phases=4, unknowns=2, needs=Need.QUADRATIC)
-    assert measured((later, 1), (whole, 3)) == both
+    assert measure_difficulty((later, 1), (whole, 3)) == both
 
 
 def test_what_only_assumptions_are_verified_by_needs_nothing() -> None:
@@ -87,7 +93,7 @@ def test_what_only_assumptions_are_verified_by_needs_nothing() -> None:
 def test_the_page_has_the_tables_of_the_code() -> None:
     """Labels and needs, each row as it is declared."""
     lines = PAGE.read_text(encoding="utf-8").splitlines()
-    labels = [f"| {name} | {band.told} | {band.meaning} |" for name, band in LABELS.items()]
+    labels = [f"| {name} | {band.text} | {band.meaning} |" for name, band in LABELS.items()]
     needs = [f"| {need.label} | {meaning} |" for need, meaning in MEANINGS.items()]
     for rows in (labels, needs):
         first = lines.index(rows[0])

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from sim2reason.questions.need import ELEMENTARY
-from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
+from sim2reason.solutions import STRATEGIES, ProblemContext, Solution, solve, solve_with
 from sim2reason.testing.solutions.faults import WORDS, faults, words
 from sim2reason.testing.solutions.reading import read
 from worked import ANSWERED, problems
@@ -78,7 +78,7 @@ def test_a_collision_is_solved_without_a_fault_or_says_why_not(difficulty: str) 
             assert not found, solution.text
 
 
-def asks_a_pair(setting: Setting) -> bool:
+def asks_a_pair(setting: ProblemContext) -> bool:
     """How two that collide part hangs on restitution alone: their momentum is told for nothing."""
     return setting.query.target is not None and setting.query.target.quantity in ("distance", "relative speed")
 
@@ -131,7 +131,7 @@ def test_strategies_check_each_other(recipe: str, difficulty: str) -> None:
     """All derivations that there are agree, to 1e-9, and are without a fault; most problems have two."""
     both = several = 0
     for setting in problems(recipe, difficulty, 8):
-        held = [by(strategy, setting) for strategy in STRATEGIES.values() if not strategy.integrates]
+        held = [solve_with(strategy, setting) for strategy in STRATEGIES.values() if not strategy.integrates]
         found: list[Solution] = [solution for solution in held if solution.answer is not None]
         several, both = several + 1, both + (len(found) > 1)
         assert setting.answer is not None

@@ -22,11 +22,11 @@ from sim2reason.scenes.bodies.pendulums import Ball
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.projectile import Projectile
-from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
+from sim2reason.solutions import STRATEGIES, ProblemContext, Solution, solve, solve_with
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data
 from sim2reason.solutions.reverse import forward
-from sim2reason.solutions.solution import WELL
+from sim2reason.solutions.solution import RELATION_RTOL
 from sim2reason.testing.solutions.faults import SEEN, faults
 from sim2reason.testing.solutions.reading import read
 from worked import asked
@@ -34,12 +34,12 @@ from worked import asked
 TIME = 0.5
 
 
-def solved(setting: Setting) -> Solution:
+def solved(setting: ProblemContext) -> Solution:
     found = solve(setting)
     assert found.answer is not None, found.reason
     answer = forward(setting).answer
     assert answer is not None
-    assert not faults(found, answer, SEEN.get(setting.query.kind, WELL)), found.text
+    assert not faults(found, answer, SEEN.get(setting.query.kind, RELATION_RTOL)), found.text
     assert not read(found.text).broken
     return found
 
@@ -81,9 +81,11 @@ def test_the_impulse_of_a_tension_is_tension_times_time() -> None:
     assert summed(scene, "impulse of a tension", line) == pytest.approx(2.0 * 3.0 * 2.0 * G / 5.0 * TIME, rel=1e-9)
 
 
-def reverse(scene: Scene, unknown: str, digits: str, query: Query) -> Setting:
+def reverse(scene: Scene, unknown: str, digits: str, query: Query) -> ProblemContext:
     plain = asked(scene, query)
-    return Setting(plain.scene, plain.words, plain.symbols, plain.study, query, unknown, StatedResult(digits, "m/s"))
+    return ProblemContext(
+        plain.scene, plain.words, plain.symbols, plain.study, query, unknown, StatedResult(digits, "m/s")
+    )
 
 
 def path_of(scene: Scene, noun: str) -> str:
@@ -117,12 +119,12 @@ def test_a_block_slips_from_tan_of_the_angle_on() -> None:
     plain = asked(scene, Query("state", Target("velocity", block(scene)), AtTime(TIME)))
     unknown = path_of(scene, "angle")
     query = ThresholdQuery("threshold", None, None, Slides(block(scene)), unknown, "deg")
-    found = solved(Setting(plain.scene, plain.words, plain.symbols, plain.study, query, unknown))
+    found = solved(ProblemContext(plain.scene, plain.words, plain.symbols, plain.study, query, unknown))
     assert found.strategy == "limiting case"
     assert found.answer == pytest.approx(degrees(atan(0.3)), rel=1e-9)
 
 
-def drawn(recipe: str, kind: str, mode: str, count: int) -> Iterator[Setting]:
+def drawn(recipe: str, kind: str, mode: str, count: int) -> Iterator[ProblemContext]:
     for index in range(count):
         rng = generator("kinds", recipe, kind, mode, index)
         try:
@@ -149,7 +151,7 @@ def test_drawn_problems_are_derived_without_a_fault(recipe: str, kind: str, mode
 def test_an_integration_says_that_it_is_one_and_states_all_that_leads_to_its_answer(recipe: str, kind: str) -> None:
     written = 0
     for setting in drawn(recipe, kind, "numeric", 4):
-        found = by(STRATEGIES["integration"], setting)
+        found = solve_with(STRATEGIES["integration"], setting)
         if found.answer is None:
             assert found.reason
             continue
@@ -203,6 +205,6 @@ def test_a_number_that_hardly_changes_what_is_given_is_weighed_by_how_much_it_do
 
     solution = solved(replace(plain, unknown="throw.height", stated=StatedResult(f"{time:.12g}", "s")))
     assert solution.keen == pytest.approx(abs(slope) * height / time, rel=1e-6)
-    known = height * (1.0 + 0.5 * WELL / solution.keen)
+    known = height * (1.0 + 0.5 * RELATION_RTOL / solution.keen)
     assert not faults(solution, known)
     assert faults(replace(solution, keen=1.0), known)

@@ -13,7 +13,7 @@ from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.generation.certified import CertifiedQuestion
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.random_scenes import sample
-from sim2reason.questions import MODES, Query, Study, Target
+from sim2reason.questions import MODES, Query, SimulatedScene, Target
 from sim2reason.questions.kinds.comparison import ComparisonQuery
 from sim2reason.questions.kinds.parts.nested import stripped
 from sim2reason.questions.moments.times import AllAlong
@@ -29,7 +29,7 @@ from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.closed_forms import closed_form
 from sim2reason.solutions.laws.nested import inserted
 from sim2reason.solutions.shortest import may_have_solution
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.steps import SolutionBuilder
 from sim2reason.testing.solutions.faults import SEEN, faults
 from sim2reason.testing.solutions.reading import read
 from worked import asked
@@ -80,11 +80,11 @@ def test_drawn_comparisons_are_solved_and_every_relation_holds(recipe: str) -> N
 
 
 def test_it_is_said_what_is_inserted_before_the_other_value_is_put_in() -> None:
-    book = Book()
+    book = SolutionBuilder()
     for name, value in {"v": 2.0, "t": 3.0}.items():
-        book.know(name, value)
+        book.set_value(name, value)
     for name, formula in {"s": V * T, "w": S * V}.items():
-        book.told("law", "So", Symbol(name), formula)
+        book.add_step("law", "So", Symbol(name), formula)
     assert inserted(book, "w", "$w = v^{2} t$") == "Inserting $s$ into the equation for $w$ gives $w = v^{2} t$."
     assert inserted(book, "s", "$s = v t$") == "In short, $s = v t$."
 
@@ -132,7 +132,7 @@ def test_what_no_strategy_has_a_way_to_is_known_before_it_is_drawn() -> None:
     springs = tuple(NailedSpring(stiffness=80.0, length=0.4, x=x, y=0.1) for x in (-0.3, 0.5))
     entity = SpringBlock(block=Block(mass=1.5), springs=springs, x=0.2, y=0.6)
     scene = Scene(entities=(Named(name="springs", entity=entity),))
-    study = Study.of(scene, np.linspace(0.0, 1.0, 5))
+    study = SimulatedScene.of(scene, np.linspace(0.0, 1.0, 5))
     assert not may_have_solution("state", study, ELEMENTARY)
     assert may_have_solution("start", study, ELEMENTARY)
 

@@ -6,8 +6,8 @@ import pytest
 
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Root
-from sim2reason.solutions.opposite_sign import exclude_opposite
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.opposite_sign import exclude_opposite_sign
+from sim2reason.solutions.writing.steps import SolutionBuilder
 from worked import solution_text
 
 F, M = Symbol("F"), Symbol("m")
@@ -15,11 +15,11 @@ F, M = Symbol("F"), Symbol("m")
 
 def said(formula: Expression, value: float) -> str:
     """Return what is said of −F, for a formula of m by the given magnitude F = 2."""
-    book = Book()
-    book.know("F", 2.0)
-    book.know("m", value)
-    step = book.open("solve")
-    exclude_opposite(book, step, "F", [("m", formula)])
+    book = SolutionBuilder()
+    book.set_value("F", 2.0)
+    book.set_value("m", value)
+    step = book.begin_step("solve")
+    exclude_opposite_sign(book, step, "F", [("m", formula)])
     step.close()
     return book.steps[-1].text if book.steps else ""
 

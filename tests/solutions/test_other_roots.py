@@ -8,7 +8,7 @@ from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.other_roots import OtherRoots, Sides
 from sim2reason.solutions.solution import Relation
 from sim2reason.solutions.writing.comparing import why_this_time
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 
 X, A = Symbol("x"), Symbol("a")
 
@@ -17,14 +17,14 @@ def told(
     value: float, found: Expression, others: list[float], written: list[Sides], *before: Relation, **known: float
 ) -> tuple[str, tuple[Relation, ...]]:
     """Return what is said of the other root of x, and the relations of that step."""
-    book = Book()
+    book = SolutionBuilder()
     for name, number in {"x": value, **known}.items():
-        book.know(name, number)
-    step = book.open("verify")
+        book.set_value(name, number)
+    step = book.begin_step("verify")
     step.relations += before
-    step.say("Before.")
+    step.add_text("Before.")
     step.close()
-    step = book.open("solve")
+    step = book.begin_step("solve")
     OtherRoots(book, "x", lambda name: Chain(((name, X),))).tell(step, "x", found, others, written)
     step.close()
     last = book.steps[-1]
@@ -57,15 +57,15 @@ def test_a_root_that_contradicts_a_comparison_is_told() -> None:
 @pytest.mark.parametrize(("bound", "told_of"), [(2.5, "would not be"), (3.5, "")])
 def test_a_second_positive_root_is_excluded_by_a_comparison_or_nothing_is_solved(bound: float, told_of: str) -> None:
     """The roots of x² − 5 x = −6 are 2 and 3; b > x rules out 3 for b = 2.5, but not for b = 3.5."""
-    book = Book()
-    book.know("x", 2.0)
-    book.know("b", bound)
-    step = book.open("verify")
+    book = SolutionBuilder()
+    book.set_value("x", 2.0)
+    book.set_value("b", bound)
+    step = book.begin_step("verify")
     step.relations.append(Relation(Symbol("b"), X, "exceeds"))
-    step.say("Before.")
+    step.add_text("Before.")
     step.close()
     shown = (Power(X, 2) - Number(5.0) * X, Number(-6.0))
-    step = book.open("solve")
+    step = book.begin_step("solve")
     OtherRoots(book, "x", lambda name: Chain(((name, X),))).tell(step, "x", X, [], [shown, shown])
     step.close()
     (check,) = book.checks.values()
@@ -85,24 +85,24 @@ def test_nothing_is_said_where_there_is_no_other_root() -> None:
     ("other", "said"), [(-1.0, "; the other root is negative"), (4.0, "; the other root is later")]
 )
 def test_of_two_times_the_first_positive_one_counts(other: float, said: str) -> None:
-    book = Book()
-    book.know("t", 2.0)
-    step = book.open("time")
+    book = SolutionBuilder()
+    book.set_value("t", 2.0)
+    step = book.begin_step("time")
     assert why_this_time(book, step, Symbol("t"), Number(other)) == said
     assert [relation.role for relation in step.relations] == ["exceeds"]
 
 
 def test_another_positive_value_of_the_unknown_is_excluded_in_the_end() -> None:
     """With a = 4 − x, which is positive as was written, x is not 5 but 3."""
-    book = Book()
-    book.know("x", 3.0)
-    book.know("a", 1.0)
+    book = SolutionBuilder()
+    book.set_value("x", 3.0)
+    book.set_value("a", 1.0)
     book.formulas["a"] = Number(4.0) - X
-    step = book.open("verify")
-    step.say("Even then $a$ is positive.")
+    step = book.begin_step("verify")
+    step.add_text("Even then $a$ is positive.")
     step.relations.append(Relation(A, Number(0.0), "exceeds"))
     step.close()
-    OtherRoots(book, "x", lambda name: Chain(((name, X),))).exclude([5.0])
+    OtherRoots(book, "x", lambda name: Chain(((name, X),))).schedule_exclusion([5.0])
     for write in book.checks.values():
         write()
     assert book.steps[-1].text == "With the other root for $x$, $5.0000$, $a$ would not be positive."

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from sim2reason.solutions.algebra.expressions import Number, Symbol
-from sim2reason.solutions.multipart.recall import starting_from
+from sim2reason.solutions.multipart.recall import recall_results
 from sim2reason.solutions.parts import chosen
 from sim2reason.solutions.solution import Relation, Solution, Step
 
@@ -43,12 +43,12 @@ def moved(v: float) -> Solution:
 
 def test_a_later_part_does_not_call_a_compression_a_displacement() -> None:
     """Its own x is positive, as large as the compression that the earlier part found from an x that is negative."""
-    opposite = starting_from(moved(2.0), [("a", compressed(-2.0))], whole=True)
+    opposite = recall_results(moved(2.0), [("a", compressed(-2.0))], whole=True)
     assert "From part (a)" not in opposite.text
 
 
 @pytest.mark.parametrize("whole", [False, True])
 def test_a_later_part_defines_what_it_recalls_unless_that_was_said(whole: bool) -> None:
-    text = starting_from(moved(2.0), [("a", displaced(2.0))], whole=whole).text
+    text = recall_results(moved(2.0), [("a", displaced(2.0))], whole=whole).text
     assert "From part (a), $x = 1.0000$." in text
     assert ("Let $x$ be the displacement" in text) == (not whole)

@@ -25,7 +25,7 @@ from sim2reason.scenes.entities.parts.rolling import Rough, Spinning
 from sim2reason.scenes.entities.pendulums import LightRodPendulum, Pendulum, SliderMass
 from sim2reason.scenes.entities.rolling import RollingEntity
 from sim2reason.scenes.entities.solar_system import SolarSystem
-from sim2reason.solutions import Setting, Solution, solve, solve_prompt
+from sim2reason.solutions import ProblemContext, Solution, solve, solve_prompt
 from sim2reason.testing.solutions.faults import faults
 from worked import asked, derived
 
@@ -49,7 +49,7 @@ def reverse(made: Scene, query: Query, path: str, digits: str, unit: str) -> Sol
     plain = asked(made, query)
     unknown = next(p.path for p in made.parameters if p.path.endswith(path))
     stated = StatedResult(digits, unit)
-    setting = Setting(plain.scene, plain.words, plain.symbols, plain.study, query, unknown, stated)
+    setting = ProblemContext(plain.scene, plain.words, plain.symbols, plain.study, query, unknown, stated)
     found = solve(setting)
     assert setting.answer is not None
     assert not faults(found, setting.answer, 1e-6), found.text

@@ -18,7 +18,7 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.projectile import Projectile
 from sim2reason.scenes.entities.rocket_entity import RocketEntity
 from sim2reason.scenes.entities.stacked_mass_plane import StackedMassPlane
-from sim2reason.solutions import Setting, Solution, solve
+from sim2reason.solutions import ProblemContext, Solution, solve
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.algebra.inverse import other_solutions
@@ -28,7 +28,7 @@ from worked import asked, solution_text
 G = 9.8
 
 
-def solved(setting: Setting) -> Solution:
+def solved(setting: ProblemContext) -> Solution:
     found = solve(setting)
     assert found.answer is not None, found.reason
     assert setting.answer is not None
@@ -97,7 +97,7 @@ def test_a_reverse_problem_says_why_the_other_root_does_not_count() -> None:
     plain = asked(carts, query)
     path = next(held.path for held in carts.parameters if held.path.endswith("strain.by"))
     stated = StatedResult(f"{plain.answer!r}", "m")
-    found = solved(Setting(plain.scene, plain.words, plain.symbols, plain.study, query, path, stated))
+    found = solved(ProblemContext(plain.scene, plain.words, plain.symbols, plain.study, query, path, stated))
     assert found.answer == pytest.approx(0.09, rel=1e-6)
     assert re.search(r"The other root, \$-\d\.\d+\\ \\text\{m\}\$, would take a negative \$d\$\.", found.text)
 

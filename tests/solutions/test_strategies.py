@@ -8,7 +8,7 @@ import pytest
 from plain_scenes import row
 from sim2reason.generation.random_scenes import sample
 from sim2reason.generation.recipes import RECIPES
-from sim2reason.questions import MODES, Study
+from sim2reason.questions import MODES, SimulatedScene
 from sim2reason.questions.prompt import words_of
 from sim2reason.scenes.bodies.planes import Incline
 from sim2reason.scenes.bodies.round_bodies import Pipe
@@ -19,7 +19,7 @@ from sim2reason.scenes.entities.parts.rolling import Rough
 from sim2reason.scenes.entities.rolling import RollingEntity
 from sim2reason.scenes.entities.solar_system import SolarSystem
 from sim2reason.simulation.engines.exact.engine import motion
-from sim2reason.solutions import STRATEGIES, Setting, by, solve
+from sim2reason.solutions import STRATEGIES, ProblemContext, solve, solve_with
 from sim2reason.solutions.strategies import varying_acceleration
 from sim2reason.text.prose.description import describe
 from worked import asked
@@ -42,7 +42,7 @@ def test_a_strategy_that_is_unfit_for_a_mechanism_would_find_nothing(
 ) -> None:
     """No question about it is lost by not being put to it; where things may collide, it is a matter of caution."""
     scene = sample(recipe, "hard", seed=4)
-    study, description = Study.of(scene, np.linspace(0.0, scene.horizon, 41)), describe(scene, 1)
+    study, description = SimulatedScene.of(scene, np.linspace(0.0, scene.horizon, 41)), describe(scene, 1)
     words, rng = words_of(description), np.random.default_rng(1)
     linear = [STRATEGIES[name] for name in LINEAR if not scene.mechanism.meetings]
     unfit = [strategy for strategy in linear if strategy.unfit(scene.mechanism)]
@@ -50,12 +50,12 @@ def test_a_strategy_that_is_unfit_for_a_mechanism_would_find_nothing(
         question = MODES["numeric"].ask(study, words, kind, rng)
         if question is None:
             continue
-        setting = Setting(scene, words, words.symbols, study, question.query)
+        setting = ProblemContext(scene, words, words.symbols, study, question.query)
         for strategy in unfit:
             if kind in strategy.kinds and not strategy.refusal(setting):
                 with monkeypatch.context() as patched:
                     patched.setattr(type(strategy), "unfit", lambda *_: "")
-                    assert by(strategy, setting).answer is None, (strategy.name, question.text)
+                    assert solve_with(strategy, setting).answer is None, (strategy.name, question.text)
 
 
 def test_no_formula_is_looked_for_where_none_fits_into_a_box() -> None:
@@ -93,6 +93,6 @@ def test_how_far_what_rolls_slips_hangs_on_forces() -> None:
     energy = "How much energy does friction between the tube and the plane dissipate"
     said = f"{energy} from release until the tube has moved 5.5 m?"
     setting = asked(Scene(entities=(Named(name="lane", entity=pipe),)), said)
-    assert by(STRATEGIES["constraint"], setting).answer is None
+    assert solve_with(STRATEGIES["constraint"], setting).answer is None
     slip = distance * (1.0 - friction * cos(slope) / (sin(slope) - friction * cos(slope)))
     assert solve(setting).answer == pytest.approx(friction * mass * 9.8 * cos(slope) * slip, rel=1e-8)

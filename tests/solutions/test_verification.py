@@ -17,22 +17,22 @@ from sim2reason.solutions import Relation, Solution, Step, solve
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.solution import Role
-from sim2reason.solutions.verification import WHY, refusal, verified
+from sim2reason.solutions.verification import WHY, verification_fault, verify_solution
 from worked import asked, settings_of
 
 TENSION = "What is the tension in the string just after release?"
 
 
-def setting() -> Setting:
+def setting() -> ProblemContext:
     return asked(atwood(), TENSION)
 
 
 def test_a_solution_that_leads_to_the_answer_is_shown() -> None:
     found = solve(setting())
     assert found.answer is not None
-    assert verified(found, setting()) is found
+    assert verify_solution(found, setting()) is found
     again = recompute(as_data(found))
     assert again.answer == pytest.approx(found.answer, rel=1e-12)
     assert again.values["T"] == pytest.approx(found.values["T"], rel=1e-12)
@@ -50,7 +50,7 @@ def test_what_is_refused_says_why() -> None:
         changed(found, "givens", ()),
         changed(found, "givens", tuple(replace(r, right=Number(2.0)) for r in found.relations if r.role == "given")),
     ):
-        refused = verified(spoiled, setting())
+        refused = verify_solution(spoiled, setting())
         assert refused.answer is None
         assert refused.strategy == found.strategy
         assert refused.reason.startswith(WHY)
@@ -61,7 +61,7 @@ def test_a_number_that_is_only_asserted_is_no_solution(role: Role) -> None:
     held = setting()
     assert held.answer is not None
     bare = Step(0, "answer", "", (Relation(Symbol("X"), Number(held.answer), role),), ("X",), ())
-    refused = verified(Solution("claims", (bare,), {"X": held.answer}, "X", held.answer), held)
+    refused = verify_solution(Solution("claims", (bare,), {"X": held.answer}, "X", held.answer), held)
     assert refused.answer is None
     assert refused.reason.startswith(WHY)
 
@@ -76,7 +76,7 @@ def test_an_invented_given_is_no_solution(name: str) -> None:
         step["relations"] = []
     data["givens"][name] = held.answer
     data["steps"][-1]["relations"] = [{"role": "law", "left": goal, "right": name, "unit": ""}] if name != goal else []
-    assert f"{name} = {held.answer:g} is not given by the text" in refusal(data, held)
+    assert f"{name} = {held.answer:g} is not given by the text" in verification_fault(data, held)
 
 
 @pytest.mark.parametrize("problem", ["pendulum-hard-reverse-301914-0", "rolling-easy-reverse-301921-0"])
@@ -84,9 +84,9 @@ def test_what_a_question_leaves_unknown_is_not_given(problem: str) -> None:
     """An angle, and the time of a result that is stated."""
     (held,) = settings_of(problem)
     data = as_data(solve(held))
-    assert not refusal(data, held)
+    assert not verification_fault(data, held)
     data["givens"][data["goal"]] = data["answer"] / data["scale"]
-    assert "is not given by the text" in refusal(data, held)
+    assert "is not given by the text" in verification_fault(data, held)
 
 
 def test_a_wrong_sign_is_refused_where_the_answer_is_the_same() -> None:
@@ -97,29 +97,29 @@ def test_a_wrong_sign_is_refused_where_the_answer_is_the_same() -> None:
     scene = Scene(entities=(Named(name="e", entity=rocket),))
     held = asked(scene, Query("event", Target("displacement", "e.rocket"), BurnedOut("e.rocket")))
     data = as_data(solve(held))
-    assert not refusal(data, held)
+    assert not verification_fault(data, held)
     relations = (relation for step in data["steps"] for relation in step["relations"])
     lasts = next(relation for relation in relations if relation["left"] == r"t_{\text{up}}")
     lasts["right"] = json.loads(json.dumps(lasts["right"]).replace('["*", -1.0, "m_1"]', '"m_1"'))
     assert recompute(data).answer == pytest.approx(held.answer, rel=1e-9)
-    assert r"t_{\text{up}} is" in refusal(data, held)
+    assert r"t_{\text{up}} is" in verification_fault(data, held)
 
 
 def test_a_result_of_an_earlier_part_is_given_by_its_name() -> None:
     held = setting()
     data = as_data(solve(held))
     data["givens"] |= {"L": 1.5}
-    assert "L = 1.5 is not given by the text" in refusal(data, held)
-    assert "L = 1.5 is not given by the text" in refusal(data, held, {"K": 1.5})
-    assert "L is 2 in the question, not 1.5" in refusal(data, held, {"L": 2.0})
-    assert not refusal(data, held, {"L": 1.5})
+    assert "L = 1.5 is not given by the text" in verification_fault(data, held)
+    assert "L = 1.5 is not given by the text" in verification_fault(data, held, {"K": 1.5})
+    assert "L is 2 in the question, not 1.5" in verification_fault(data, held, {"L": 2.0})
+    assert not verification_fault(data, held, {"L": 1.5})
 
 
 def test_what_is_refused_lets_the_next_strategy_try(monkeypatch: pytest.MonkeyPatch) -> None:
     held, right = setting(), solve(setting())
 
-    def refuse(found: Solution, of: Setting) -> Solution:
-        return Solution(found.strategy, reason=WHY) if found.strategy == right.strategy else verified(found, of)
+    def refuse(found: Solution, of: ProblemContext) -> Solution:
+        return Solution(found.strategy, reason=WHY) if found.strategy == right.strategy else verify_solution(found, of)
 
     monkeypatch.setattr(import_module("sim2reason.solutions.solve"), "verified", refuse)
     other = solve(held)

@@ -12,7 +12,7 @@ from sim2reason.questions.choice_prompts import parse_choice
 from sim2reason.solutions import Solution, solve
 from sim2reason.solutions.data import as_data
 from sim2reason.solutions.solve import setting_of
-from sim2reason.solutions.verification import refusal
+from sim2reason.solutions.verification import verification_fault
 
 CELLS = [
     ("hybrid", "hard", "which_first"),
@@ -51,7 +51,7 @@ def test_it_says_which_before_the_number_and_the_letter(cell: tuple[str, str, st
 def test_its_data_lead_to_the_number(cell: tuple[str, str, str]) -> None:
     told, found = made(*cell), solved(*cell)
     assert found.answer == pytest.approx(told.answer.value, rel=1e-6), found.reason
-    assert refusal(as_data(found), setting_of(parse_choice(told.prompt, told.answer.unit))) == ""
+    assert verification_fault(as_data(found), setting_of(parse_choice(told.prompt, told.answer.unit))) == ""
     *_, last = found.steps
     assert [relation.role for relation in last.relations] == ["exceeds", "law"]
     assert len(last.needs) == 2

@@ -7,7 +7,7 @@ from math import cos, inf, pi, radians, sin, sqrt
 import numpy as np
 
 from plain_scenes import ramp
-from sim2reason.questions import Study, Words
+from sim2reason.questions import SimulatedScene, Words
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.fields import Magnetic, Profile, Push
 from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism, X, Y, Z
@@ -26,13 +26,13 @@ class Motion:
         """`mentions` are the bodies, springs and strings of the text by address."""
         self.mechanism, self.mentions, self.duration = mechanism, mentions, duration
 
-    def told(self) -> tuple[Study, Words]:
+    def told(self) -> tuple[SimulatedScene, Words]:
         """The motion by the exact engine, and the words of a text that says every number."""
         trace = simulate(self.mechanism, np.linspace(0.0, self.duration, SAMPLES))
         numbers = ("mass", "charge", "stiffness", "length")
         said = frozenset(f"{name}.{number}" for name in self.mentions for number in numbers)
         released = not any(c.speed for c in self.mechanism.coordinates)
-        return Study(ramp(), trace), Words(self.mechanism, self.mentions, released, said)
+        return SimulatedScene(ramp(), trace), Words(self.mechanism, self.mentions, released, said)
 
 
 def string_pendulum(share: float = 3.5, length: float = 1.0) -> Motion:
@@ -243,7 +243,7 @@ MOTIONS: Mapping[str, Callable[[], Motion]] = {
 
 
 @cache
-def told_motions() -> tuple[tuple[Study, Words], ...]:
+def told_motions() -> tuple[tuple[SimulatedScene, Words], ...]:
     """All of them, and some that begin or end otherwise, each simulated once."""
     others = (thrown_ball(None), orbit(-0.5), spring_block(-0.2), rubbed_spring())
     return (*(made().told() for made in MOTIONS.values()), *(motion.told() for motion in others))

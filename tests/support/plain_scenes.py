@@ -9,7 +9,7 @@ from sim2reason.scenes.bodies.round_bodies import Sphere, SphericalShell
 from sim2reason.scenes.bodies.sliders import Block, Cart, Glider, Puck, Table
 from sim2reason.scenes.bodies.spring import Coil
 from sim2reason.scenes.connections.string import String
-from sim2reason.scenes.dsl.connection import FREE, Link
+from sim2reason.scenes.dsl.connection import FREE_LENGTH, Link
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.complex_collision_plane import ComplexCollisionPlane
@@ -86,7 +86,7 @@ def _hanging(name: str, mass: float, pulley: float | None) -> Named:
     return Named(name=name, entity=MassWithFixedPulley(system=Hanging(blocks=(Block(mass=mass),)), pulley=disc))
 
 
-def _joined(one: Named, other: Named, free: float = FREE) -> Scene:
+def _joined(one: Named, other: Named, free: float = FREE_LENGTH) -> Scene:
     links = (
         Link(entity=one.name, port={"ramp": "right", "roll": "axle"}.get(one.name, "tail")),
         Link(entity=other.name, port="tail"),

@@ -17,7 +17,7 @@ from sim2reason.errors import Sim2ReasonError
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import load
-from sim2reason.simulation.certify import witnessed
+from sim2reason.simulation.certify import certify_trace
 from sim2reason.simulation.trace import ENGINES
 from spoiled_mechanisms import collapse, spoiled
 
@@ -72,7 +72,7 @@ def attempt(job: tuple[str, int]) -> Try:
         marks = [process_time()]
         trace = ENGINES["exact"](mechanism, TIMES)
         marks.append(process_time())
-        _, certificate = witnessed(trace)
+        _, certificate = certify_trace(trace)
         outcome = "no witness" if certificate.reason.startswith("no witness") else "simulated"
     except Sim2ReasonError as error:
         outcome = type(error).__name__

@@ -14,7 +14,7 @@ from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.scenes.dsl.entity import ENTITIES
 from sim2reason.scenes.dsl.model import draw
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.files import dump, told
+from sim2reason.scenes.files import dump, to_plain
 from sim2reason.scenes.files.tendons import directions
 
 Rng = np.random.Generator
@@ -77,7 +77,7 @@ def _entity(kind: str, name: str, rng: Rng) -> dict[str, Any]:
             entity = draw(ENTITIES[kind], rng, choices)
         except ValueError:  # pucks that overlap
             continue
-        return {"name": name, "type": kind, "parameters": told(entity)}
+        return {"name": name, "type": kind, "parameters": to_plain(entity)}
     raise AssertionError(kind)
 
 

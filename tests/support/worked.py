@@ -19,9 +19,9 @@ from sim2reason.questions.part_prompts import parse_parts
 from sim2reason.questions.words import spoken_of
 from sim2reason.scenes.dsl.entity import Entity, Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.solutions import Setting, Solution, solve
-from sim2reason.solutions.multipart.in_sequence import in_sequence
-from sim2reason.solutions.parts import together
+from sim2reason.solutions import ProblemContext, Solution, solve
+from sim2reason.solutions.multipart.in_sequence import sequential_solutions
+from sim2reason.solutions.parts import combine_parts
 from sim2reason.solutions.solve import setting_of
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read
@@ -31,22 +31,22 @@ TRIES = 40
 ANSWERED = ("start", "state", "event", "time_to_event")  # kinds that strategies have a way to
 
 
-def _setting(search: QuestionSearch, query: Query) -> Setting:
+def _setting(search: QuestionSearch, query: Query) -> ProblemContext:
     study = search.study
-    return Setting(study.scene, search.words, search.description.symbols, study, query)
+    return ProblemContext(study.scene, search.words, search.description.symbols, study, query)
 
 
 def solution_text(problem: str) -> str:
     """Solve a stored problem of tests/data/problems.jsonl and return the text of its worked solution."""
     settings = settings_of(problem)
     alone = [solve(setting) for setting in settings]
-    found = together(in_sequence(settings, alone, whole=True)) if len(alone) > 1 else alone[0]
+    found = combine_parts(sequential_solutions(settings, alone, whole=True)) if len(alone) > 1 else alone[0]
     assert found.answer is not None, found.reason
     return found.text
 
 
 @cache
-def settings_of(problem: str) -> tuple[Setting, ...]:
+def settings_of(problem: str) -> tuple[ProblemContext, ...]:
     """Return what each part of such a problem asks.
 
     Prompts are kept, those of multiple choice without options, so that a problem stays the same whatever recipes draw.
@@ -65,7 +65,7 @@ def _stored() -> dict[str, dict[str, object]]:
     return {str(row["id"]): row for row in rows}
 
 
-def _in_symbols(parsed: ParsedPrompt, given: Mapping[str, str], formula: str) -> Setting:
+def _in_symbols(parsed: ParsedPrompt, given: Mapping[str, str], formula: str) -> ProblemContext:
     """A question about symbols of which `given` has the numbers; some are the question's own, such as a time."""
     plain = setting_of(parsed)
     symbols = {path: symbol for path, symbol in plain.symbols.items() if symbol in given}
@@ -76,7 +76,7 @@ def _in_symbols(parsed: ParsedPrompt, given: Mapping[str, str], formula: str) ->
     return replace(plain, words=words, symbols=symbols, formula=found, assumed=parsed.asked.assumed)
 
 
-def asked(scene: Scene, question: str | Query) -> Setting:
+def asked(scene: Scene, question: str | Query) -> ProblemContext:
     """A question about a scene, in the words of the library or as a query."""
     search = QuestionSearch(scene, 0)
     query = question if isinstance(question, Query) else parse_question(question, search.study, search.words)
@@ -107,7 +107,7 @@ def answer(name: str, entity: Entity, query: Query) -> float:
 
 def problems(
     recipe: str, difficulty: str, count: int, seed: int = 3, kinds: Sequence[str] = ANSWERED
-) -> Iterator[Setting]:
+) -> Iterator[ProblemContext]:
     """Drawn problems that pass every filter, of each kind that strategies answer in turn."""
     for index in range(count):
         found = _problem(recipe, difficulty, seed, index, kinds)
@@ -115,7 +115,7 @@ def problems(
             yield found
 
 
-def _problem(recipe: str, difficulty: str, seed: int, index: int, kinds: Sequence[str]) -> Setting | None:
+def _problem(recipe: str, difficulty: str, seed: int, index: int, kinds: Sequence[str]) -> ProblemContext | None:
     for attempt in range(TRIES):
         rng = generator("worked", recipe, difficulty, seed, index, attempt)
         try:

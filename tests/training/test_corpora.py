@@ -150,9 +150,9 @@ def test_limits_name_what_is_too_long() -> None:
 
 @pytest.fixture(scope="module")
 def tokenizer() -> Tokenizer:
-    from sim2reason.training.models.parts.tokenizer import made
+    from sim2reason.training.models.parts.tokenizer import train_tokenizer
 
-    return made(["How fast is it? It is fast: 12 m/s.", "<|user|><|model|>"] * 9, 300)
+    return train_tokenizer(["How fast is it? It is fast: 12 m/s.", "<|user|><|model|>"] * 9, 300)
 
 
 @installed

@@ -73,7 +73,7 @@ def test_a_missing_library_is_named_with_its_extra(
 @installed
 def test_the_tokenizer_is_lossless_and_keeps_digits_apart() -> None:
     known = texts()
-    tokenizer = tokenizers.made(known, 600)
+    tokenizer = tokenizers.train_tokenizer(known, 600)
     assert len(tokenizer) == 600
     strange = [
         "",
@@ -95,7 +95,7 @@ def test_the_tokenizer_is_lossless_and_keeps_digits_apart() -> None:
 
 @installed
 def test_the_tokenizer_joins_what_it_may() -> None:
-    joined = tokenizers.made(["t=12.5; t=12.5"] * 50, 300, alone="")
+    joined = tokenizers.train_tokenizer(["t=12.5; t=12.5"] * 50, 300, alone="")
     assert len(joined("t=12.5; t=12.5")["input_ids"]) < 5
 
 

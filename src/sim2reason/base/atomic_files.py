@@ -40,7 +40,7 @@ def put_text(path: Path, text: str, scratch: Path) -> None:
     put(path, lambda temporary: temporary.write_text(text, encoding="utf-8", newline="\n"), scratch)
 
 
-def sweep(scratch: Path) -> None:
+def remove_temporaries(scratch: Path) -> None:
     """Remove the temporary files of killed runs from a folder that no other process uses."""
     for suffix in (TEMPORARY, LOCK):
         for path in scratch.glob(f"*{suffix}"):

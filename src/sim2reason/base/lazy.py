@@ -35,7 +35,7 @@ class Memo:
     def _known(self) -> dict[Hashable, object]:
         return {}
 
-    def once(self, name: Hashable, make: Callable[[], T]) -> T:
+    def memoize(self, name: Hashable, make: Callable[[], T]) -> T:
         """Return the result cached under a name, after computing it with `make` if there is none."""
         found = self._known.get(name, self)
         if found is self:
@@ -47,6 +47,6 @@ class Memo:
         self._known[name] = value
         return value
 
-    def knows(self, name: Hashable) -> bool:
+    def is_cached(self, name: Hashable) -> bool:
         """Return whether a result is cached under a name."""
         return name in self._known

@@ -9,9 +9,9 @@ from typing import Any, Generic, TypeVar
 
 from sim2reason.errors import UnknownNameError
 
-LONGEST = 80  # characters of a name; similar names of longer ones are not searched
-AS_NEAR = 0.85  # similarity, relative to that of the most similar name, from which others are suggested too
-FEW = 20  # names that an error message lists in full
+MAX_NAME_LENGTH = 80  # characters of a name; similar names of longer ones are not searched
+SIMILARITY_CUTOFF = 0.85  # similarity, relative to that of the most similar name, from which others are suggested too
+MAX_LISTED_NAMES = 20  # names that an error message lists in full
 LIBRARY = __name__.partition(".")[0]
 _further: list[tuple[str, str, "Registry[Any]"]] = []
 T = TypeVar("T")
@@ -89,7 +89,7 @@ class Registry(Mapping[str, T], Generic[T]):
         near = list(dict.fromkeys(meant.get(found, found) for found in near))
         if near:
             return f"did you mean: {', '.join(near)}"
-        few = len(self._members) <= FEW
+        few = len(self._members) <= MAX_LISTED_NAMES
         return f"there are: {', '.join(self)}" if few else f"see: sim2reason list {self.called}"
 
     def name_of(self, value: object) -> str:
@@ -134,8 +134,8 @@ def further_members() -> dict[str, tuple[str, ...]]:
 
 def nearest(name: str, names: Iterable[str], most: int = 3) -> list[str]:
     """Return the names most similar to `name`, the best first, at most `most` of them."""
-    found = get_close_matches(name, names, n=most) if len(name) <= LONGEST else []
-    return [other for other in found if _likeness(name, other) >= AS_NEAR * _likeness(name, found[0])]
+    found = get_close_matches(name, names, n=most) if len(name) <= MAX_NAME_LENGTH else []
+    return [other for other in found if _likeness(name, other) >= SIMILARITY_CUTOFF * _likeness(name, found[0])]
 
 
 def _likeness(name: str, other: str) -> float:
@@ -145,7 +145,7 @@ def _likeness(name: str, other: str) -> float:
 def _shown(name: object) -> str:
     """Return a name in quotes, shortened if long."""
     text = repr(name)
-    return text if len(text) <= LONGEST else f"{text[:LONGEST]}…"
+    return text if len(text) <= MAX_NAME_LENGTH else f"{text[:MAX_NAME_LENGTH]}…"
 
 
 def _origin(member: object) -> str:

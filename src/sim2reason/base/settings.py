@@ -11,12 +11,12 @@ from sim2reason.base.registry import Registry
 from sim2reason.base.yaml_text import NUMBER, TRUTH
 from sim2reason.errors import EvaluationError, Sim2ReasonError
 
-__all__ = ["configuration", "each_of", "first_fault", "held_to", "of_kind", "settings_in"]
+__all__ = ["build_each", "build_member", "configuration", "first_fault", "settings_in", "validated"]
 
 T = TypeVar("T")
 
 
-def held_to(check: Callable[[T], object], value: T) -> T:
+def validated(check: Callable[[T], object], value: T) -> T:
     """Return the value if `check` accepts it; for validators, errors of the library become ValueError."""
     try:
         check(value)
@@ -94,7 +94,7 @@ def settings_in(path: Path) -> dict[str, object]:
     return cast("dict[str, object]", found)
 
 
-def of_kind(registry: Registry[type[M]], settings: Mapping[str, object], place: str, fault: Fault) -> M:
+def build_member(registry: Registry[type[M]], settings: Mapping[str, object], place: str, fault: Fault) -> M:
     """Build the member that settings describe: `kind` is its registered name, the rest are its settings.
 
     Raises:
@@ -110,7 +110,7 @@ def of_kind(registry: Registry[type[M]], settings: Mapping[str, object], place: 
         raise fault(f"{place}.{first_fault(error)}") from None
 
 
-def each_of(given: object, built: Callable[[Mapping[str, object], str], T], place: str) -> object:
+def build_each(given: object, built: Callable[[Mapping[str, object], str], T], place: str) -> object:
     """Return the objects built from each mapping of a list; return any other value unchanged."""
     if not isinstance(given, list):
         return given

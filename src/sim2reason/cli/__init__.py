@@ -67,7 +67,7 @@ class Commands(click.Group):
         extra["standalone_mode"] = False
         streams.prepare()
         try:
-            with interrupts.heard():
+            with interrupts.handled_interrupts():
                 code = super().main(*args, **extra)
         except (click.Abort, KeyboardInterrupt) as error:
             console.explain(console.explained(error.__cause__ or error))

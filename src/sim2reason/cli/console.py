@@ -97,7 +97,7 @@ def table(head: Sequence[str], rows: Sequence[Sequence[object]], *, err: bool = 
         click.echo("  ".join(padded).rstrip(), err=err)
 
 
-def words(option: str) -> tuple[str, ...]:
+def comma_separated(option: str) -> tuple[str, ...]:
     """Return the comma-separated words of an option, without repetitions."""
     names = tuple(dict.fromkeys(word.strip() for word in option.split(",") if word.strip()))
     if not names:

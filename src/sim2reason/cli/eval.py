@@ -39,7 +39,7 @@ RUN = "run"
 FOLDER = click.Path(file_okay=False, path_type=Path)
 
 
-class _WithoutItsName(click.Group):
+class _DefaultRunGroup(click.Group):
     """A click group that treats an unknown command as the configuration of `run`."""
 
     def resolve_command(
@@ -51,7 +51,7 @@ class _WithoutItsName(click.Group):
         return super().resolve_command(ctx, args)
 
 
-@click.group("eval", cls=_WithoutItsName, epilog=EXAMPLE, subcommand_metavar="CONFIG | COMMAND [ARGS]...")
+@click.group("eval", cls=_DefaultRunGroup, epilog=EXAMPLE, subcommand_metavar="CONFIG | COMMAND [ARGS]...")
 def command() -> None:
     """Have policies answer benchmarks as the file CONFIG says, and report; or compare and correlate such runs."""
 
@@ -112,15 +112,17 @@ def compare_command(first: str, second: str, out: Path | None, to_json: bool) ->
 @click.option("--json", "to_json", is_flag=True, help="For a program to read.")
 def correlate_command(runs: tuple[Path, ...], across: str | None, up: str, out: Path | None, to_json: bool) -> None:
     """Correlate, across the models of RUNS, accuracy on our problems with that on others: Spearman's ρ."""
-    from sim2reason.evaluation.reports.comparison import correlate, told
+    from sim2reason.evaluation.reports.comparison import correlate, correlation_text
 
-    found = correlate(runs, across, console.words(up) if up else (), out)
+    found = correlate(runs, across, console.comma_separated(up) if up else (), out)
     if to_json:
         console.as_json(
             [{"across": f.across, "up": f.up, "models": f.models, "rho": f.rho and f.rho._asdict()} for f in found]
         )
     else:
-        console.table(["across", "up", "models", "ρ"], [[f.across, f.up, len(f.models), told(f)] for f in found])
+        console.table(
+            ["across", "up", "models", "ρ"], [[f.across, f.up, len(f.models), correlation_text(f)] for f in found]
+        )
 
 
 @command.command("solvable", epilog=SOLVABLE_EXAMPLE)

@@ -33,7 +33,7 @@ def command(
     to_json: bool,
 ) -> None:
     """Explain one problem: its scene, certificate, every filter's verdict, and the questions refused before it."""
-    from sim2reason.datasets.explain import check, explain, told
+    from sim2reason.datasets.explain import check, explain, section_text
 
     check(figure, trace)
     with ExitStack() as files:
@@ -44,4 +44,4 @@ def command(
         return
     for title, lines in found.items():
         click.secho(title, bold=True)
-        click.echo(f"{told(lines)}\n")
+        click.echo(f"{section_text(lines)}\n")

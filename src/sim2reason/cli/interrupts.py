@@ -13,7 +13,7 @@ PATIENCE = 2.0  # s, after which an interrupt without effect is repeated
 
 
 @contextmanager
-def heard() -> Generator[None, None, None]:
+def handled_interrupts() -> Generator[None, None, None]:
     """Raise KeyboardInterrupt in the block at each SIGINT and SIGTERM, and again until the block ends.
 
     C modules drop exceptions at some moments, and a run of hours would continue. After the first signal, warnings are

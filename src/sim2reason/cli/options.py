@@ -6,7 +6,7 @@ from typing import Any, TypeVar
 
 import click
 
-from sim2reason.cli.console import RESULT, VERBOSE, words
+from sim2reason.cli.console import RESULT, VERBOSE, comma_separated
 
 ALL = "all"
 LARGEST = 2**63 - 1  # as of a seed of a dataset, whose module would load too much for --help
@@ -23,7 +23,7 @@ class Printing(click.Option):
 def names(ctx: click.Context, param: click.Parameter, value: str) -> Names:
     """Return the comma-separated names of an option, or all."""
     del ctx, param
-    return value if value == ALL else words(value)
+    return value if value == ALL else comma_separated(value)
 
 
 def names_or_none(ctx: click.Context, param: click.Parameter, value: str | None) -> Names:

@@ -8,14 +8,14 @@ from itertools import islice
 from sim2reason.datasets.plan import Names, modes_named
 from sim2reason.generation.certified import CertifiedQuestion
 from sim2reason.generation.item import Item
-from sim2reason.generation.item_search import formed
+from sim2reason.generation.item_search import form_problem
 from sim2reason.generation.make import item_of
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.request import Request
 from sim2reason.generation.splits import problem
 from sim2reason.questions import MODES, Question
-from sim2reason.questions.following import eventful, motion_of
+from sim2reason.questions.following import simulate_scene, simulate_until_event
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import SceneLike, scene_of
@@ -84,7 +84,7 @@ def asked(scene: Scene, mode: Names, items: int, seed: int, *, unfiltered: bool 
     A problem that differs only in its numbers is repeated only if there are too few others.
     """
     modes = modes_named(mode)
-    search = QuestionSearch(eventful(motion_of(scene)).study, seed, unfiltered=unfiltered)
+    search = QuestionSearch(simulate_until_event(simulate_scene(scene)).study, seed, unfiltered=unfiltered)
     result = AskedScene(search.description.text)
     problems, variants = set[str](), dict[str, tuple[CertifiedQuestion, Item]]()
     answers = set[Hashable]()
@@ -96,7 +96,7 @@ def asked(scene: Scene, mode: Names, items: int, seed: int, *, unfiltered: bool 
         rng, base = generator("ask", name, seed, attempt), f"{scene.name}-{name}-{seed}"
         certified = search.ask(MODES[name], rng, result.refused)
         if certified is not None:
-            certified = formed(certified, search, MODES[name], "medium", rng, result.refused, f"{base}-{attempt}")
+            certified = form_problem(certified, search, MODES[name], "medium", rng, result.refused, f"{base}-{attempt}")
         if certified is not None and certified.question.text not in result.found:
             item = item_of(Request("", "", name, seed, attempt), certified)
             answer = _answer(certified.question, item)

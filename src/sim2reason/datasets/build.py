@@ -8,7 +8,7 @@ from typing import TypedDict, Unpack
 
 from sim2reason.base.atomic_files import FOLDER, LOCK, checksum, locked, put, put_text
 from sim2reason.datasets import card, shard_files
-from sim2reason.datasets.card_content import Counted, chosen, drawn_by, example, put_pictures, remove_pictures
+from sim2reason.datasets.card_content import Counted, choose_examples, drawn_by, example, put_pictures, remove_pictures
 from sim2reason.datasets.cells import Cell, together
 from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.journal import Journal, RunPlan
@@ -26,7 +26,7 @@ from sim2reason.datasets.manifest import (
     load,
     merged,
 )
-from sim2reason.datasets.places import HERE, PATIENCE, Crew, Run, opened
+from sim2reason.datasets.places import HERE, PATIENCE, Run, WorkerPool, opened
 from sim2reason.datasets.plan import MAKER, Config
 from sim2reason.datasets.rounds import FindsOverlap, make_all, make_positions
 from sim2reason.datasets.shard_files import shard_of
@@ -59,7 +59,7 @@ def _illustrated(journal: Journal, manifest: Manifest) -> Manifest:
     out, config = journal.out, journal.plan.config
     shards = (shard_of(journal, number) for number in range(journal.shards))
     first = next((shard for shard in shards if shard.rows), None)
-    shown = [example(item, config) for item in chosen(shard_files.items(out, first) if first else ())]
+    shown = [example(item, config) for item in choose_examples(shard_files.items(out, first) if first else ())]
     pictures = put_pictures(out, journal.folder, manifest.histograms, shown)
     manifest = manifest.model_copy(update={"pictures": drawn_by() if pictures else ""})
     put_text(out / CARD, card.text(manifest, shown, pictures), journal.folder)
@@ -140,14 +140,14 @@ def build(out: Path | str, config: Config, **work: Unpack[Work]) -> Manifest:
         DatasetError: `out` holds anything else, a weight makes no sense, or `config` names other benchmarks. And if
             fewer items are to be had than it asks for: then those there are stand in `out`, a dataset as any other.
     """
-    overlap, advance = _overlap(config, work.get("benchmarks")), work.get("advance", unseen)
+    overlap, advance = _overlap(config, work.get("benchmarks")), work.get("advance", ignore_progress)
     with _workers(config, work) as run, locked(out := _folder(out, config)):
         manifest = _standing(out, config)
         if manifest is not None:
             advance(manifest.rows)
         else:
             journal = Journal(out, config)
-            make_all(journal, run, overlap, advance, work.get("watch", unwatched))
+            make_all(journal, run, overlap, advance, work.get("watch", ignore_attempt))
             manifest = finish(journal)
             journal.close()
     if manifest.rows < config.items:
@@ -176,17 +176,19 @@ def build_part(out: Path | str, config: Config, part: Part, **work: Unpack[Work]
         mine.touch()
         numbers = range(number, journal.shards, parts)
         with locked(mine):
-            make_positions(journal, numbers, run, overlap, work.get("advance", unseen), work.get("watch", unwatched))
+            make_positions(
+                journal, numbers, run, overlap, work.get("advance", ignore_progress), work.get("watch", ignore_attempt)
+            )
             mine.unlink()
         return sum(shard.rows for n in numbers if (shard := journal.shard(n)) is not None)
 
 
-def unseen(done: int) -> None:
+def ignore_progress(done: int) -> None:
     """Ignore the number of finished positions; the function called if the caller gives no `advance`."""
     del done
 
 
-def unwatched(attempt: Attempt) -> None:
+def ignore_attempt(attempt: Attempt) -> None:
     """Ignore an attempt to make an item; the function called if the caller gives no `watch`."""
     del attempt
 
@@ -229,7 +231,7 @@ def _workers(config: Config, work: Work) -> AbstractContextManager[Run]:
     workers = work.get("workers")
     if workers is not None and not _counts(workers):
         raise DatasetError(f"workers: {workers!r} is no number of processes; give a whole number from 1 on, or None")
-    crew = partial(Crew, config.maker, workers, work.get("patience", PATIENCE))
+    crew = partial(WorkerPool, config.maker, workers, work.get("patience", PATIENCE))
     return opened(work.get("on", HERE), crew)
 
 

@@ -73,7 +73,7 @@ SHOWN: dict[str, Shown] = {
 """By the name of the picture."""
 
 
-def counted(items: Iterable[Item]) -> dict[str, Counted]:
+def count_histograms(items: Iterable[Item]) -> dict[str, Counted]:
     """Return the counts of all histograms for some items."""
     found: dict[str, Counted] = {name: {} for name in SHOWN}
     for item in items:
@@ -117,7 +117,7 @@ class Example(NamedTuple):
     """A PNG, if the scene can be drawn here."""
 
 
-def chosen(items: Iterable[Item]) -> list[Item]:
+def choose_examples(items: Iterable[Item]) -> list[Item]:
     """Return a few items that differ in as many properties as possible; ties go to the first."""
     waiting, found = list(items), list[Item]()
     while waiting and len(found) < EXAMPLES:
@@ -142,14 +142,16 @@ def example(item: Item, config: Config) -> Example:
 def _made_again(item: Item) -> tuple[str, bytes | None]:
     """Return the worked solution and figure of an item after regenerating it, since items do not store them."""
     from sim2reason.figures import canvas, drawing  # noqa: PLC0415 - the same
-    from sim2reason.generation.certified import recorded, worked  # noqa: PLC0415 - the same
+    from sim2reason.generation.certified import solution_record, worked_solution  # noqa: PLC0415 - the same
     from sim2reason.generation.item_search import ItemSearch  # noqa: PLC0415 - it loads what else only workers need
 
     request = Request.of(item)
-    found = ItemSearch(request).found()
+    found = ItemSearch(request).find()
     if found is None or found.prompt != item.prompt:
         return "", None
-    solution, unsolved = recorded(worked(request, found)) if item.solution is None else (item.solution, "")
+    solution, unsolved = (
+        solution_record(worked_solution(request, found)) if item.solution is None else (item.solution, "")
+    )
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", FigureWarning)
         drawn = drawing.drawing(found.description.scene, found.description)

@@ -25,7 +25,7 @@ from sim2reason.generation.item import Record
 LARGEST_FILE = 2**30  # bytes
 LARGEST_PART = 2**25  # bytes read at once: a whole .json, a line of text or .jsonl, a group of Parquet rows
 ROWS = 100  # of a Parquet file, read at once
-DEEPEST = 100  # levels of nested lists and objects in one item
+MAX_DEPTH = 100  # levels of nested lists and objects in one item
 
 
 class BenchmarkFile(Record):
@@ -35,7 +35,7 @@ class BenchmarkFile(Record):
     sha256: str
 
 
-def described(path: Path) -> BenchmarkFile:
+def benchmark_file_record(path: Path) -> BenchmarkFile:
     """Return the record of a benchmark file, without its folder; DatasetError if the file is unsuitable."""
     if not path.is_file():
         raise DatasetError(f"{path}: no such file; give the file of a benchmark, a {' or '.join(READERS)}")
@@ -70,8 +70,8 @@ def _strings(value: object) -> Iterator[str]:
         if isinstance(found, str):
             yield found
         elif isinstance(found, list | dict):
-            if depth == DEEPEST:
-                raise DatasetError(f"an item is nested in more than {DEEPEST} levels")
+            if depth == MAX_DEPTH:
+                raise DatasetError(f"an item is nested in more than {MAX_DEPTH} levels")
             parts = found.values() if isinstance(found, dict) else cast("list[object]", found)
             waiting += [(part, depth + 1) for part in reversed(list(parts))]
 
@@ -152,7 +152,7 @@ A quarter of what problems say are numbers and symbols, so ten words are about t
 problems, runs of seven words in 1300 from olympiads and entrance exams occurred in 112, of eight in 40 (all of them
 *uniform thin rod of length and mass kg* and its like), of nine or more in none.
 """
-MOST = 20_000_000  # words of all files together, 16 bytes each while they are read
+MAX_WORDS = 20_000_000  # words of all files together, 16 bytes each while they are read
 
 _MARKUP = re.compile(r"\\[a-zA-Z]+|[{}$^_~]")
 _WORD = re.compile(r"[^\W\d_]{2,}")
@@ -169,7 +169,7 @@ class Overlap(NamedTuple):
     words: str
 
     @property
-    def told(self) -> str:
+    def text(self) -> str:
         """Return the overlap as a message."""
         return f"shares {self.words!r} with item {self.item} of {self.file}"
 
@@ -180,7 +180,7 @@ class Benchmarks:
     def __init__(self, paths: Sequence[Path | str], run: int = RUN) -> None:
         """Read the files; DatasetError for an unreadable, empty or too large file."""
         self._run = run
-        self.files: tuple[BenchmarkFile, ...] = tuple(described(Path(path)) for path in paths)
+        self.files: tuple[BenchmarkFile, ...] = tuple(benchmark_file_record(Path(path)) for path in paths)
         """In the order in which they were given."""
         self._items: list[tuple[str, int]] = []  # of each item its file and number
         found = [(np.zeros(0, np.uint64), np.zeros(0, np.int32)), *self._read([Path(path) for path in paths])]
@@ -198,8 +198,8 @@ class Benchmarks:
                 for own in map(words, held):
                     some, runs = some or bool(own), _runs(own, self._run)
                     total += len(runs)
-                    if total > MOST:
-                        raise DatasetError(f"{path}: with it there are more than {MOST} words; give fewer files")
+                    if total > MAX_WORDS:
+                        raise DatasetError(f"{path}: with it there are more than {MAX_WORDS} words; give fewer files")
                     yield runs, np.full(len(runs), len(self._items) - 1, dtype=np.int32)
             if not some:
                 raise DatasetError(f"{path}: holds no text; give the file that holds the benchmark's questions")

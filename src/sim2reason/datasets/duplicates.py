@@ -112,7 +112,7 @@ def _neighbours(found: Variants, starts: NDArray[np.int64], limit: float) -> Ite
             _cells(found, starts, inside[n : n + BLOCK], grid, limit) for n in range(0, max(len(inside), 1), BLOCK)
         ]
         cells = np.concatenate(parts)
-        repeated = twice(cells.copy())
+        repeated = repeated_values(cells.copy())
         held = holds(repeated, cells)
         rows.append(inside[held])
         shared.append(cells[held])
@@ -141,7 +141,7 @@ def _cells(
     return total ^ (found.problems[rows] + np.uint64(grid * _MIX % 2**64))
 
 
-def twice(values: NDArray[np.uint64]) -> NDArray[np.uint64]:
+def repeated_values(values: NDArray[np.uint64]) -> NDArray[np.uint64]:
     """Return the sorted values that occur more than once; `values` is sorted in place."""
     values.sort()
     return np.unique(values[1:][values[1:] == values[:-1]])
@@ -171,7 +171,7 @@ class Marks(NamedTuple):
     """Of the numbers of all items."""
 
 
-class Double(NamedTuple):
+class Duplicate(NamedTuple):
     """An item removed as a duplicate or variant of an earlier one."""
 
     position: int
@@ -199,7 +199,7 @@ def marks(items: Sequence[tuple[int, Item]], *, scenes: bool) -> Marks:
     return Marks(np.array(rows, np.uint64).reshape(len(rows), columns), np.array(logarithms, np.float32))
 
 
-def doubles(read: Read, shards: int, items: int, distance: float) -> Iterator[tuple[int, list[Double]]]:
+def find_duplicates(read: Read, shards: int, items: int, distance: float) -> Iterator[tuple[int, list[Duplicate]]]:
     """Yield the duplicates to remove, shard by shard.
 
     An item is removed if an earlier kept item is equal, or closer than `distance`. Hence the result is the same if the
@@ -216,7 +216,10 @@ def doubles(read: Read, shards: int, items: int, distance: float) -> Iterator[tu
         gone = positions[(same[positions] != NOBODY) | (alike[positions] != NOBODY)].tolist()
         if gone:
             pairs = ((place, int(same[place]), int(alike[place])) for place in gone)
-            yield number, [Double(at, first if first != NOBODY else near, first == NOBODY) for at, first, near in pairs]
+            yield (
+                number,
+                [Duplicate(at, first if first != NOBODY else near, first == NOBODY) for at, first, near in pairs],
+            )
 
 
 def _same(read: Read, shards: int, alike: Others) -> Others:
@@ -288,4 +291,4 @@ def _hash(key: str) -> int:
 
 def _repeated(read: Read, shards: int, column: int) -> Table:
     """Return the sorted values of a column that several items share."""
-    return twice(np.concatenate([np.zeros(0, np.uint64), *(read(n).table[:, column] for n in range(shards))]))
+    return repeated_values(np.concatenate([np.zeros(0, np.uint64), *(read(n).table[:, column] for n in range(shards))]))

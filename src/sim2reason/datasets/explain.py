@@ -10,7 +10,7 @@ from sim2reason.datasets.dataset import Dataset
 from sim2reason.errors import DatasetError
 from sim2reason.figures import canvas
 from sim2reason.figures.drawing import drawing
-from sim2reason.generation.certified import CertifiedQuestion, worked
+from sim2reason.generation.certified import CertifiedQuestion, worked_solution
 from sim2reason.generation.filters import in_order
 from sim2reason.generation.item import Item
 from sim2reason.generation.item_search import ItemSearch
@@ -33,10 +33,10 @@ class Explanation(dict[str, tuple[str, ...]]):
 
     def __str__(self) -> str:
         """Return all titles with their lines, as the command of this name prints them."""
-        return "\n".join(f"{title}\n{told(lines)}\n" for title, lines in self.items())
+        return "\n".join(f"{title}\n{section_text(lines)}\n" for title, lines in self.items())
 
 
-def told(lines: Iterable[str]) -> str:
+def section_text(lines: Iterable[str]) -> str:
     """Return the lines of a section as text."""
     return indent("\n".join(lines), "  ")
 
@@ -84,7 +84,7 @@ def explain(
     request = Request.named(id) if item is None else Request.of(item)
     search, record = ItemSearch(request), RefusalRecord()
     search.on_refusal = record.add if refused else None
-    found = search.found()
+    found = search.find()
     made = None if found is None else item_of(request, found)
     if item is not None and made != item:
         remedy = "install the versions that it names, or make the dataset anew"
@@ -160,7 +160,7 @@ def _measured(item: Item) -> Iterator[str]:
 
 def _solution(request: Request, found: CertifiedQuestion) -> str:
     """Return the worked solution, or the reason why there is none."""
-    solution = worked(request, found)
+    solution = worked_solution(request, found)
     return f"by {solution.strategy}\n\n{solution.text}" if solution.answer is not None else f"none: {solution.reason}"
 
 

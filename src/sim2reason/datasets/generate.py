@@ -10,8 +10,8 @@ from pydantic import ValidationError
 
 from sim2reason.base.registry import nearest
 from sim2reason.base.settings import settings_in
-from sim2reason.datasets.build import build, unseen
-from sim2reason.datasets.contamination import Benchmarks, described
+from sim2reason.datasets.build import build, ignore_progress
+from sim2reason.datasets.contamination import Benchmarks, benchmark_file_record
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.places import HERE
 from sim2reason.datasets.plan import (
@@ -29,7 +29,7 @@ from sim2reason.datasets.plan import (
     recipes_named,
 )
 from sim2reason.errors import DatasetError, DrawError, EvaluationError
-from sim2reason.generation.request import SI, whole
+from sim2reason.generation.request import SI, nonnegative_integer
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.questions.tolerance import TOLERANCE
 
@@ -115,7 +115,7 @@ def generate(
     *,
     workers: int | None = None,
     on: str = HERE,
-    advance: Callable[[int], object] = unseen,
+    advance: Callable[[int], object] = ignore_progress,
     **order: Unpack[Order],
 ) -> Dataset:
     """Generate problems into a folder and open the dataset.
@@ -167,11 +167,11 @@ def configured(**order: Unpack[Order]) -> Config:
         "modes": modes_named(held["mode"], check=ours),
         "units": system_named(held["units"]).name,
         "needs": needs_named(held["needs"]),
-        "decontaminate": tuple(described(path) for path in files_to_avoid(order)),
+        "decontaminate": tuple(benchmark_file_record(path) for path in files_to_avoid(order)),
         **{name: value for name, value in given.items() if value != {}},
     }
     try:
-        fields |= {name: whole(name, fields[name]) for name in NUMBERS if name in fields}
+        fields |= {name: nonnegative_integer(name, fields[name]) for name in NUMBERS if name in fields}
         return Config.model_validate(fields, strict=True)
     except DrawError as error:
         raise DatasetError(str(error)) from None

@@ -18,7 +18,7 @@ from sim2reason.grading import Outcome, Score, opened
 
 __all__ = ["GradedResponse", "Response", "Tallies", "Tally", "grade", "graded", "line", "responses"]
 
-DEEPEST = 40  # levels of nested groups, lists and wrappers
+MAX_DEPTH = 40  # levels of nested groups, lists and wrappers
 
 
 @runtime_checkable
@@ -65,7 +65,7 @@ def _unnamed(row: object) -> object:
     return names() if callable(names) else row
 
 
-def plain(value: object, depth: int = DEEPEST) -> object:
+def plain(value: object, depth: int = MAX_DEPTH) -> object:
     """Return a value of numpy, pandas or pyarrow as plain Python; an empty group becomes None.
 
     Values nested deeper than any item's column are unchanged.

@@ -18,7 +18,7 @@ from sim2reason.generation.certified import CertifiedQuestion
 from sim2reason.generation.item import Item
 from sim2reason.generation.item_search import ItemSearch
 from sim2reason.generation.make import item_of, make
-from sim2reason.generation.request import SI, Request, check, whole
+from sim2reason.generation.request import SI, Request, check, nonnegative_integer
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.questions.tolerance import TOLERANCE
 from sim2reason.scenes.dsl.scene import Scene
@@ -177,13 +177,13 @@ def stream(  # noqa: PLR0913 - the same
         >>> [problem.id for problem in islice(sim2reason.stream("pulley", "easy"), 2)]
         ['pulley-easy-numeric-0-0', 'pulley-easy-numeric-0-1']
     """
-    first = whole("start", start)
+    first = nonnegative_integer("start", start)
     config = Config(
         items=0,
         recipes=recipes_named(recipe),
         difficulties=difficulties_named(difficulty),
         modes=modes_named(mode),
-        seed=whole("seed", seed),
+        seed=nonnegative_integer("seed", seed),
         weights=numbers("weights", weights or {}),
         units=system_named(units).name,
         needs=needs_named(needs),
@@ -226,7 +226,7 @@ def made(request: Request) -> tuple[Item, CertifiedQuestion]:
 
 def _found(request: Request) -> CertifiedQuestion:
     search = ItemSearch(request)
-    found = search.found()
+    found = search.find()
     if found is None:
         refused = ", ".join(f"{count} {name}" for name, count in sorted(search.rejected.items()))
         raise DrawError(f"{request.id}: no draw passed the filters ({refused}); take another index")

@@ -16,7 +16,7 @@ from typing import TypeVar
 import numpy as np
 from pydantic import ValidationError
 
-from sim2reason.base.atomic_files import FOLDER, TEMPORARY, canonical, checksum, put, put_text, sweep
+from sim2reason.base.atomic_files import FOLDER, TEMPORARY, canonical, checksum, put, put_text, remove_temporaries
 from sim2reason.datasets.card_content import remove_pictures
 from sim2reason.datasets.duplicates import Marks
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, Shard, ShardFile, load, shards
@@ -63,7 +63,7 @@ class Journal:
         """The card and what belongs to it, with their checksums, if the dataset was finished before."""
         self.folder.mkdir(exist_ok=True)
         if alone:
-            sweep(self.folder)
+            remove_temporaries(self.folder)
         if alone or not (self.folder / PLAN).is_file():
             put_text(self.folder / PLAN, canonical(self.plan.model_dump(mode="json")), self.folder)
         if not alone:
@@ -125,7 +125,7 @@ class Journal:
             (self.out / SHARDS).unlink(missing_ok=True)
             remove_pictures(self.out, manifest.files)
 
-    def stands(self, number: int) -> Shard | None:
+    def valid_record(self, number: int) -> Shard | None:
         """Return the record of a shard if all its files exist undamaged, after renaming them for this plan.
 
         The record may cover only the first of the shard's positions.

@@ -9,9 +9,9 @@ from sim2reason.generation.item import Item
 from sim2reason.generation.request import Request, load_maker
 from sim2reason.generation.splits import split_of
 
-__all__ = ["MOST", "LazyProblems"]
+__all__ = ["INDEX_STRIDE", "LazyProblems"]
 
-MOST = 2**40
+INDEX_STRIDE = 2**40
 """The most problems, and how far apart the indices are at which one position looks for its problem."""
 TRIES = 200
 """How many indices a position looks at. Of a split with a tenth of all problems, it misses one position in 10⁹."""
@@ -22,7 +22,7 @@ class LazyProblems:
 
     Positions cycle through recipes, difficulties and modes as in a dataset. If a request gives no problem of the split
     (no draw passes the filters, the problem belongs to another split, or it shares words with a benchmark), the request
-    with the index increased by `MOST` replaces it, so that no two positions share a request. An instance is small, and
+    with the index increased by `INDEX_STRIDE` replaces it, so that no two positions share a request. An instance is small, and
     can be pickled.
 
     Args:
@@ -36,8 +36,8 @@ class LazyProblems:
 
     def __init__(self, config: Config, split: str = TRAIN, benchmarks: Benchmarks | None = None) -> None:
         """Store the configuration without generating a problem."""
-        if config.items > MOST:
-            raise DatasetError(f"items: {config.items} are too many; give {MOST} at most")
+        if config.items > INDEX_STRIDE:
+            raise DatasetError(f"items: {config.items} are too many; give {INDEX_STRIDE} at most")
         if split not in config.split:
             raise DatasetError(f"there is no split {split!r}; there is {', '.join(config.split)}")
         load_maker(config.maker)
@@ -58,7 +58,7 @@ class LazyProblems:
             raise IndexError(f"position {position} of {len(self)}")
         first = self.config.request(position)
         for attempt in range(TRIES):
-            found = self._drawn(replace(first, index=first.index + attempt * MOST))
+            found = self._drawn(replace(first, index=first.index + attempt * INDEX_STRIDE))
             if found is not None:
                 return found
         raise DrawError(

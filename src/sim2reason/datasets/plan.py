@@ -13,7 +13,7 @@ from annotated_types import Ge, Le, MinLen
 from pydantic import AfterValidator, BaseModel, Field, field_validator
 
 from sim2reason.base.lazy import cached_property
-from sim2reason.base.settings import held_to
+from sim2reason.base.settings import validated
 from sim2reason.datasets.contamination import BenchmarkFile
 from sim2reason.errors import DatasetError, DrawError, UnknownNameError
 from sim2reason.generation.item import Record
@@ -257,7 +257,7 @@ def _known(named: Callable[[Given], tuple[str, ...]]) -> AfterValidator:
     def check(value: Given) -> Given:
         if not value:
             raise ValueError(f"names none; give one, several, or {ALL}")
-        return held_to(named, value)
+        return validated(named, value)
 
     return AfterValidator(check)
 

@@ -7,7 +7,7 @@ from functools import partial
 
 from sim2reason.datasets.cells import table
 from sim2reason.datasets.contamination import Overlap
-from sim2reason.datasets.duplicates import POSITION, Double, doubles
+from sim2reason.datasets.duplicates import POSITION, Duplicate, find_duplicates
 from sim2reason.datasets.journal import Journal
 from sim2reason.datasets.manifest import Counts, RefusedPosition, Shard, merged
 from sim2reason.datasets.places import Reply, Run
@@ -127,7 +127,7 @@ def _told_before(done: int) -> None:
 def _missing(journal: Journal, numbers: range, advance: Advance) -> Iterator[range]:
     """Yield the missing positions of some shards."""
     for number in numbers:
-        positions, standing = journal.range(number), journal.stands(number)
+        positions, standing = journal.range(number), journal.valid_record(number)
         begin = standing.positions[1] if standing is not None else positions.start
         if begin > positions.start:
             advance(begin - positions.start)
@@ -188,7 +188,7 @@ def _record(config: Config, positions: range, outcomes: Sequence[Attempt], overl
         rejected=merged({r.recipe: each.rejected} for each, r in requests),
         cells=table(wanted, ()),
         quarantined=tuple(failed),
-        contaminated=tuple(RefusedPosition.of(k, config.request(k), found.told) for k, found in overlaps.items()),
+        contaminated=tuple(RefusedPosition.of(k, config.request(k), found.text) for k, found in overlaps.items()),
         unfilled=tuple(RefusedPosition.of(each.position, r, _why(each.rejected)) for each, r in empty),
     )
 
@@ -209,11 +209,11 @@ def _behind_last_item(journal: Journal) -> int:
 def _leave_doubles_out(journal: Journal) -> None:
     """Rewrite shards without duplicates of items at lower positions."""
     read = partial(marks_of, journal)
-    for number, found in doubles(read, journal.shards, journal.positions, journal.plan.config.distance):
+    for number, found in find_duplicates(read, journal.shards, journal.positions, journal.plan.config.distance):
         _leave_out(journal, number, found)
 
 
-def _leave_out(journal: Journal, number: int, found: Sequence[Double]) -> None:
+def _leave_out(journal: Journal, number: int, found: Sequence[Duplicate]) -> None:
     config, shard, gone = journal.plan.config, shard_of(journal, number), {each.position for each in found}
     kept: list[tuple[int, Item]] = [pair for pair in items_of(journal, shard) if pair[0] not in gone]
     changed = {
@@ -224,7 +224,7 @@ def _leave_out(journal: Journal, number: int, found: Sequence[Double]) -> None:
 
 
 def _left_out(
-    before: Sequence[RefusedPosition], config: Config, found: Sequence[Double]
+    before: Sequence[RefusedPosition], config: Config, found: Sequence[Duplicate]
 ) -> tuple[RefusedPosition, ...]:
     """Return the removed positions of a shard, earlier and new ones, in order."""
     more = [

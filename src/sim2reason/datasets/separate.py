@@ -8,7 +8,7 @@ from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.solutions.algebra.digits import DIGITS
 
 
-def separated(item: Item) -> tuple[Item, ...]:
+def split_parts(item: Item) -> tuple[Item, ...]:
     """Return each part as an item whose prompt contains the answers to earlier parts; other items unchanged.
 
     The id of each is that of the item with the label of the part: ``pulley-easy-multipart-0-4-a``.

@@ -9,7 +9,7 @@ from typing import Any, overload
 from sim2reason.base.atomic_files import checksum, put
 from sim2reason.base.optional import optional
 from sim2reason.datasets import store
-from sim2reason.datasets.card_content import counted
+from sim2reason.datasets.card_content import count_histograms
 from sim2reason.datasets.cells import table, together
 from sim2reason.datasets.duplicates import Marks, marks
 from sim2reason.datasets.journal import Journal
@@ -98,7 +98,7 @@ def put_shard(journal: Journal, shard: Shard, items: Placed) -> None:
     changed = {
         "files": write(journal.out, journal.folder, shard.number, journal.shards, by_split),
         "counts": counts(by_split),
-        "histograms": counted(item for _, item in items),
+        "histograms": count_histograms(item for _, item in items),
         "cells": table(asked, ((item.mode, kind, item.recipe) for _, item in items for kind in item.kinds)),
     }
     journal.note(shard.model_copy(update=changed), marks(items, scenes=len(config.split) > 1))

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from sim2reason.base.record import abridged
 from sim2reason.errors import DrawError, SceneError, TextError
-from sim2reason.generation.certified import worked
+from sim2reason.generation.certified import worked_solution
 from sim2reason.generation.item import Item
 from sim2reason.generation.item_search import ItemSearch
 from sim2reason.generation.make import item_of
@@ -14,12 +14,12 @@ from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.request import Request
 from sim2reason.questions import MODES, StatedResult, Target, Words
-from sim2reason.questions.following import Followed, eventful, follow, motion_of
+from sim2reason.questions.following import SimulatedAnswer, simulate_scene, simulate_until_answer, simulate_until_event
 from sim2reason.questions.moments.times import WholeMotion
-from sim2reason.questions.ordinary.nearest import nearest_said
+from sim2reason.questions.ordinary.nearest import suggestion
 from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.parse_question import parse_question
-from sim2reason.questions.posing import VALUE, PosedQuestion, posed
+from sim2reason.questions.posing import VALUE, PosedQuestion, pose_question
 from sim2reason.questions.query import targets
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.questions.structured import StructuredQuestion
@@ -28,7 +28,7 @@ from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import SceneLike, given_scene, question_of
 from sim2reason.simulation.quantities import QUANTITIES
-from sim2reason.solutions import Setting, Solution
+from sim2reason.solutions import ProblemContext, Solution
 from sim2reason.solutions import solve as solved
 from sim2reason.solutions.goals import GOALS
 
@@ -143,17 +143,17 @@ def solve(  # noqa: PLR0913 - the parts of a question, by name
 def _of_request(request: Request) -> SolvedProblem:
     name = request.id
     system_named(request.units)
-    found = ItemSearch(request).found()
+    found = ItemSearch(request).find()
     if found is None:
         raise DrawError(f"{name}: no draw passed the filters, so that there is no such problem; take another index")
-    item, solution = item_of(request, found), worked(request, found)
+    item, solution = item_of(request, found), worked_solution(request, found)
     return SolvedProblem(item.prompt, solution, item.answer.value, item.answer.unit, solution.reason)
 
 
 def _of_scene(scene: Scene, question: str | None, seed: int) -> SolvedProblem:
     """Return the solved problem of a question about a scene, in words; a random question if none is given."""
-    motion = motion_of(scene)
-    search = QuestionSearch(eventful(motion).study, seed)
+    motion = simulate_scene(scene)
+    search = QuestionSearch(simulate_until_event(motion).study, seed)
     if question is None:
         draws = (search.ask(MODES["numeric"], generator("solve", seed, n), Counter[str]()) for n in range(TRIES))
         drawn = next((held for held in draws if held is not None), None)
@@ -164,25 +164,25 @@ def _of_scene(scene: Scene, question: str | None, seed: int) -> SolvedProblem:
         query = parse_question(question, search.study, search.words)
     problem = f"{search.description.text} {question}"
     if query is not None:
-        return _answered(problem, search, PosedQuestion(query), follow(query, motion))
+        return _answered(problem, search, PosedQuestion(query), simulate_until_answer(query, motion))
     meant = understood(question, motion, search.words)
     if meant is None:
-        raise TextError("question", f"{question!r} is not understood", nearest_said(question, motion, search.words))
+        raise TextError("question", f"{question!r} is not understood", suggestion(question, motion, search.words))
     read_as = meant.posed.sentence(search.words) or meant.asked.told
     return _answered(problem, search, meant.posed, meant.followed)._replace(read_as=read_as)
 
 
 def _of_structured(scene: Scene, parts: Mapping[str, object], seed: int) -> SolvedProblem:
     """Return the solved problem of a structured question, rendered as a sentence if possible."""
-    motion = motion_of(scene)
+    motion = simulate_scene(scene)
     search = QuestionSearch(motion.study, seed)
     asked = StructuredQuestion.read(parts)
-    question = posed(asked, motion, search.words)
+    question = pose_question(asked, motion, search.words)
     problem = f"{search.description.text} {question.sentence(search.words) or asked.told}"
     return _answered(problem, search, question, question.followed(motion))
 
 
-def _answered(problem: str, search: QuestionSearch, question: PosedQuestion, found: Followed) -> SolvedProblem:
+def _answered(problem: str, search: QuestionSearch, question: PosedQuestion, found: SimulatedAnswer) -> SolvedProblem:
     """Return a question's answer from the motion, with a worked solution if there is one."""
     unit = question.unit(search.words)
     if found.answer is None:
@@ -195,12 +195,14 @@ def _answered(problem: str, search: QuestionSearch, question: PosedQuestion, fou
         return SolvedProblem(problem, unsaid, found.answer, unit, unsaid.reason, over=over)
     symbols, study, unknown = search.description.symbols, found.study, question.unknown
     if unknown is None:
-        setting = Setting(study.scene, search.words, symbols, study, question.query)
+        setting = ProblemContext(study.scene, search.words, symbols, study, question.query)
     else:
-        study = follow(question.query, motion_of(with_number(study.scene, unknown.path, found.answer))).study
+        study = simulate_until_answer(
+            question.query, simulate_scene(with_number(study.scene, unknown.path, found.answer))
+        ).study
         stated = StatedResult(f"{question.given:.15g}", question.given_unit(search.words))
         words = Words.of(study.scene, search.words.mentions, {unknown.path: unknown.symbol}, search.words.symbols)
-        setting = Setting(study.scene, words, symbols, study, question.query, unknown.path, stated)
+        setting = ProblemContext(study.scene, words, symbols, study, question.query, unknown.path, stated)
     solution = solved(setting)
     return SolvedProblem(problem, solution, found.answer, unit, solution.reason, over=over)
 

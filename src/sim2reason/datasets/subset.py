@@ -3,10 +3,10 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from sim2reason.base.atomic_files import checksum, put_text, sweep
+from sim2reason.base.atomic_files import checksum, put_text, remove_temporaries
 from sim2reason.datasets import card, shard_files
 from sim2reason.datasets.build import CARD
-from sim2reason.datasets.card_content import counted
+from sim2reason.datasets.card_content import count_histograms
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Counts, Manifest, Shard, all_histograms, merged, shards
 from sim2reason.generation.item import Item
@@ -21,7 +21,7 @@ def put_subset(source: Dataset, out: Path, keeps: Callable[[Item], bool], filter
     `filter_name`, by recipe, and the card states `why`.
     """
     out.mkdir(parents=True, exist_ok=True)
-    sweep(out)
+    remove_temporaries(out)
     (out / MANIFEST).unlink(missing_ok=True)
     kept: list[Shard] = []
     gone: dict[str, Counts] = {}
@@ -53,6 +53,6 @@ def _subset(source: Dataset, out: Path, shard: Shard, keeps: Callable[[Item], bo
     changed = {
         "files": shard_files.write(out, out, shard.number, source.manifest.shards, kept),
         "counts": shard_files.counts(kept),
-        "histograms": counted(shard_files.flat(kept)),
+        "histograms": count_histograms(shard_files.flat(kept)),
     }
     return shard.model_copy(update=changed), [item for item in shard_files.flat(held) if not keeps(item)]

@@ -14,7 +14,7 @@ from sim2reason.figures.pieces import Bend, DrawingPlan, Piece
 from sim2reason.figures.vectors import RIGHT, UP, mirrored
 
 LINK = (0.55, 0.8, 1.2, 2.0)  # lengths tried between neighbouring blocks
-NEAR = (0.45, 0.9, 1.6, 2.6, 4.0, 6.0, 8.5)  # lengths tried from the end of a face to the next piece
+FACE_END_LENGTHS = (0.45, 0.9, 1.6, 2.6, 4.0, 6.0, 8.5)  # lengths tried from the end of a face to the next piece
 FREE = (1.5, 2.1, 2.8, 3.7, 4.8, 6.2, 8.0, 10.5, 13.5)  # lengths tried elsewhere
 WIDER = (1.0, 1.6, 2.4)  # factors on the radius of pulleys with parallel strands
 ROUNDS, PATIENCE, GOOD = 14, 4, 60.0  # restarts of the search, how many may bring nothing, and when that is enough
@@ -155,7 +155,7 @@ class Arranger:
         if all(not knot.rim and body is not None for knot, body in zip((strand.a, strand.b), ends, strict=True)):
             return LINK
         sloped = any(has_faces(body) and not knot.rim for knot, body in zip((strand.a, strand.b), ends, strict=True))
-        return NEAR if sloped else FREE
+        return FACE_END_LENGTHS if sloped else FREE
 
     def place(self, choice: Choice) -> Layout:
         """Place all pieces by following the strands from piece to piece."""

@@ -52,8 +52,8 @@ def trajectories(state: State, mentions: Mapping[str, str], origins: Mapping[str
 
 
 SAMPLES = 400
-MOST = 8  # curves in a panel
-STILL, STRAIGHT = 1e-9, 1e-9
+MAX_CURVES = 8  # curves in a panel
+ZERO_LEVEL, STRAIGHT = 1e-9, 1e-9
 FIXED = "a fixed point"
 SIZES = {"velocity": "speed", "displacement": "distance from the start"}  # magnitudes of vectors
 
@@ -107,9 +107,12 @@ def motion_curves(trace: Trace, description: Description) -> MotionCurves:
     traced = {member.name for group in paths for member in group.members}
     shown = tuple(panel for panel in panels(state, mentions, said) if not _superfluous(panel, traced))
     marks = [
-        Mark(event.time, told(event, trace.mechanism, mentions), event.subjects) for event in _worth(trace, duration)
+        Mark(event.time, describe_event(event, trace.mechanism, mentions), event.subjects)
+        for event in _worth(trace, duration)
     ]
-    marks = [m for n, m in enumerate(marks) if not any(m.text == b.text and m.time - b.time < STILL for b in marks[:n])]
+    marks = [
+        m for n, m in enumerate(marks) if not any(m.text == b.text and m.time - b.time < ZERO_LEVEL for b in marks[:n])
+    ]
     end = min(trace.stable_until, duration)
     return MotionCurves(times, shown, paths, tuple(marks), trace.mechanism.units, end, trace.cut, duration)
 
@@ -134,11 +137,11 @@ def panels(state: State, mentions: dict[str, str], said: frozenset[str] | None =
             unit = show_unit(state.mechanism.units.spell(quantity.unit))
             for title, curve in _curves(quantity, state, mentions, said):
                 found.setdefault(f"{title} ({unit})".removesuffix(" ()"), []).append((quantity.name, curve))
-    panels = (Panel(title, _told_apart(curves)) for title, curves in found.items())
+    panels = (Panel(title, _disambiguated(curves)) for title, curves in found.items())
     return tuple(panel for panel in panels if _shows(panel.curves))
 
 
-def _told_apart(curves: list[tuple[str, Curve]]) -> tuple[Curve, ...]:
+def _disambiguated(curves: list[tuple[str, Curve]]) -> tuple[Curve, ...]:
     """Return the curves with the names of their quantities where two quantities share a panel and subject."""
     names = [curve.name for _, curve in curves]
     return tuple(
@@ -150,12 +153,12 @@ def _told_apart(curves: list[tuple[str, Curve]]) -> tuple[Curve, ...]:
 def _superfluous(panel: Panel, traced: set[str]) -> bool:
     """Return whether trajectories show a panel better, or it has too many pairs of bodies to be legible."""
     names = {curve.name for curve in panel.curves}
-    return len(names) > MOST or (panel.title.startswith(SIZES["displacement"]) and names <= traced)
+    return len(names) > MAX_CURVES or (panel.title.startswith(SIZES["displacement"]) and names <= traced)
 
 
 def _shows(curves: tuple[Curve, ...]) -> bool:
     """Return whether any value is nonzero or undetermined."""
-    return any(not np.isfinite(curve.values).any() or np.nanmax(np.abs(curve.values)) > STILL for curve in curves)
+    return any(not np.isfinite(curve.values).any() or np.nanmax(np.abs(curve.values)) > ZERO_LEVEL for curve in curves)
 
 
 def _curves(
@@ -201,7 +204,7 @@ def _part(values: Array, quantity: Quantity, state: State, name: str) -> tuple[s
 def _axle(values: Array) -> Array | None:
     """Return the direction of the line that contains all values of a vector, positive at first; None without one."""
     sizes = np.linalg.norm(values, axis=1)
-    if not np.isfinite(sizes).all() or sizes.max() <= STILL:
+    if not np.isfinite(sizes).all() or sizes.max() <= ZERO_LEVEL:
         return None
     way: Array = values[int(np.argmax(sizes > 1e-3 * sizes.max()))]
     way = way / np.linalg.norm(way)
@@ -213,16 +216,16 @@ def _axle(values: Array) -> Array | None:
 def _forward(state: State, body: str, direction: Array) -> float:
     """Return the sign that makes the first motion of a body positive; the text defines no direction."""
     moved = QUANTITIES["displacement"].evaluate(state, body) @ direction
-    first = moved[np.abs(moved) > STILL]
+    first = moved[np.abs(moved) > ZERO_LEVEL]
     return -1.0 if len(first) and first[0] < 0.0 else 1.0
 
 
 def _worth(trace: Trace, duration: float) -> list[Event]:
-    end = min(trace.stable_until, duration) + STILL
-    return [event for event in trace.events if event.time <= end and not _untold(event, trace.mechanism)]
+    end = min(trace.stable_until, duration) + ZERO_LEVEL
+    return [event for event in trace.events if event.time <= end and not _is_unmentioned(event, trace.mechanism)]
 
 
-def _untold(event: Event, mechanism: Mechanism) -> bool:
+def _is_unmentioned(event: Event, mechanism: Mechanism) -> bool:
     """Return whether the text mentions neither of the directions in which a body reverses."""
     if event.kind != "turn" or not event.subjects or event.subjects[0] not in mechanism.number:
         return False
@@ -250,7 +253,7 @@ VERBS = {
 }
 
 
-def told(event: Event, mechanism: Mechanism, mentions: dict[str, str]) -> str:
+def describe_event(event: Event, mechanism: Mechanism, mentions: dict[str, str]) -> str:
     """Return the description of an event in the words of the text."""
     said = [_subject(subject, mechanism, mentions) for subject in event.subjects if subject] or [""]
     said.sort(key=lambda phrase: 2 if phrase == FIXED else int("pulley" in phrase))  # a block meets a pulley

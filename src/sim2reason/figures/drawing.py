@@ -9,12 +9,12 @@ from sim2reason.errors import FigureWarning
 from sim2reason.figures import faces
 from sim2reason.figures.arrange import Arranger
 from sim2reason.figures.hanging import HandPiece, HookPiece, PulleyPiece, plate
-from sim2reason.figures.labels import disguised, placed
+from sim2reason.figures.labels import disguise_unknowns, place_labels
 from sim2reason.figures.layout_cost import Layout
-from sim2reason.figures.paths import Paths, Strand, flat, has_faces, is_pulley, owner_of, spring, whole
+from sim2reason.figures.paths import Paths, Strand, flat, has_faces, is_pulley, owner_of, spring, without_welds
 from sim2reason.figures.pieces import PIECES, DrawingPlan, Piece, Sizes
 from sim2reason.figures.scaled.piece import ScaledPiece
-from sim2reason.figures.shapes import SMALL, Drawing, LineShape, Shape, Sketch, Wanted, outline, width
+from sim2reason.figures.shapes import SMALL, Drawing, LabelRequest, LineShape, Shape, Sketch, outline, width
 from sim2reason.figures.vectors import box, mirrored
 from sim2reason.scenes.dsl.body import Small as SmallBody
 from sim2reason.scenes.dsl.ports import StringPort
@@ -104,7 +104,7 @@ def drawing(scene: Scene, description: Description | None = None, *, numbers: bo
         if body.look is None:
             problem = f"no figure shows a body of the type {type(body).__name__}, here {address}"
             warnings.warn(f"{problem}; give its class a look", FigureWarning, stacklevel=2)
-    _, found = disguised(scene, description, partial(_drawn, description=description, numbers=numbers))
+    _, found = disguise_unknowns(scene, description, partial(_drawn, description=description, numbers=numbers))
     return found
 
 
@@ -113,8 +113,8 @@ def _drawn(scene: Scene, description: Description, *, numbers: bool) -> Drawing:
     sizes = Sizes(width=1.6, height=1.4) if numbers else Sizes()
     parts: list[Sketch] = []
     for component in components(scene):
-        paths = Paths(whole(scene), component.arranged, component.home())
-        plan = DrawingPlan(whole(scene), paths, description, sizes if component.arranged else Sizes(), numbers)
+        paths = Paths(without_welds(scene), component.arranged, component.home())
+        plan = DrawingPlan(without_welds(scene), paths, description, sizes if component.arranged else Sizes(), numbers)
         pieces = {min(group): ScaledPiece(min(group), plan, group) for group in component.groups}
         if component.arranged:
             made = partial(make, pieces)
@@ -122,7 +122,7 @@ def _drawn(scene: Scene, description: Description, *, numbers: bool) -> Drawing:
         else:
             parts += [piece.sketch() for piece in pieces.values()]
     sketch = _beside(parts)
-    labels, leaders = placed(sketch.labels, sketch.shapes)
+    labels, leaders = place_labels(sketch.labels, sketch.shapes)
     return Drawing((*sketch.shapes, *leaders), labels)
 
 
@@ -220,7 +220,7 @@ def _speeds(layout: Layout, plan: DrawingPlan, found: Sketch) -> None:
         spots = [
             start + along * way + complex(out.real * (wide + 0.1), out.imag * 0.36) for along in (0.45, 0.0, 0.9, 1.4)
         ]
-        found.labels.append(Wanted(text, tuple(spots), block, SMALL, name=False))
+        found.labels.append(LabelRequest(text, tuple(spots), block, SMALL, name=False))
 
 
 def _beside(parts: Sequence[Sketch]) -> Sketch:

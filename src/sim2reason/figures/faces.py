@@ -11,7 +11,19 @@ from sim2reason.figures import shapes
 from sim2reason.figures.hanging import block_labels, wrapped
 from sim2reason.figures.paths import PathKnot, flat, is_plane, owner_of
 from sim2reason.figures.pieces import Bend, DrawingPlan, Piece, draws
-from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LineShape, Shape, Sketch, Wanted, hatched, rough, width
+from sim2reason.figures.shapes import (
+    SIZE,
+    SMALL,
+    Arc,
+    Area,
+    LabelRequest,
+    LineShape,
+    Shape,
+    Sketch,
+    hatched,
+    rough,
+    width,
+)
 from sim2reason.figures.vectors import (
     NOISE,
     RIGHT,
@@ -19,11 +31,11 @@ from sim2reason.figures.vectors import (
     box,
     cross,
     dot,
+    drawn_direction,
     hull,
     mirrored,
     rectangle,
     ring,
-    shown,
     unit,
 )
 from sim2reason.scenes.dsl.body import FixedPlane, MovingSlope
@@ -79,10 +91,10 @@ class FacePiece(Piece):
                 axis = next(c.axis for c in held.coordinates if c.name == along)
                 up = flat(axis)
                 up = -up if up.imag < -NOISE or (up.imag <= NOISE and up.real < 0.0) else up
-                groups.setdefault(shown(up), (up, []))[1].append((dot(flat(held.at), up), block))
+                groups.setdefault(drawn_direction(up), (up, []))[1].append((dot(flat(held.at), up), block))
         if not groups:
             bare = rect(1.0, radians(getattr(self.plan.scene.bodies[self.name], "angle", 0.0)))
-            groups[shown(bare)] = bare, []
+            groups[drawn_direction(bare)] = bare, []
         for uphill, (up, members) in groups.items():
             sites = self._sites(up)
             inside = [s for s, _ in members]
@@ -253,7 +265,7 @@ class FacePiece(Piece):
         reach = radius + 0.5 * wide * abs(middle.real) + 0.5 * SMALL * abs(middle.imag) + 0.1
         inside = tuple(foot + middle * (reach + 0.1 * step) for step in range(8))
         outside = tuple(foot + complex(-side * (0.5 * wide + 0.1 + 0.2 * n), 0.25 + 0.1 * n) for n in range(4))
-        found.labels.append(Wanted(text, inside + outside, self.name, SMALL, name=False))
+        found.labels.append(LabelRequest(text, inside + outside, self.name, SMALL, name=False))
 
     def _rough(self, found: Sketch) -> None:
         """Draw dots under faces with friction, and the friction coefficient as in the text."""
@@ -263,7 +275,7 @@ class FacePiece(Piece):
         for face in self.faces:
             found.shapes.append(rough(face.at(face.length), 0j, face.normal))
         owner = owner_of(self.name)
-        text = next((said for held in lying if (said := self.plan.rubbing(owner, held))), "")
+        text = next((said for held in lying if (said := self.plan.friction_text(owner, held))), "")
         if text:
             solid = self.outline()
             left, low, right, _ = box(solid)
@@ -273,9 +285,9 @@ class FacePiece(Piece):
             )
             outside = tuple(complex(x, low + dy) for dy in (0.3, 0.6) for x in (right + 0.3 + wide, left - 0.3 - wide))
             below = tuple(complex(x, low - 0.5) for x in (0.5 * (left + right), right - wide, left + wide, left))
-            found.labels.append(Wanted(text, (*inside, *below, *outside), self.name, SMALL, name=False))
+            found.labels.append(LabelRequest(text, (*inside, *below, *outside), self.name, SMALL, name=False))
 
-    def _name(self) -> Wanted:
+    def _name(self) -> LabelRequest:
         """Return the label of the body, near the middle of the solid."""
         corners = self.outline()
         middle = sum(corners) / len(corners)
@@ -286,7 +298,7 @@ class FacePiece(Piece):
         spots = tuple(middle + dx + 1j * dy for dy in (0, -0.25, 0.25) for dx in steps[:7])
         left, low, right, _ = box(corners)
         beside = tuple(complex(x, low + dy) for dy in (0.35, 0.7, 1.1) for x in (right + 0.3 + wide, left - 0.3 - wide))
-        return Wanted(text, (*spots[:7], *beside, *spots[7:]), self.name, size)
+        return LabelRequest(text, (*spots[:7], *beside, *spots[7:]), self.name, size)
 
 
 def _mirrored(face: Facet) -> Facet:

@@ -11,10 +11,10 @@ from sim2reason.figures.shapes import (
     TINY,
     Arc,
     Area,
+    LabelRequest,
     LineShape,
     Shape,
     Sketch,
-    Wanted,
     dot_at,
     hatched,
     width,
@@ -51,25 +51,25 @@ class BlockPiece(Piece):
 
 def block_labels(
     plan: DrawingPlan, address: str, center: complex, size: tuple[float, float] | None = None
-) -> list[Wanted]:
+) -> list[LabelRequest]:
     """Return the labels of a block's name and mass: inside the block if they fit."""
     name, mass = plan.name(address), plan.mass(address)
     broad, tall = size or (plan.sizes.width, plan.sizes.height)
     inside, out = len(name) <= LETTER, 0.5 * tall + 0.3
     both = bool(mass) and inside and width(mass, TINY) < broad and tall > SIZE + 2.0 * LINE
-    found: list[Wanted] = []
+    found: list[LabelRequest] = []
     if mass:
         aside = 0.5 * (broad + width(mass, TINY)) + 0.12
         spots = tuple(center + spot for spot in ((-LINE * 1j,) if both else ()) + (out * 1j, aside, -aside, -out * 1j))
-        found = [Wanted(mass, spots, address, TINY, name=False, anchors=(center + 0.4 * tall * 1j,))]
+        found = [LabelRequest(mass, spots, address, TINY, name=False, anchors=(center + 0.4 * tall * 1j,))]
     if inside:
         first = center + LINE * 1j if both else center
-        return [Wanted(name, (first, center, center - out * 1j, center + out * 1j), address), *found]
+        return [LabelRequest(name, (first, center, center - out * 1j, center + out * 1j), address), *found]
     wide = width(name, SIZE)
     across, up = 0.5 * (broad + wide) + 0.15, 0.5 * tall + 0.35
     beside = [center + spot for spot in (across, -across, -1j * up, 1j * up)]
     far = 0.5 * max(broad, tall) + 0.2
-    return [Wanted(name, (*beside, *around(center, far, wide)), address), *found]
+    return [LabelRequest(name, (*beside, *around(center, far, wide)), address), *found]
 
 
 @draws(PulleyWheel)
@@ -118,7 +118,9 @@ class PulleyPiece(Piece):
             return UP
         bend = self.bend
         ways = (UP, 1.0 + 0j, -1.0 + 0j, -UP)
-        return max(ways, key=lambda way: dot(way, bend.held) - 2.0 * max(0.5, *(dot(way, w) for w in bend.ways)))
+        return max(
+            ways, key=lambda way: dot(way, bend.support_direction) - 2.0 * max(0.5, *(dot(way, w) for w in bend.ways))
+        )
 
     @property
     def bracket(self) -> float:
@@ -146,17 +148,17 @@ class PulleyPiece(Piece):
         if self.mounted:
             shapes += plate(self.support, far=self.bracket)
         shapes += [dot_at(0j), *self._string()]
-        start = -self.bend.held if self.bend is not None and not self.fixed else unit(1 + 1j)
+        start = -self.bend.support_direction if self.bend is not None and not self.fixed else unit(1 + 1j)
         text = self.plan.caption(self.address)
         size = SIZE if text == self.plan.name(self.address) else SMALL
         places = around(0j, radius + 0.1, width(text, size), start=start)
-        return Sketch(shapes, [Wanted(text, places, self.address, size)])
+        return Sketch(shapes, [LabelRequest(text, places, self.address, size)])
 
     def _string(self) -> list[Shape]:
         """Return the part of the string that lies on the rim."""
         if self.bend is None:
             return []
-        return [wrapped(self.bend.rim(), self.bend.rim(second=True), self.bend.held, 0j, self.radius)]
+        return [wrapped(self.bend.rim(), self.bend.rim(second=True), self.bend.support_direction, 0j, self.radius)]
 
 
 def wrapped(first: complex, last: complex, middle: complex, center: complex, radius: float) -> Shape:
@@ -222,7 +224,7 @@ class HandPiece(EndPiece):
             for along in (0.75, 1.1, 0.4)
             for across in (self.way * 1j, self.way * -1j)
         ) + around(self.way * ARROW, 0.15, wide, start=self.way)
-        label = Wanted(text, places, self.name, SMALL, name=False)
+        label = LabelRequest(text, places, self.name, SMALL, name=False)
         return Sketch([LineShape((0j, self.way * ARROW), "string", arrow=True), grip], [label])
 
 

@@ -9,7 +9,7 @@ from math import copysign
 from typing import NamedTuple
 
 from sim2reason.errors import SceneError
-from sim2reason.figures.shapes import Arc, Area, Drawing, Label, LineShape, Shape, Wanted, outline
+from sim2reason.figures.shapes import Arc, Area, Drawing, Label, LabelRequest, LineShape, Shape, outline
 from sim2reason.figures.vectors import Box, Polygon, common, crosses, depth, hull, inside, length_inside, unit
 from sim2reason.questions.unknown import limits_of
 from sim2reason.scenes.dsl.model import Parameter
@@ -19,7 +19,7 @@ from sim2reason.text.prose.description import Description
 
 FACTORS = (1.3, 0.75, 1.2, 0.85, 1.5, 0.6, 0.5, 1.8, 2.4, 0.88, 1.12)
 """Factors by which the value of an unknown, with two digits, is multiplied, in the order of trial."""
-LEAST = 0.1  # relative difference between the drawn and the true value, at least
+MIN_DISGUISE = 0.1  # relative difference between the drawn and the true value, at least
 QUADRANT, RIGHT_ANGLE_MARGIN = 90.0, 5.0  # degrees; margin of a drawn angle from multiples of a right angle
 SCALES = (parse_unit("m").dimension, parse_unit("deg").dimension)
 MINOR = ("hair", "dots")  # strokes whose number depends on sizes
@@ -45,7 +45,7 @@ def _is_drawn_to_scale(parameter: Parameter) -> bool:
     return bool(unit) and parse_unit(unit).dimension in SCALES
 
 
-def disguised(scene: Scene, description: Description, draw: Draw) -> tuple[Scene, Drawing]:
+def disguise_unknowns(scene: Scene, description: Description, draw: Draw) -> tuple[Scene, Drawing]:
     """Return a scene in which unknown lengths and angles have other values, and its drawing.
 
     Each unknown gets the first value for which the drawing has the same parts and labels, or else the same parts;
@@ -76,7 +76,7 @@ def _others(scene: Scene, path: str) -> Iterator[Scene]:
     value, (least, most) = parameter.value or 0.0, limits_of(scene, path)
     told = float(f"{value:.2g}")  # an item's answer may differ a little from the value that was drawn
     for drawn in (float(f"{factor * told:.3g}") for factor in FACTORS):
-        if not least <= drawn <= most or abs(drawn - value) < LEAST * abs(value):
+        if not least <= drawn <= most or abs(drawn - value) < MIN_DISGUISE * abs(value):
             continue
         if parameter.measure.unit == "deg" and not _is_alike(value, drawn):
             continue
@@ -122,7 +122,11 @@ def _texts(drawing: Drawing) -> Counter[tuple[str, str]]:
 
 LABEL_MARGIN = 0.06  # kept free around a label
 SWEEPS = 4
-WHEEL, NEAR, MISTAKEN = 0.3, 0.75, 1.6  # a letter this near to another pulley than its own could be taken for its name
+WHEEL, AMBIGUOUS_DISTANCE, MISTAKEN = (
+    0.3,
+    0.75,
+    1.6,
+)  # a letter this near to another pulley than its own could be taken for its name
 ON_LABEL, ON_LINE, IN_BLOCK, LATER = (
     60.0,
     7.0,
@@ -154,7 +158,9 @@ class Option(NamedTuple):
     leader: tuple[complex, complex] | None = None
 
 
-def placed(wanted: Sequence[Wanted], shapes: Sequence[Shape]) -> tuple[tuple[Label, ...], tuple[LineShape, ...]]:
+def place_labels(
+    wanted: Sequence[LabelRequest], shapes: Sequence[Shape]
+) -> tuple[tuple[Label, ...], tuple[LineShape, ...]]:
     """Place all labels with minimal total cost; return them with their leader lines.
 
     The labels with the fewest candidates are placed first, then all labels again in turn.
@@ -195,7 +201,7 @@ def _seen(label: Label, strokes: Sequence[Stroke], grounds: Sequence[tuple[int, 
     return [stroke for stroke in strokes if stroke.order >= above]
 
 
-def _options(wanted: Wanted) -> Iterator[Option]:
+def _options(wanted: LabelRequest) -> Iterator[Option]:
     """Yield the candidate positions of a label, then those around its anchors, the nearest first."""
     made = partial(Label, wanted.text, subject=wanted.subject, size=wanted.size, name=wanted.name)
     for number, place in enumerate(wanted.places):
@@ -251,14 +257,14 @@ def _under(area: Box, strokes: Sequence[Stroke]) -> float:
     return sum(stroke.weight * length_inside(stroke.a, stroke.b, area) for stroke in strokes)
 
 
-def _mistaken(label: Label, wanted: Wanted, wheels: Sequence[Arc]) -> float:
+def _mistaken(label: Label, wanted: LabelRequest, wheels: Sequence[Arc]) -> float:
     """Return the cost of a label's position beside a pulley that it does not name."""
     if len(wanted.places) < 2 or not wanted.name or not wheels:
         return 0.0
     middle = sum(wanted.places) / len(wanted.places)
     own = min(wheels, key=lambda wheel: abs(wheel.center - middle))
     others = [wheel for wheel in wheels if wheel is not own]
-    return MISTAKEN * sum(abs(wheel.center - label.at) < wheel.radius + NEAR for wheel in others)
+    return MISTAKEN * sum(abs(wheel.center - label.at) < wheel.radius + AMBIGUOUS_DISTANCE for wheel in others)
 
 
 def _wider(held: Box) -> Box:

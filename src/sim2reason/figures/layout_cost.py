@@ -8,7 +8,7 @@ from sim2reason.figures.paths import Strand
 from sim2reason.figures.pieces import Piece
 from sim2reason.figures.vectors import Box, Polygon, box, crosses, depth
 
-APART, ASIDE = 0.25, 0.12  # units between pieces, and between a piece and a string, at least
+PIECE_GAP, ASIDE = 0.25, 0.12  # units between pieces, and between a piece and a string, at least
 OVERLAP, PIERCED, CROSSED = 40.0, 15.0, 12.0
 ACROSS, UPWARDS, RAGGED, MOST_RAGGED = 0.5, 0.6, 0.8, 2.5  # for each unit of width, height, unequal level
 
@@ -70,7 +70,7 @@ def cost(layout: Layout) -> float:
     boxes = {name: _moved(held, at[name]) for name, held in pose.boxes.items()}
     total = 0.0
     for one, other in combinations(boxes, 2):
-        if _close(boxes[one], boxes[other], APART):
+        if _close(boxes[one], boxes[other], PIECE_GAP):
             total += _overlap(pose.solids[one], pose.solids[other], at[other] - at[one])
     total += _strands(layout, boxes)
     left, low = min(b[0] for b in boxes.values()), min(b[1] for b in boxes.values())
@@ -83,10 +83,10 @@ def _overlap(one: list[tuple[Polygon, Box]], other: list[tuple[Polygon, Box]], b
     total = 0.0
     for theirs, area in other:
         around = _moved(area, by)
-        near = [mine for mine, held in one if _close(held, around, APART)]
+        near = [mine for mine, held in one if _close(held, around, PIECE_GAP)]
         if near:
             placed = tuple(point + by for point in theirs)
-            total += sum(OVERLAP * (0.3 + d) for mine in near if (d := depth(mine, placed) + APART) > 0.0)
+            total += sum(OVERLAP * (0.3 + d) for mine in near if (d := depth(mine, placed) + PIECE_GAP) > 0.0)
     return total
 
 

@@ -109,7 +109,7 @@ def owner_of(address: str) -> str:
     return address.split(".", maxsplit=1)[0]
 
 
-def whole(scene: Scene) -> Scene:
+def without_welds(scene: Scene) -> Scene:
     """Return the scene without welds, which change the motion but not the drawing."""
     return scene.model_copy(update={"glued": ()}) if scene.glued else scene
 

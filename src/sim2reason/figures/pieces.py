@@ -13,12 +13,12 @@ from sim2reason.figures.paths import PathKnot, Paths
 from sim2reason.figures.shapes import Sketch
 from sim2reason.figures.vectors import RIGHT, Polygon, cross, dot, unit
 from sim2reason.scenes.dsl.body import BodyLook
-from sim2reason.scenes.dsl.mechanism import Face
+from sim2reason.scenes.dsl.mechanism import SurfaceContact
 from sim2reason.scenes.dsl.model import Parameter
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.text.prose.description import Description
 
-LIKE = 1e-9  # SI units; numbers closer than this are equal
+VALUE_TOLERANCE = 1e-9  # SI units; numbers closer than this are equal
 DIGITS = 5  # significant digits of a number in a drawing, at most
 
 
@@ -58,7 +58,7 @@ class Bend:
         return -first if parallel else self.touches(self.ways[1])
 
     @property
-    def held(self) -> complex:
+    def support_direction(self) -> complex:
         """Return the direction in which the axle is supported."""
         push = -(self.ways[0] + self.ways[1])
         return unit(push) if abs(push) > 1e-6 else self.rim() * -1.0
@@ -88,9 +88,9 @@ class DrawingPlan:
     def mass(self, address: str) -> str:
         """Return the mass of a body as in the text, if numbers are shown and the text states it."""
         parameter = next((p for p in self.scene.parameters if p.path == f"{address}.mass"), None)
-        return self.told(parameter) if self.numbers and parameter is not None and parameter.value else ""
+        return self.number_text(parameter) if self.numbers and parameter is not None and parameter.value else ""
 
-    def told(self, parameter: Parameter) -> str:
+    def number_text(self, parameter: Parameter) -> str:
         """Return a number as in the text: an unknown by its symbol, others with at most five digits.
 
         Results of unknowns have more digits, which no drawing needs.
@@ -102,13 +102,20 @@ class DrawingPlan:
     def stated(self, owner: str, unit: str, value: float) -> str:
         """Return a stated number of an entity or body with that unit and value, or an empty text."""
         said = self._numbers(owner, unit)
-        return next((self.told(p) for p in said if isclose(p.value or 0.0, value, rel_tol=1e-6, abs_tol=LIKE)), "")
+        return next(
+            (
+                self.number_text(p)
+                for p in said
+                if isclose(p.value or 0.0, value, rel_tol=1e-6, abs_tol=VALUE_TOLERANCE)
+            ),
+            "",
+        )
 
     def equated(self, letter: str, said: str) -> str:
         """Return a number with its letter, *F = 3 N*; a symbol alone remains unchanged."""
         return said if said.startswith("$") else f"{letter} = {said}"
 
-    def rubbing(self, owner: str, face: Face, letter: str = "µ") -> str:
+    def friction_text(self, owner: str, face: SurfaceContact, letter: str = "µ") -> str:
         """Return a face's stated friction coefficient with its letter, or both coefficients if they differ."""
         said = self.stated(owner, "", face.friction) if face.friction else ""
         if not said or face.static_ratio == 1.0:
@@ -119,7 +126,7 @@ class DrawingPlan:
 
     def leaves_open(self, owner: str, unit: str) -> bool:
         """Return whether the text leaves a number unknown, so that the drawing must not show it to scale."""
-        return any(self.told(p).startswith("$") for p in self._numbers(owner, unit))
+        return any(self.number_text(p).startswith("$") for p in self._numbers(owner, unit))
 
     def _numbers(self, owner: str, unit: str) -> Iterator[Parameter]:
         for parameter in self.scene.parameters:

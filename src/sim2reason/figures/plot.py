@@ -42,7 +42,7 @@ FLAT, MANY = (
     1e-6,
     7,
 )  # a span, as a part of the values, that is too small to be looked at; more curves than one column of names holds
-MOST = 12  # events in the list; the rest are counted
+MAX_EVENTS = 12  # events in the list; the rest are counted
 REASONS = {
     "certificate": "the two engines part",
     "statistics": "something jumps that no event explains",
@@ -94,8 +94,8 @@ def plot(trace: Trace, description: Description, path: Path, dpi: int = 120) -> 
 
 def listed(marks: Sequence[Mark], second: str) -> list[str]:
     """Return the lines of the list of events with their times; the last line counts the omitted events."""
-    lines = [f"{row}   {mark.time:.3f} {second}   {mark.text}" for row, mark in enumerate(marks[:MOST], start=1)]
-    more = marks[MOST:]
+    lines = [f"{row}   {mark.time:.3f} {second}   {mark.text}" for row, mark in enumerate(marks[:MAX_EVENTS], start=1)]
+    more = marks[MAX_EVENTS:]
     if more:
         lines.append(f"and {len(more)} more, until {more[-1].time:.3f} {second}")
     return lines
@@ -141,7 +141,7 @@ def _paths(axes: "Axes", group: Trajectories, shown: MotionCurves, colors: Color
         axes.plot(member.x, member.y, colors.style(member.name), color=color, linewidth=1.2, label=member.name)
         axes.plot(member.x[:1], member.y[:1], "o", color=color, markersize=4.0)
         taken: list[float] = []
-        for number, mark in enumerate(shown.marks[:MOST], start=1):
+        for number, mark in enumerate(shown.marks[:MAX_EVENTS], start=1):
             if any(subject == member.body or subject.startswith(f"{member.body}.") for subject in mark.bodies):
                 at = (
                     float(np.interp(mark.time, shown.times, member.x)),
@@ -208,7 +208,7 @@ def _upright(axes: "Axes", panel: Panel) -> None:
 def _numbers(axes: "Axes", shown: MotionCurves) -> None:
     """Draw the numbers of events above the first panel, and the reason why the end is cut off."""
     raised, last = 0, -1.0
-    for number, mark in enumerate(shown.marks[:MOST], start=1):
+    for number, mark in enumerate(shown.marks[:MAX_EVENTS], start=1):
         raised = (raised + 1) % 3 if mark.time - last < 0.02 * shown.duration else 0
         last = mark.time
         axes.annotate(

@@ -7,7 +7,7 @@ from sim2reason.figures.drawing import drawing
 from sim2reason.figures.plot import plot as plotted
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import SceneLike, Wording, given_scene, wording_of
-from sim2reason.simulation.scenes import BOTH, whole
+from sim2reason.simulation.scenes import BOTH, simulate_full_duration
 from sim2reason.text.prose.description import Description, describe
 
 
@@ -79,7 +79,7 @@ def plot(
     check(Path(out))
     scene, wording = _given(scene, wording, "plot")
     matplotlib()
-    plotted(whole(scene, duration, engine), _described(scene, seed, wording), Path(out))
+    plotted(simulate_full_duration(scene, duration, engine), _described(scene, seed, wording), Path(out))
 
 
 def _given(scene: SceneLike, wording: Wording | None, function: str) -> tuple[Scene, Wording | None]:

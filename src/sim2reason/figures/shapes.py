@@ -75,7 +75,7 @@ class Label:
 
 
 @dataclass(frozen=True, slots=True)
-class Wanted:
+class LabelRequest:
     """A label with candidate positions, the best first; beside one of its `anchors` it gets a leader line."""
 
     text: str
@@ -108,7 +108,7 @@ class Sketch:
     """Mutable lists of shapes and wanted labels, relative to one origin."""
 
     shapes: list[Shape] = field(default_factory=list[Shape])
-    labels: list[Wanted] = field(default_factory=list[Wanted])
+    labels: list[LabelRequest] = field(default_factory=list[LabelRequest])
 
     def extend(self, other: "Sketch") -> None:
         """Add the shapes and labels of another sketch on top."""
@@ -120,7 +120,7 @@ class Sketch:
         return Sketch([moved(shape, by) for shape in self.shapes], [_label_moved(held, by) for held in self.labels])
 
 
-def _label_moved(wanted: Wanted, by: complex) -> Wanted:
+def _label_moved(wanted: LabelRequest, by: complex) -> LabelRequest:
     places, anchors = (tuple(point + by for point in held) for held in (wanted.places, wanted.anchors))
     return replace(wanted, places=places, anchors=anchors)
 

@@ -8,7 +8,7 @@ Polygon = tuple[complex, ...]
 Box = tuple[float, float, float, float]  # left, bottom, right, top
 UP, RIGHT = 1j, 1.0 + 0.0j
 NOISE = 1e-15  # smaller components of a direction are rounding errors
-LEAST = 1e-5  # smallest slope that is drawn as inclined, and its counterpart for steep lines
+MIN_SLOPE = 1e-5  # smallest slope that is drawn as inclined, and its counterpart for steep lines
 
 
 def dot(a: complex, b: complex) -> float:
@@ -26,10 +26,10 @@ def unit(a: complex) -> complex:
     return a / abs(a)
 
 
-def shown(uphill: complex) -> complex:
+def drawn_direction(uphill: complex) -> complex:
     """Return the direction in which a slope is drawn; horizontal or vertical only if it is exactly so."""
-    rise = max(uphill.imag, LEAST) if uphill.imag > NOISE else 0.0
-    run = max(abs(uphill.real), LEAST) if abs(uphill.real) > NOISE else 0.0
+    rise = max(uphill.imag, MIN_SLOPE) if uphill.imag > NOISE else 0.0
+    run = max(abs(uphill.real), MIN_SLOPE) if abs(uphill.real) > NOISE else 0.0
     return complex(round(-run if uphill.real < 0.0 else run, 9), round(rise, 9))
 
 

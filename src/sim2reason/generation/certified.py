@@ -6,15 +6,15 @@ from sim2reason.base.lazy import cached_property
 from sim2reason.generation.filters import Candidate
 from sim2reason.generation.item import Distractor, SolutionRecord, SolutionStep
 from sim2reason.generation.request import Request
-from sim2reason.questions import Question, Study
+from sim2reason.questions import Question, SimulatedScene
 from sim2reason.questions.choice_prompts import LETTERS as LETTERS_OF_OPTIONS
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.simulation.certify import Certificate
-from sim2reason.solutions import Setting, Solution, solve
-from sim2reason.solutions.difficulty import SolutionDifficulty, measured, number_of_events
-from sim2reason.solutions.multipart.in_sequence import in_sequence
-from sim2reason.solutions.parts import chosen, together
-from sim2reason.solutions.writing.asked_units import told_in
+from sim2reason.solutions import ProblemContext, Solution, solve
+from sim2reason.solutions.difficulty import SolutionDifficulty, measure_difficulty, number_of_events
+from sim2reason.solutions.multipart.in_sequence import sequential_solutions
+from sim2reason.solutions.parts import chosen, combine_parts
+from sim2reason.solutions.writing.asked_units import convert_answer
 from sim2reason.text.prose.description import Description
 
 
@@ -23,7 +23,7 @@ class CertifiedQuestion:
     """A question that passed all filters, with its text and the certificate of its answer."""
 
     candidate: Candidate
-    study: Study  # its motion is recorded beyond what is asked, and cut where the engines part
+    study: SimulatedScene  # its motion is recorded beyond what is asked, and cut where the engines part
     certificate: Certificate
     description: Description
     shape: str  # of the prompt
@@ -54,13 +54,13 @@ class CertifiedQuestion:
         if any(part.shortest.answer is None for part in parts):
             return None
         studied = [(part.shortest, part.candidate) for part in parts]
-        return measured(*((found, number_of_events(of.study.trace, of.time)) for found, of in studied))
+        return measure_difficulty(*((found, number_of_events(of.study.trace, of.time)) for found, of in studied))
 
     @property
-    def setting(self) -> Setting:
+    def setting(self) -> ProblemContext:
         """Return the scene, motion, names and question that a worked solution starts from."""
         assert self.candidate.words is not None
-        return Setting.of(self.question, self.study, self.candidate.words, self.description)
+        return ProblemContext.of(self.question, self.study, self.candidate.words, self.description)
 
 
 @dataclass(frozen=True)
@@ -73,23 +73,23 @@ class CertifiedPart:
     uses: tuple[int, ...]
 
 
-def worked(request: Request, found: CertifiedQuestion) -> Solution:
+def worked_solution(request: Request, found: CertifiedQuestion) -> Solution:
     """Return the worked solution of a certified question in the units of its text; an empty one states why.
 
     For several parts this is the solution of all parts.
     """
     if found.parts:
-        return together(worked_parts(request, found, whole=True))
+        return combine_parts(part_solutions(request, found, whole=True))
     solution = _in_units(request, found, found.question, solve(found.setting))
     if found.options and solution.answer is not None:
         return chosen(solution, LETTERS_OF_OPTIONS[found.options.index(None)])
     return solution
 
 
-def worked_parts(request: Request, found: CertifiedQuestion, *, whole: bool = False) -> list[Solution]:
+def part_solutions(request: Request, found: CertifiedQuestion, *, whole: bool = False) -> list[Solution]:
     """Return the solution of each part of a problem, using the answers to earlier parts."""
     settings = [part.certified.setting for part in found.parts]
-    solutions = in_sequence(settings, [part.solution for part in found.parts], whole=whole)
+    solutions = sequential_solutions(settings, [part.solution for part in found.parts], whole=whole)
     asked = (part.certified.question for part in found.parts)
     return [_in_units(request, found, *pair) for pair in zip(asked, solutions, strict=True)]
 
@@ -98,10 +98,10 @@ def _in_units(request: Request, found: CertifiedQuestion, asked: Question, solut
     """Return the solution of one question in the units of the complete text."""
     answers = [part.certified.question for part in found.parts] or [asked]
     said = ((question.answer, question.unit) for question in answers)
-    return told_in(system_named(request.units).beside(found.prompt, *said), solution, asked.unit)
+    return convert_answer(system_named(request.units).beside(found.prompt, *said), solution, asked.unit)
 
 
-def recorded(solution: Solution) -> tuple[SolutionRecord | None, str]:
+def solution_record(solution: Solution) -> tuple[SolutionRecord | None, str]:
     """Return the record of a solution; None, with the reason, if it has no answer."""
     if solution.answer is None:
         return None, solution.reason

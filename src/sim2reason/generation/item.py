@@ -21,7 +21,7 @@ from sim2reason.base.record import abridged
 from sim2reason.grading.parts import LABELS
 from sim2reason.questions.choice_prompts import LETTERS
 from sim2reason.scenes.dsl.measures import join_unit
-from sim2reason.text.prose.symbol_names import counted_in, said_in
+from sim2reason.text.prose.symbol_names import formula_unit, stated_value
 
 WIDTH = 88  # characters in a line of a printed prompt
 
@@ -84,8 +84,8 @@ class FormulaRecord(Record):
         if any(len(held) != len(self.symbols) for held in (self.units, *(each.numbers for each in self.bindings))):
             raise ValueError("each symbol has a unit, and a number in each binding")
         for unit in (self.unit, *self.units):
-            if counted_in(unit) != unit:
-                raise ValueError(f"numbers of formulas are not in {unit}; give them in {counted_in(unit)}")
+            if formula_unit(unit) != unit:
+                raise ValueError(f"numbers of formulas are not in {unit}; give them in {formula_unit(unit)}")
         return self
 
     @property
@@ -97,7 +97,7 @@ class FormulaRecord(Record):
         """Return the values of one binding with their units, as in a text, by symbol."""
         numbers = self.bindings[binding].numbers
         pairs = zip(self.symbols, self.units, numbers, strict=True)
-        return {symbol: said_in(number, unit) for symbol, unit, number in pairs}
+        return {symbol: stated_value(number, unit) for symbol, unit, number in pairs}
 
 
 def _keyed(value: object) -> dict[str, object]:
@@ -139,8 +139,8 @@ class Answer(Record):
         formula = _keyed(answer.get("formula"))
         if not formula or "unit" in formula:
             return value
-        units = [counted_in(str(unit)) for unit in cast("Sequence[object]", formula.get("units", ()))]
-        return answer | {"formula": formula | {"units": units, "unit": counted_in(str(answer.get("unit", "")))}}
+        units = [formula_unit(str(unit)) for unit in cast("Sequence[object]", formula.get("units", ()))]
+        return answer | {"formula": formula | {"units": units, "unit": formula_unit(str(answer.get("unit", "")))}}
 
     def __str__(self) -> str:
         """Return the answer as readable text; see `shown`."""

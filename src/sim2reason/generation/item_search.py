@@ -11,12 +11,12 @@ from sim2reason.generation.certified import CertifiedQuestion
 from sim2reason.generation.filters.well_known import FEW_LAWS
 from sim2reason.generation.filters.worked_solutions import COUNTED
 from sim2reason.generation.item import Answer
-from sim2reason.generation.options import ENOUGH, distractors, options, options_of_two
+from sim2reason.generation.options import MAX_DISTRACTORS, distractors, options, options_of_two
 from sim2reason.generation.part_search import PartSearch
 from sim2reason.generation.question_search import NOTHING, UNSUITED, QuestionSearch, RefusedQuestion
 from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.recipes import RECIPES, difficulty_named
-from sim2reason.generation.request import Request, in_drawn_order
+from sim2reason.generation.request import Request, random_kind_order
 from sim2reason.questions import KINDS, MODES, QuestionMode
 from sim2reason.questions.difficulty import Difficulty
 from sim2reason.questions.need import ELEMENTARY, EVERY, NEEDS, Need
@@ -39,7 +39,7 @@ def allowed(request: Request) -> frozenset[Need]:
 FEW_OPTIONS = "options: too few wrong answers"
 
 
-def formed(
+def form_problem(
     found: CertifiedQuestion,
     search: QuestionSearch,
     mode: QuestionMode,
@@ -61,16 +61,16 @@ def formed(
     if found.candidate.kind.names_one:
         chosen = options_of_two(answer, distractors(found.candidate, found.description), name)
     else:
-        chosen = options(answer, distractors(found.candidate, found.description, ENOUGH), name)
+        chosen = options(answer, distractors(found.candidate, found.description, MAX_DISTRACTORS), name)
     if chosen is None:
         refused[FEW_OPTIONS] += 1
         return None
     return replace(found, options=chosen)
 
 
-SCENES = 60  # drawn for one item, at most
-TOGETHER = 2  # scenes tried with one question kind before the next kind
-TRIES = 2  # questions of one kind about one scene
+MAX_SCENES = 60  # drawn for one item, at most
+SCENES_PER_KIND = 2  # scenes tried with one question kind before the next kind
+QUESTIONS_PER_SCENE = 2  # questions of one kind about one scene
 EMPTY = 40  # scenes without any question after which the search ends
 OTHERS = 3  # rounds of other kinds on the same scenes before new ones are drawn
 KNOWN = 4  # questions of a kind rejected for few laws after which the kind is tried last
@@ -79,7 +79,19 @@ UNFIT = 120  # draws of a kind that all need disallowed means after which the se
 HOPELESS = 2  # draws of a kind that all need disallowed means after which the kind is tried last
 BEYOND = 2  # kinds needing disallowed means after which a scene is abandoned
 ABSENT = 3  # scenes that do not offer a kind after which the kind is tried last
-SETTINGS = SCENES, TOGETHER, TRIES, OTHERS, EMPTY, KNOWN, REFUSED, UNFIT, HOPELESS, BEYOND, ABSENT
+SETTINGS = (
+    MAX_SCENES,
+    SCENES_PER_KIND,
+    QUESTIONS_PER_SCENE,
+    OTHERS,
+    EMPTY,
+    KNOWN,
+    REFUSED,
+    UNFIT,
+    HOPELESS,
+    BEYOND,
+    ABSENT,
+)
 
 Drawn = tuple[QuestionSearch, np.random.Generator]
 
@@ -97,7 +109,7 @@ class ItemSearch:
         """Store the request; UnknownNameError for an unknown name in it."""
         self._request, self._mode, self._recipe = request, MODES[request.mode], RECIPES[request.recipe]
         self._difficulty: Difficulty = difficulty_named(request.difficulty)
-        self._kinds = in_drawn_order(request.mode, request.recipe, request.weights, self._generator("kinds"))
+        self._kinds = random_kind_order(request.mode, request.recipe, request.weights, self._generator("kinds"))
         self._needs = allowed(request)
         self.on_refusal: Callable[[RefusedQuestion], None] | None = None  # called with each question that is refused
         self.rejected: Counter[str] = Counter()
@@ -113,10 +125,10 @@ class ItemSearch:
         """Return the first kind in order that a scene offers; empty if all its answers are textbook ones."""
         return self._first if self._first in self._problems else ""
 
-    def found(self) -> CertifiedQuestion | None:
+    def find(self) -> CertifiedQuestion | None:
         """Return the first question that passes every filter; None if none does within the budget."""
-        for turn, first in enumerate(range(0, SCENES, TOGETHER)):
-            found = self._among(range(first, first + TOGETHER), self._order(turn))
+        for turn, first in enumerate(range(0, MAX_SCENES, SCENES_PER_KIND)):
+            found = self._among(range(first, first + SCENES_PER_KIND), self._order(turn))
             hopeless = not self._first and self.rejected[NOTHING] >= EMPTY
             hopeless = hopeless or self.rejected[UNSUITED] >= UNFIT
             if found is not None or hopeless:
@@ -202,10 +214,10 @@ class ItemSearch:
     def _asked(self, search: QuestionSearch, rng: np.random.Generator, kind: str) -> CertifiedQuestion | None:
         refused, found = Counter[str](), None
         try:
-            found = search.ask(self._mode, rng, refused, kind, TRIES)
+            found = search.ask(self._mode, rng, refused, kind, QUESTIONS_PER_SCENE)
             if found is not None:
                 name = self._request.id
-                found = formed(found, search, self._mode, self._difficulty, rng, refused, name)
+                found = form_problem(found, search, self._mode, self._difficulty, rng, refused, name)
         except (SceneError, SimulationError, UnsupportedError) as error:
             refused[_counted(error)] += 1
         self._known[kind] += refused[FEW_LAWS]

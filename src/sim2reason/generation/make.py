@@ -8,7 +8,7 @@ from dataclasses import replace
 from pydantic import JsonValue
 
 from sim2reason.generation import item_search, part_search, question_search
-from sim2reason.generation.certified import CertifiedQuestion, recorded, worked, worked_parts
+from sim2reason.generation.certified import CertifiedQuestion, part_solutions, solution_record, worked_solution
 from sim2reason.generation.filters import Candidate
 from sim2reason.generation.item import (
     Answer,
@@ -27,7 +27,7 @@ from sim2reason.generation.request import Made, Request, versions
 from sim2reason.questions import KINDS, Formula
 from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt, amounts
 from sim2reason.questions.kinds.parts.which import WhichKind, WhichQuery
-from sim2reason.questions.need import greatest
+from sim2reason.questions.need import most_advanced
 from sim2reason.questions.parse_prompt import without_form
 from sim2reason.questions.part_prompts import PartPrompt
 from sim2reason.questions.prompt import unit_in_words
@@ -36,10 +36,10 @@ from sim2reason.scenes.files import Wording, dump
 from sim2reason.simulation.certify import Certificate
 from sim2reason.solutions.difficulty import SolutionDifficulty
 from sim2reason.text.prose.description import Description
-from sim2reason.text.prose.symbol_names import counted_in
+from sim2reason.text.prose.symbol_names import formula_unit
 
 
-def told_in(system: SpokenUnits, item: Item) -> Item:
+def in_units(system: SpokenUnits, item: Item) -> Item:
     """Return the problem with all numbers of its text, answer and distractors in a system of units.
 
     Symbolic problems are unchanged, because their formulas hold in any units.
@@ -134,7 +134,7 @@ SETTINGS = hashlib.sha256(
 def make(request: Request) -> Made:
     """Draw scenes and questions until one passes every filter; UnknownNameError for an unknown name."""
     search = ItemSearch(request)
-    found = search.found()
+    found = search.find()
     item = item_of(request, found) if found is not None else None
     return Made(item, dict(search.rejected), search.wanted)
 
@@ -143,7 +143,7 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
     """Return the item for a certified question."""
     scene = found.description.scene
     question = found.question
-    solution, unsolved = recorded(worked(request, found)) if request.solutions else (None, "")
+    solution, unsolved = solution_record(worked_solution(request, found)) if request.solutions else (None, "")
     item = Item(
         id=request.id,
         prompt=found.prompt,
@@ -178,7 +178,7 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
             needs=request.needs,
         ),
     )
-    return told_in(system_named(request.units), with_options(item, found) if found.options else item)
+    return in_units(system_named(request.units), with_options(item, found) if found.options else item)
 
 
 def with_options(item: Item, found: CertifiedQuestion) -> Item:
@@ -211,8 +211,8 @@ def _wrong_answers(found: CertifiedQuestion) -> tuple[Distractor, ...]:
 
 def _parts_of(request: Request, found: CertifiedQuestion) -> tuple[QuestionPart, ...]:
     """Return the records of the parts of a multi-part problem."""
-    solutions = worked_parts(request, found) if request.solutions else []
-    records = [recorded(solution) for solution in solutions] or [(None, "")] * len(found.parts)
+    solutions = part_solutions(request, found) if request.solutions else []
+    records = [solution_record(solution) for solution in solutions] or [(None, "")] * len(found.parts)
     return tuple(
         QuestionPart(
             text=part.text,
@@ -260,8 +260,8 @@ def _formula_of(formula: Formula, unit: str) -> FormulaRecord:
     return FormulaRecord(
         latex=formula.latex,
         symbols=formula.symbols,
-        units=tuple(map(counted_in, formula.units)),
-        unit=counted_in(unit),
+        units=tuple(map(formula_unit, formula.units)),
+        unit=formula_unit(unit),
         bindings=tuple(Binding(numbers=numbers, answer=answer) for numbers, answer in pairs),
     )
 
@@ -269,7 +269,7 @@ def _formula_of(formula: Formula, unit: str) -> FormulaRecord:
 def _needs_of(found: CertifiedQuestion) -> str:
     """Return the most advanced mathematics in the solution, over all parts."""
     parts = [part.certified for part in found.parts] or [found]
-    return greatest(part.shortest.needs for part in parts).label
+    return most_advanced(part.shortest.needs for part in parts).label
 
 
 def _difficulty_of(taken: SolutionDifficulty) -> MeasuredDifficulty:

@@ -17,11 +17,11 @@ from sim2reason.text.prose.description import Description
 CLEARLY = 2.0  # times the tolerance: distance of a distractor from the correct answer
 SAME_ANSWER_RTOL = 1e-2  # relative; distractors that differ by less are merged
 SMALLEST, LARGEST = 1e-2, 1e3  # times the right answer: nobody would believe less or more
-FEW = 1  # distractors; if there are fewer, a longer search runs
-ENOUGH = 4  # distractors: as many as beside the correct answer among five options
+MIN_DISTRACTORS = 1  # distractors; if there are fewer, a longer search runs
+MAX_DISTRACTORS = 4  # distractors: as many as beside the correct answer among five options
 
 
-def distractors(candidate: Candidate, description: Description, few: int = FEW) -> tuple[Distractor, ...]:
+def distractors(candidate: Candidate, description: Description, few: int = MIN_DISTRACTORS) -> tuple[Distractor, ...]:
     """Return the distinct distractors from misconceptions, nearest first, at least `few` if possible.
 
     If misconceptions give fewer than `few`, a longer search includes answers far from the correct one.
@@ -30,7 +30,7 @@ def distractors(candidate: Candidate, description: Description, few: int = FEW) 
     heard = sorted((e for part in (False, True) for e in effects(candidate, part=part)), key=_place)
     for effect in (e for e in heard if e.simplification.misleads):
         _add(effect, candidate, found)
-    _fill(found, ENOUGH, (e for e in heard if not e.simplification.misleads), candidate)
+    _fill(found, MAX_DISTRACTORS, (e for e in heard if not e.simplification.misleads), candidate)
     _fill(found, few, far_effects(candidate), candidate)
     return tuple(_told(effect, description) for effect in sorted(found, key=_place))
 
@@ -72,7 +72,7 @@ def _told(effect: Effect, description: Description) -> Distractor:
 
 def idle_parts(candidate: Candidate, description: Description) -> tuple[str, ...]:
     """Return the names of parts that can be held fixed or omitted without effect."""
-    idle = dict.fromkeys(effect.subject for effect in effects(candidate, part=True) if effect.close)
+    idle = dict.fromkeys(effect.subject for effect in effects(candidate, part=True) if effect.is_accepted)
     return tuple(_called(subject, description) for subject in idle)
 
 
@@ -110,10 +110,10 @@ def _at(scene: Scene, address: str) -> object:
         return None
 
 
-FEWEST = 3  # distractors
+REQUIRED_DISTRACTORS = 3  # distractors
 OPTION_RTOL = 0.1  # relative difference between any two options, at least
 ROUNDING = 0.01  # relative: half a per cent for each of two rounded numbers
-LACKS = f"it needs a number as its answer, and {FEWEST} wrong ones, all a tenth apart"
+LACKS = f"it needs a number as its answer, and {REQUIRED_DISTRACTORS} wrong ones, all a tenth apart"
 
 OTHER, NAMES_OTHER = "other of two", "It names the other of the two."
 RIGHT_NAME = "It names the right one of the two all the same."
@@ -134,7 +134,7 @@ def options(answer: Answer, wrong: Sequence[Distractor], name: str) -> Options |
     for each in wrong:
         if len(chosen) < len(LETTERS) and _stands_apart(answer, each, chosen):
             chosen.append(each)
-    if len(chosen) <= FEWEST or not _graded(answer, said(values(answer, chosen))):
+    if len(chosen) <= REQUIRED_DISTRACTORS or not _graded(answer, said(values(answer, chosen))):
         return None
     return _ordered(chosen, name)
 

@@ -15,8 +15,8 @@ import numpy as np
 
 from sim2reason.generation.certified import CertifiedPart, CertifiedQuestion
 from sim2reason.generation.question_search import QuestionSearch
-from sim2reason.questions import KINDS, Moment, Query, Question, QuestionMode, Study, Target
-from sim2reason.questions.choices import changed, is_something, lasts
+from sim2reason.questions import KINDS, Moment, Query, Question, QuestionMode, SimulatedScene, Target
+from sim2reason.questions.choices import is_constant, is_large_enough, is_worth_asking_at
 from sim2reason.questions.difficulty import Difficulty
 from sim2reason.questions.kinds.parts.stretch_kind import StretchKind
 from sim2reason.questions.moments import Happening
@@ -26,20 +26,20 @@ from sim2reason.questions.query import Targets, targets
 from sim2reason.questions.tolerance import TOLERANCE
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities import QUANTITIES
-from sim2reason.solutions import Setting, Solution, solve
+from sim2reason.solutions import ProblemContext, Solution, solve
 from sim2reason.solutions.algebra.expressions import Symbol
 
 NUMBERS: dict[Difficulty, tuple[int, ...]] = {"easy": (2,), "medium": (2, 3), "hard": (3, 4)}
 """How many parts a problem has, each number as often."""
-FEWEST = 2
+MIN_PARTS = 2
 LOOKED_AT, SIFTED = 16, 6  # candidates that are solved, and those of them that are filtered
 SURE_FIRST = 0.7  # probability that questions certainly related to a part are tried first
 EACH = 2  # further questions of a kind about one moment
-SAME = 1e-9  # relative; closer values belong to one quantity
+SAME_VALUE_RTOL = 1e-9  # relative; closer values belong to one quantity
 TRIVIAL = 1e-6  # relative; ratios this close to a simple number are trivial
 LARGEST = 8  # numerator and denominator of a simple number
 NOTHING_LEADS = "parts: no two lead to each other"
-SETTINGS = NUMBERS, FEWEST, LOOKED_AT, SIFTED, EACH
+SETTINGS = NUMBERS, MIN_PARTS, LOOKED_AT, SIFTED, EACH
 
 
 @dataclass(frozen=True)
@@ -84,7 +84,7 @@ class PartSearch:
             if more is None:
                 break
             parts.append(more)
-        if len(parts) < max(FEWEST, self._number - 1):
+        if len(parts) < max(MIN_PARTS, self._number - 1):
             self._refused[NOTHING_LEADS] += 1
             return None
         return self._as_one(parts)
@@ -115,9 +115,9 @@ class PartSearch:
         """Return whether other parts can lead to this one: it has intermediate results or awaits an event."""
         return bool(_found_in(part.solution)) or isinstance(part.question.query.moment, Happening)
 
-    def _setting(self, question: Question) -> Setting:
+    def _setting(self, question: Question) -> ProblemContext:
         search = self._search
-        return Setting.of(question, search.study, search.words, search.description)
+        return ProblemContext.of(question, search.study, search.words, search.description)
 
     def _joined(self, question: Question, solution: Solution, part: _Part) -> bool:
         """Return whether one of two questions leads to the other."""
@@ -143,7 +143,7 @@ class PartSearch:
             at = study.time(when)
             if at is None:
                 continue
-            state = study.trace.at(when.side(at))
+            state = study.trace.at(when.evaluation_time(at))
             for target in self._targets:
                 value = target.value(state)
                 if any(_same(value, known) for known, _ in values):
@@ -207,14 +207,14 @@ def _moments(parts: list[_Part]) -> list[Moment]:
     return list(dict.fromkeys(found))
 
 
-def _query(target: Target, when: Moment, study: Study) -> Iterator[Query]:
+def _query(target: Target, when: Moment, study: SimulatedScene) -> Iterator[Query]:
     """Yield the query for a quantity at a moment, if the kind accepts it."""
     if when.kind != AtStart.kind:
-        told = Channel(target.subject, target.quantity) in when.tells
-        if when.kind in KINDS and not told and changed(study, when)(target):
+        told = Channel(target.subject, target.quantity) in when.revealed_channels
+        if when.kind in KINDS and not told and is_worth_asking_at(study, when)(target):
             yield Query(when.kind, target, when)
-    elif QUANTITIES[target.quantity].immediate and is_something(target.value(study.trace.at(0.0)), target, study):
-        yield Query(AtStart.kind, target, AllAlong() if lasts(target, study.trace) else AtStart())
+    elif QUANTITIES[target.quantity].immediate and is_large_enough(target.value(study.trace.at(0.0)), target, study):
+        yield Query(AtStart.kind, target, AllAlong() if is_constant(target, study.trace) else AtStart())
 
 
 def _leads(question: Question, solution: Solution, other: Question, to: Solution) -> bool:
@@ -241,10 +241,10 @@ def _found_in(solution: Solution) -> dict[str, tuple[float, str]]:
 
 
 def _same(value: float, other: float) -> bool:
-    return abs(value - other) <= SAME * abs(value)
+    return abs(value - other) <= SAME_VALUE_RTOL * abs(value)
 
 
-def is_new(question: Question, other: Question, study: Study) -> bool:
+def is_new(question: Question, other: Question, study: SimulatedScene) -> bool:
     """Return whether neither of two questions reveals or trivially implies the answer to the other.
 
     An answer follows trivially if it is a simple multiple of the other, of its square or of its inverse, or such a

@@ -13,9 +13,9 @@ from sim2reason.generation.example_scenes import OWN
 from sim2reason.generation.random_scenes import sample
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import KINDS, MOMENTS, Query, Words
-from sim2reason.questions.following import FollowedMotion, motion_of
+from sim2reason.questions.following import FollowedMotion, simulate_scene
 from sim2reason.questions.functionals import FUNCTIONALS
-from sim2reason.questions.kinds import by_cause
+from sim2reason.questions.kinds import moments_by_cause
 from sim2reason.questions.kinds.comparison import ComparisonQuery
 from sim2reason.questions.kinds.limit import LimitQuery
 from sim2reason.questions.kinds.optimum import OptimumQuery
@@ -27,7 +27,7 @@ from sim2reason.questions.moments import Happening, Moment
 from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.outcomes import OUTCOMES
 from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.questions.posing import posed
+from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import targets
 from sim2reason.questions.structured import StructuredQuestion, moment_told
@@ -61,12 +61,12 @@ def examples() -> Examples:
     """Return the first example of each registered member in the example scenes; the result is constant."""
     found = Examples()
     for number, scene in enumerate(scenes()):
-        motion, words = motion_of(scene), words_of(describe(scene, number))
+        motion, words = simulate_scene(scene), words_of(describe(scene, number))
         for query in _queries(motion, words, np.random.default_rng(number), found):
             _enter(query, motion, words, found)
     for own in (*OWN, *ASKED):
         scene = loads(own.text)
-        motion, words = motion_of(scene), words_of(describe(scene))
+        motion, words = simulate_scene(scene), words_of(describe(scene))
         for sentence in own.asked:
             meant = understood(sentence, motion, words)
             if meant is not None:
@@ -84,7 +84,7 @@ def scenes() -> tuple[Scene, ...]:
 def _queries(motion: FollowedMotion, words: Words, rng: np.random.Generator, found: Examples) -> Iterator[Query]:
     """Yield queries about a scene: every quantity, every moment, and a draw of each kind without an example."""
     study, offered = motion.study, targets(words)
-    moments = [moment for cls in by_cause() for moment in list(cls.found(study, words, rng))[:1]]
+    moments = [moment for cls in moments_by_cause() for moment in list(cls.found(study, words, rng))[:1]]
     for moment in moments:
         if isinstance(moment, Happening) and moment.clause(words) is not None:
             yield Query("time_to_event", None, moment)
@@ -135,7 +135,7 @@ def _enter(query: Query, motion: FollowedMotion, words: Words, found: Examples, 
     if asked is None:
         return
     try:
-        question = posed(asked, motion, words)
+        question = pose_question(asked, motion, words)
     except TextError:
         return
     sentence = said or question.sentence(words)

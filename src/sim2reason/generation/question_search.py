@@ -9,20 +9,20 @@ import numpy as np
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.generation.certified import CertifiedQuestion
-from sim2reason.generation.filters import FILTERS, Candidate, Verdict, sift, sift_scene
-from sim2reason.generation.filters.texts import followed
-from sim2reason.questions import KINDS, Query, Question, QuestionMode, StatedResult, Study, Words
+from sim2reason.generation.filters import FILTERS, Candidate, Verdict, apply_filters, filter_scene
+from sim2reason.generation.filters.texts import is_followable
+from sim2reason.questions import KINDS, Query, Question, QuestionMode, SimulatedScene, StatedResult, Words
 from sim2reason.questions.difficulty import Difficulty
 from sim2reason.questions.need import EVERY, Need
 from sim2reason.questions.prompt import shaped, words_of
-from sim2reason.questions.study import BEYOND
+from sim2reason.questions.study import TIME_MARGIN
 from sim2reason.questions.tolerance import TOLERANCE
 from sim2reason.questions.topics import irrelevant
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.template import Topic
-from sim2reason.simulation.certify import Certificate, witnessed
-from sim2reason.solutions.shortest import may_have_solution, shortest
+from sim2reason.simulation.certify import Certificate, certify_trace
+from sim2reason.solutions.shortest import may_have_solution, shortest_solution
 from sim2reason.text.prose.description import Description, describe
 
 SAMPLES = 41
@@ -74,7 +74,7 @@ class QuestionSearch:
 
     def __init__(
         self,
-        scene: Scene | Study,
+        scene: Scene | SimulatedScene,
         wording: int,
         difficulty: Difficulty | None = None,
         *,
@@ -92,10 +92,14 @@ class QuestionSearch:
         self._difficulty: Difficulty | None = difficulty
         self._quantities, self._tolerance, self._needs = quantities, tolerance, needs
         self.easy = False  # whether what few laws or one line answer is kept
-        self._unfiltered, self._sift = unfiltered, _kept if unfiltered else sift
-        self.study = scene if isinstance(scene, Study) else Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
+        self._unfiltered, self._sift = unfiltered, _kept if unfiltered else apply_filters
+        self.study = (
+            scene
+            if isinstance(scene, SimulatedScene)
+            else SimulatedScene.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
+        )
         self._first_wording = wording
-        self._vouched: tuple[Study, Certificate] | None = None
+        self._vouched: tuple[SimulatedScene, Certificate] | None = None
         self._texts: dict[frozenset[Topic], Description] = {}  # by the topics that they leave out
         self.kinds: set[str] = set()  # of questions that were found in it
         self.beyond: set[str] = set()  # of those of which all that was drawn needs other means
@@ -107,7 +111,7 @@ class QuestionSearch:
         """Return the text of the scene, if possible with sentences about strings that are easy to follow."""
         first = describe(self.study.scene, self._first_wording)
         others = (describe(self.study.scene, self._first_wording + n) for n in range(1, WORDINGS))
-        return next((told for told in chain([first], others) if followed(told.sentences)), first)
+        return next((told for told in chain([first], others) if is_followable(told.sentences)), first)
 
     @cached_property
     def words(self) -> Words:
@@ -122,14 +126,14 @@ class QuestionSearch:
         symbols = {path: symbol for path, symbol in self.words.symbols.items() if path in said}
         return replace(self.words, symbols=symbols)
 
-    def _certified(self, query: Query, study: Study) -> tuple[Study, Certificate]:
+    def _certified(self, query: Query, study: SimulatedScene) -> tuple[SimulatedScene, Certificate]:
         """Return the motion up to the end of the engines' agreement, and the certificate."""
         time = KINDS[query.kind].time(query, study)
-        trace = study.trace if time is None else study.trace.through(BEYOND * time)
+        trace = study.trace if time is None else study.trace.through(TIME_MARGIN * time)
         known = self._vouched if study is self.study else None
         if known is None or len(known[0].trace.state.times) < len(trace.state.times):
-            seen, certificate = witnessed(trace)
-            known = Study(study.scene, seen), certificate
+            seen, certificate = certify_trace(trace)
+            known = SimulatedScene(study.scene, seen), certificate
         if study is self.study:
             self._vouched = known
         return known
@@ -139,10 +143,10 @@ class QuestionSearch:
         """Return why no question about the scene can pass, as counted in a manifest; empty if one can."""
         if self.is_unstable:
             return f"unstable: {self.study.trace.cut}"
-        verdict = Verdict(keep=True, filter="") if self._unfiltered else sift_scene(self.study)
+        verdict = Verdict(keep=True, filter="") if self._unfiltered else filter_scene(self.study)
         if not verdict.keep:
-            return verdict.counted
-        return "" if followed(self.description.sentences) else "length"
+            return verdict.manifest_name
+        return "" if is_followable(self.description.sentences) else "length"
 
     @property
     def is_unstable(self) -> bool:
@@ -168,7 +172,7 @@ class QuestionSearch:
             found = self._judged(question, mode, rng)
             if isinstance(found, CertifiedQuestion):
                 return found
-            refused[found.counted] += 1
+            refused[found.manifest_name] += 1
         return None
 
     def certified(
@@ -183,7 +187,7 @@ class QuestionSearch:
         found = self._judged(question, mode, rng, beside)
         if isinstance(found, CertifiedQuestion):
             return found
-        refused[found.counted] += 1
+        refused[found.manifest_name] += 1
         return None
 
     def _judged(
@@ -273,8 +277,15 @@ class QuestionSearch:
         if self._needs == EVERY or not (unknown or self._changing or Need.ARITHMETIC not in self._needs):
             return True  # nearly all about constant accelerations is elementary, and the filter looks at it
         most = max(self._needs)
-        hopeless = unknown and most < Need.INTEGRATION and not shortest(query, self.study, self.words, most=most).answer
-        suits = not hopeless and shortest(query, self.study, self.words, unknown, stated, most).needs in self._needs
+        hopeless = (
+            unknown
+            and most < Need.INTEGRATION
+            and not shortest_solution(query, self.study, self.words, most=most).answer
+        )
+        suits = (
+            not hopeless
+            and shortest_solution(query, self.study, self.words, unknown, stated, most).needs in self._needs
+        )
         self._refused |= not suits
         return suits
 

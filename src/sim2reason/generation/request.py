@@ -37,7 +37,7 @@ _ID = re.compile(
 )
 
 
-def whole(name: str, value: object) -> int:
+def nonnegative_integer(name: str, value: object) -> int:
     """Return a nonnegative integer coordinate (not a boolean); DrawError, with its name, otherwise."""
     try:
         found = as_index(cast("SupportsIndex", value)) if not isinstance(value, bool) else -1
@@ -76,7 +76,7 @@ class Request:
         if fault := out_of_range(self.tolerance):
             raise DrawError(f"tolerance: {fault}")
         for name in ("seed", "index"):
-            object.__setattr__(self, name, whole(name, getattr(self, name)))
+            object.__setattr__(self, name, nonnegative_integer(name, getattr(self, name)))
 
     @property
     def id(self) -> str:
@@ -180,7 +180,7 @@ def weight(kind: str, mode: str, recipe: str, ordered: Mapping[str, float]) -> f
     return KINDS[kind].share * MODES[mode].weights.get(kind, 1.0) * own
 
 
-def in_drawn_order(mode: str, recipe: str, ordered: Weights, rng: np.random.Generator) -> list[str]:
+def random_kind_order(mode: str, recipe: str, ordered: Weights, rng: np.random.Generator) -> list[str]:
     """Return all kinds of a mode with positive weight, in a random order by weight.
 
     If the first available kind is used, the available kinds occur in proportion to their weights.

@@ -17,7 +17,7 @@ _RUN: Final = re.compile(rf"\s*(\\(?:text|mathrm|textbf|mathbf)\s*\{{){_NAME}([^
 """A letter at the beginning of a text in a font."""
 _LED: Final = re.compile(rf"{_NAME}(?=\S)")
 """A letter with a bracket, a full stop or a colon, before more."""
-NEAR: Final = 0.01  # relative tolerance between a number and the option that it repeats
+VALUE_RTOL: Final = 0.01  # relative tolerance between a number and the option that it repeats
 
 
 def choice(
@@ -54,7 +54,9 @@ def _with_value(content: str, letters: str, values: Sequence[float], unit: str |
     named, rest = _led(content)
     rest = rf"\boxed{{{rest}}}"
     pairs = zip(letters, values, strict=True)
-    found = [name for name, value in pairs if number(rest, value, unit, tolerance=NEAR).outcome is Outcome.CORRECT]
+    found = [
+        name for name, value in pairs if number(rest, value, unit, tolerance=VALUE_RTOL).outcome is Outcome.CORRECT
+    ]
     return found[0] if len(found) == 1 and named in ("", found[0]) else ""
 
 

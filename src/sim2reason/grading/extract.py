@@ -7,11 +7,11 @@ from typing import Final, cast
 from sim2reason.grading.hiding import fault_of_box
 from sim2reason.grading.score import Outcome, Refused
 
-__all__ = ["MAX_ANSWER", "OPENING", "boxed", "closed_boxes", "opened", "spoken", "text_of", "without_thinking"]
+__all__ = ["MAX_ANSWER", "OPENING", "boxed", "closed_boxes", "opened", "response_text", "text_of", "without_thinking"]
 
 OPENING: Final = "<think>"
-MOST: Final = 20_000  # signs "<" that are examined, which bounds the time
-FEW: Final = 8  # opening marks that a text may quote
+MAX_TAGS: Final = 20_000  # signs "<" that are examined, which bounds the time
+MAX_QUOTED_MARKS: Final = 8  # opening marks that a text may quote
 _WORDS: Final = "think|thinking|thoughts?|reason|reasoning|reflection|scratchpad|analysis"
 _TAG: Final = rf"(?:[a-z]{{1,12}}[:_])?(?:{_WORDS})\s{{0,8}}>"
 _CHANNEL: Final = r"<\|channel\|>\s{0,8}"
@@ -64,7 +64,7 @@ def _angled(text: str) -> tuple[int, list[int], list[int]]:
     """Return the end of the last closing mark with "<", or 0, and the positions of opening tags and tokens after it."""
     tags, tokens = list[int](), list[int]()
     at = len(text)
-    for _ in range(MOST):
+    for _ in range(MAX_TAGS):
         at = text.rfind("<", 0, at)
         if at < 0:
             return 0, tags, tokens
@@ -74,14 +74,14 @@ def _angled(text: str) -> tuple[int, list[int], list[int]]:
         if mark["close"]:
             return mark.end(), tags, tokens
         (tokens if mark["token"] else tags).append(at)
-    raise Refused(Outcome.TOO_LONG, f"the response has more than {MOST} signs <")
+    raise Refused(Outcome.TOO_LONG, f"the response has more than {MAX_TAGS} signs <")
 
 
 def _spoken_of(text: str, end: int, marks: list[int]) -> bool:
     """Return whether all opening marks are only quoted: each within a line of text, with no box after the first."""
     first = min(marks)
-    within = all(text[max(text.rfind("\n", end, at) + 1, end) : at].strip() for at in marks[:FEW])
-    return within and len(marks) <= FEW and r"\boxed" not in text[first:]
+    within = all(text[max(text.rfind("\n", end, at) + 1, end) : at].strip() for at in marks[:MAX_QUOTED_MARKS])
+    return within and len(marks) <= MAX_QUOTED_MARKS and r"\boxed" not in text[first:]
 
 
 MAX_RESPONSE: Final = 1_000_000
@@ -125,7 +125,7 @@ def opened(given: object) -> object:
     return text if text.lstrip()[: len(OPENING)] == OPENING else OPENING + text
 
 
-def spoken(given: object) -> str:
+def response_text(given: object) -> str:
     """Return the text of a response after the thinking; Refused if the thinking never ends."""
     response = text_of(given)
     if len(response) > MAX_RESPONSE:
@@ -139,7 +139,7 @@ def boxed(response: object) -> str:
     Raises `Refused`: no answer without such a box, too long beyond 1000 characters, unreadable if the box is invisible
     or denied by words beside it.
     """
-    text = spoken(response)
+    text = response_text(response)
     boxes = closed_boxes(text)
     found = next((span for span in reversed(boxes) if text[span[0] : span[1]].strip(BLANK)), None)
     if found is None:

@@ -16,7 +16,14 @@ from sim2reason.grading.clauses import vectors_as_components
 from sim2reason.grading.extract import boxed
 from sim2reason.grading.number import number
 from sim2reason.grading.parser import parse
-from sim2reason.grading.points import POINTS, Bindings, Ranges, drawn, sound, turned
+from sim2reason.grading.points import (
+    POINTS,
+    Bindings,
+    Ranges,
+    draw_points,
+    opposite_sign_points,
+    well_conditioned_points,
+)
 from sim2reason.grading.remarks import Direction
 from sim2reason.grading.score import Outcome, Refused, Score
 from sim2reason.grading.sides import Statement, flattened, is_signed, statement, two_values, unwrapped
@@ -27,7 +34,7 @@ from sim2reason.scenes.dsl.units import UnitError
 
 __all__ = ["FormulaError", "formula"]
 
-AGREE: Final = 0.02  # relative tolerance between a formula and the approximations of it in the same answer
+APPROXIMATION_RTOL: Final = 0.02  # relative tolerance between a formula and the approximations of it in the same answer
 
 _Frozen = tuple[tuple[str, float], ...]
 _Ranged = tuple[tuple[str, tuple[float, float]], ...]
@@ -127,11 +134,13 @@ def _truth(
         raise FormulaError(f"the bindings for {reference!r} leave out a symbol")
     if any(arithmetic.value(node, binding) is None for binding in bindings):
         raise FormulaError(f"the reference {reference!r} has no value at its bindings")
-    held = sound(node, bindings)
-    fresh = sound(node, list(drawn(node, table, bindings, ranges, reference)))
+    held = well_conditioned_points(node, bindings)
+    fresh = well_conditioned_points(node, list(draw_points(node, table, bindings, ranges, reference)))
     signs = {value > 0 for _, value in (*held, *fresh)}
     if bindings and len(signs) == 1 and (signed or len(bindings) < POINTS):
-        fresh += sound(node, turned(node, table, bindings, 1.0 if True in signs else -1.0, reference))
+        fresh += well_conditioned_points(
+            node, opposite_sign_points(node, table, bindings, 1.0 if True in signs else -1.0, reference)
+        )
     if len(bindings) < POINTS:
         return _kept(reference, table, [*held, *fresh])
     if not signed:  # where a magnitude comes out negative, its formula does not hold
@@ -229,7 +238,9 @@ def _checked(content: str, stated: Statement, node: Node, truth: _Truth, toleran
 def _differ(node: Node, wanted: Sequence[float | None], truth: _Truth, tolerance: float) -> bool:
     """Return whether a formula differs from the reference at some point by more than rounding errors."""
     return any(
-        mine is None or yours is None or abs(mine - yours) > max(AGREE, tolerance) * max(abs(mine), abs(yours))
+        mine is None
+        or yours is None
+        or abs(mine - yours) > max(APPROXIMATION_RTOL, tolerance) * max(abs(mine), abs(yours))
         for _, mine, yours in _pairs(truth, node, wanted)
     )
 

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from typing import Final
 
 from sim2reason.grading.alphabet import HEDGES, SOFT_HEDGES
-from sim2reason.grading.extract import MAX_ANSWER, spoken
+from sim2reason.grading.extract import MAX_ANSWER, response_text
 from sim2reason.grading.labels import DENIALS
 from sim2reason.grading.score import Outcome, Refused
 from sim2reason.grading.unit_spelling import is_unit, unit_in
@@ -65,7 +65,7 @@ def last_quantity(response: object) -> Iterator[str]:
     Raises `Refused`: no answer without a number, wrong if the sentence contains another value or a denial, unreadable
     if the number is part of an expression.
     """
-    sentence = _last_sentence(_unwrapped(spoken(response)[-MAX_ANSWER:]))
+    sentence = _last_sentence(_unwrapped(response_text(response)[-MAX_ANSWER:]))
     yield sentence
     *_, last = [None, *_NUMBER.finditer(sentence)]
     if last is None:

@@ -31,7 +31,7 @@ from sim2reason.scenes.dsl.units import Dimension, Unit, UnitError, parse_unit
 
 __all__ = ["number", "unit_stated"]
 
-AGREE = 0.05  # relative difference between two sides that count as equal
+SIDES_RTOL = 0.05  # relative difference between two sides that count as equal
 _NO_REMARK = Remark()
 _PART = re.compile(r"\s*\\text\s*\{\s*\((?:[a-dA-D]|i{1,3}|iv)\)\s*\}(?=\s*[-−+.0-9])")
 """The letter of a part of a problem. An e would be a number, and one in italics a symbol."""
@@ -273,7 +273,7 @@ def _readings(said: _Quantity, asked: Unit | None) -> list[float]:
 
 
 def _near(one: float, other: float) -> bool:
-    return abs(one - other) <= AGREE * max(abs(one), abs(other))
+    return abs(one - other) <= SIDES_RTOL * max(abs(one), abs(other))
 
 
 def _judge(value: float, stated: Unit | None, reference: float, asked: Unit | None, tolerance: float) -> Score:

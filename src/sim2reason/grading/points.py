@@ -10,13 +10,13 @@ from sim2reason.grading import arithmetic
 from sim2reason.grading.alphabet import is_angle
 from sim2reason.grading.arithmetic import Node
 
-__all__ = ["POINTS", "Bindings", "Ranges", "drawn", "sound", "turned"]
+__all__ = ["POINTS", "Bindings", "Ranges", "draw_points", "opposite_sign_points", "well_conditioned_points"]
 
 POINTS: Final = 8
-TRIES: Final = 128  # candidate points
+MAX_CANDIDATES: Final = 128  # candidate points
 USUAL: Final = 0.2, 1.5  # default range of a positive quantity, all of one magnitude; angles acute
 WIDE: Final = 1e-3, 5.0  # range over several decades, in which single terms of a formula dominate
-AROUND: Final = 3.0  # largest factor between a given value and a test value
+MAX_FACTOR: Final = 3.0  # largest factor between a given value and a test value
 AFAR: Final = 20.0  # largest factor in the search for a value of the opposite sign
 FAR_TRIES, TURNED = 24, 2
 RIGHT_ANGLE: Final = math.pi / 2
@@ -34,21 +34,23 @@ def _share(*seed: object) -> float:
     return int.from_bytes(digest) / 2**64
 
 
-def drawn(
+def draw_points(
     node: Node, table: Collection[str], given: Sequence[Bindings], ranges: Ranges, seed: str
 ) -> Iterator[Bindings]:
     """Yield at least eight points at which the reference has a value, near given points or within the ranges."""
     names = sorted(table)
     if given:
-        around = (_around(given[attempt % len(given)], names, seed, attempt) for attempt in range(TRIES))
+        around = (_around(given[attempt % len(given)], names, seed, attempt) for attempt in range(MAX_CANDIDATES))
         yield from _valued(node, around)
         return
     for low, high in (USUAL, WIDE):
         ends = {name: _ends(name, ranges, low, high) for name in names}
-        yield from _valued(node, (_within(ends, seed, attempt, low) for attempt in range(TRIES)))
+        yield from _valued(node, (_within(ends, seed, attempt, low) for attempt in range(MAX_CANDIDATES)))
 
 
-def turned(node: Node, table: Collection[str], given: Sequence[Bindings], sign: float, seed: str) -> list[Bindings]:
+def opposite_sign_points(
+    node: Node, table: Collection[str], given: Sequence[Bindings], sign: float, seed: str
+) -> list[Bindings]:
     """Return distant points at which the reference has the opposite sign, so that a magnitude is detected."""
     names = sorted(table)
     far = (_around(given[attempt % len(given)], names, seed, POINTS + attempt, AFAR) for attempt in range(FAR_TRIES))
@@ -56,7 +58,7 @@ def turned(node: Node, table: Collection[str], given: Sequence[Bindings], sign: 
 
 
 def _valued(node: Node, points: Iterator[Bindings]) -> Iterator[Bindings]:
-    return islice((point for point in points if sound(node, [point])), POINTS)
+    return islice((point for point in points if well_conditioned_points(node, [point])), POINTS)
 
 
 def _ends(name: str, ranges: Ranges, low: float, high: float) -> tuple[float, float]:
@@ -70,12 +72,12 @@ def _within(ends: Ranges, seed: str, attempt: int, scale: float) -> Bindings:
     point: dict[str, float] = {}
     for name, (low, high) in ends.items():
         share = _share(seed, attempt, name, scale)
-        spread = low > 0 and high / low > AROUND**3
+        spread = low > 0 and high / low > MAX_FACTOR**3
         point[name] = low * (high / low) ** share if spread else low + (high - low) * share
     return point
 
 
-def _around(given: Bindings, names: Sequence[str], seed: str, attempt: int, far: float = AROUND) -> Bindings:
+def _around(given: Bindings, names: Sequence[str], seed: str, attempt: int, far: float = MAX_FACTOR) -> Bindings:
     """Return a point with all values changed by random factors; angles stay in their quadrants."""
     point: dict[str, float] = {}
     for name in names:
@@ -88,7 +90,7 @@ def _around(given: Bindings, names: Sequence[str], seed: str, attempt: int, far:
     return point
 
 
-def sound(node: Node, points: Sequence[Bindings]) -> list[tuple[Bindings, float]]:
+def well_conditioned_points(node: Node, points: Sequence[Bindings]) -> list[tuple[Bindings, float]]:
     """Return the points, with values, at which the reference is well-conditioned (no cancellation)."""
     found: list[tuple[Bindings, float]] = []
     for point in points:

@@ -33,16 +33,16 @@ _USUAL: Final[dict[str, tuple[Dimension, ...]]] = {
     )
     for letter in letters.split()
 }
-_MOST: Final = 6  # letters of an expression
+_MAX_LETTERS: Final = 6  # letters of an expression
 _SCALES: Final = (1.9, 2.3, 3.1)  # factors by which the units of length, mass and time are enlarged
-_NEAR: Final = 1e-9
+_SCALING_RTOL: Final = 1e-9
 
 
 def may_be(side: Sequence[Token], unit: Unit) -> bool:
     """Return whether a side may be a quantity in `unit`; False for letters of another dimension."""
     found = labels.names(side)
     letters = list(dict.fromkeys(letter for letter, _ in found))
-    if len(found) <= 1 or len(letters) > _MOST or any(letter not in _USUAL for letter in letters):
+    if len(found) <= 1 or len(letters) > _MAX_LETTERS or any(letter not in _USUAL for letter in letters):
         return True
     node = _expression(side)
     if node is None:
@@ -77,6 +77,6 @@ def _has_dimension(node: Node, meant: dict[str, Dimension], wanted: Dimension) -
     for axis, scale in enumerate(_SCALES):
         larger = {letter: (1.0 + 0.3 * n) * scale ** meant[letter][axis] for n, letter in enumerate(meant)}
         there = arithmetic.value(node, larger)
-        if there is not None and abs(there - here * scale ** wanted[axis]) > _NEAR * abs(there):
+        if there is not None and abs(there - here * scale ** wanted[axis]) > _SCALING_RTOL * abs(there):
             return False
     return True

@@ -16,7 +16,7 @@ from sim2reason.questions.kinds import KINDS, Kind
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.query import Noun, Query, Target
 from sim2reason.questions.regimes import Regime
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.text.prose.description import Description
@@ -126,19 +126,21 @@ class QuestionMode(ABC):
 
     @abstractmethod
     def ask(
-        self, study: Study, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
+        self, study: SimulatedScene, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
     ) -> Question | None:
         """Return a question about a motion that passes the predicate `suits`; None if the mode finds none.
 
         The predicate is tested before costly computations of an answer.
         """
 
-    def asking(self, query: Query, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
+    def asking(self, query: Query, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Question | None:
         """Return the question for a given query; None, as by default, if the mode has no such question."""
         del query, study, words, rng
         return None
 
-    def completed(self, question: Question, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
+    def completed(
+        self, question: Question, study: SimulatedScene, words: Words, rng: np.random.Generator
+    ) -> Question | None:
         """Return a question with the costly parts of its answer added; None if these do not exist.
 
         By default nothing is missing.
@@ -152,15 +154,15 @@ class QuestionMode(ABC):
         return with_names(description.voiced(hiding(*left_open))) if left_open else description
 
     @abstractmethod
-    def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
+    def parsed(self, text: str, study: SimulatedScene, words: Words) -> ParsedQuestion | None:
         """Return the question of this mode that a sentence expresses; None if no phrase of the mode matches."""
 
-    def study(self, question: Question, study: Study) -> Study:
+    def study(self, question: Question, study: SimulatedScene) -> SimulatedScene:
         """Return the motion that a question is about; by default `study`, the motion of the scene as drawn."""
         del question
         return study
 
-    def response(self, question: Question, study: Study, other: Study) -> float | None:
+    def response(self, question: Question, study: SimulatedScene, other: SimulatedScene) -> float | None:
         """Return the answer to a question in another motion; None if the answer does not exist there.
 
         `study` is the one that the question is about. By default the query is asked again.
@@ -168,12 +170,12 @@ class QuestionMode(ABC):
         del study
         return KINDS[question.query.kind].answer(question.query, other)
 
-    def solution(self, asked: ParsedQuestion, study: Study, words: Words) -> float | None:
+    def solution(self, asked: ParsedQuestion, study: SimulatedScene, words: Words) -> float | None:
         """Return the answer to a parsed question, in SI units or those of the text; None unless it is unique."""
         del words
         return KINDS[asked.query.kind].answer(asked.query, study)
 
-    def lacking(self, asked: ParsedQuestion, study: Study, words: Words) -> str:
+    def lacking(self, asked: ParsedQuestion, study: SimulatedScene, words: Words) -> str:
         """Return a clause explaining why a parsed question has no answer, for want of a more specific reason."""
         del asked, study, words
         return "the scene has no such value"
@@ -201,8 +203,8 @@ __all__ = [
     "Query",
     "Question",
     "QuestionMode",
+    "SimulatedScene",
     "StatedResult",
-    "Study",
     "Suits",
     "Target",
     "Words",

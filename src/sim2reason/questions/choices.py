@@ -7,35 +7,35 @@ import numpy as np
 
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.query import Target
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.scenes.dsl.constancy import bending, changing
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.quantities import QUANTITIES, Quantity
-from sim2reason.simulation.trace import AT_ONCE, Event, Trace
+from sim2reason.simulation.trace import EVENT_TIME_RTOL, Event, Trace
 
-CLEARLY = 0.05  # relative: a value that varies by less is graded correct at any moment
+MIN_VARIATION = 0.05  # relative: a value that varies by less is graded correct at any moment
 CONSTANT_RTOL = 1e-6  # relative: a value that varies by less is constant
 ENDINGS = frozenset({"reach", "limit"})  # events that a text excludes
-SHARES = np.array([0.07, 0.3, 0.6, 0.93])  # of an interval between two events: sampled fractions
+SAMPLED_FRACTIONS = np.array([0.07, 0.3, 0.6, 0.93])  # of an interval between two events: sampled fractions
 SEVERAL = 2  # sampled instants, of eight, at which a varying value must differ
 Values = Callable[[Array], Array]
 """A value at some instants, s: (n,) to (n,); NaN where there is none."""
 
 
-def hangs_on(moment: Moment, trace: Trace, time: float, values: Values) -> bool:
+def depends_on_moment(moment: Moment, trace: Trace, time: float, values: Values) -> bool:
     """Return whether a value differs clearly within the intervals beside a moment, or jumps at the moment.
 
     Otherwise a question at another moment has the same answer, so that the moment is irrelevant.
     """
-    here = float(values(np.array([moment.side(time)]))[0])
+    here = float(values(np.array([moment.evaluation_time(time)]))[0])
     before, after = _between(trace, time)
-    others = np.concatenate([before + SHARES * (time - before), time + SHARES * (after - time)])
+    others = np.concatenate([before + SAMPLED_FRACTIONS * (time - before), time + SAMPLED_FRACTIONS * (after - time)])
     sides = np.array([np.nextafter(time, 0.0), time] if moment.event else [])
 
     def differing(instants: Array) -> int:
-        return int(np.sum(np.abs(values(instants) - here) > CLEARLY * abs(here)))
+        return int(np.sum(np.abs(values(instants) - here) > MIN_VARIATION * abs(here)))
 
     ends = [0, len(others) - 1]  # which most often differ: the rest need not be looked at then
     found = differing(others[ends])
@@ -44,7 +44,7 @@ def hangs_on(moment: Moment, trace: Trace, time: float, values: Values) -> bool:
     return found >= SEVERAL or (len(sides) > 0 and differing(sides) > 0)
 
 
-def lasts(target: Target, trace: Trace) -> bool:
+def is_constant(target: Target, trace: Trace) -> bool:
     """Return whether a quantity is constant throughout the motion, including any later part that is not simulated.
 
     What rubs against something and does not begin at rest may stop later on.
@@ -56,15 +56,15 @@ def lasts(target: Target, trace: Trace) -> bool:
     rubs = any(0.0 < face.friction < inf for face in mechanism.faces)
     if any(map(_changes_something, trace.events)) or (rubs and not still):
         return False
-    values = target.values(trace.sample(np.append(0.0, SHARES * trace.stable_until)))
+    values = target.values(trace.sample(np.append(0.0, SAMPLED_FRACTIONS * trace.stable_until)))
     return bool(np.all(np.abs(values - values[0]) <= CONSTANT_RTOL * abs(values[0])))
 
 
 def _between(trace: Trace, time: float) -> tuple[float, float]:
     """Return the times, s, of the events just before and after a time, or the ends of the simulated motion."""
     times = [event.time for event in trace.events if _changes_something(event)]
-    before = max((found for found in times if found < time * (1.0 - AT_ONCE)), default=0.0)
-    after = min((found for found in times if found > time * (1.0 + AT_ONCE)), default=trace.stable_until)
+    before = max((found for found in times if found < time * (1.0 - EVENT_TIME_RTOL)), default=0.0)
+    after = min((found for found in times if found > time * (1.0 + EVENT_TIME_RTOL)), default=trace.stable_until)
     return before, max(time, min(after, trace.stable_until))
 
 
@@ -73,10 +73,13 @@ def _changes_something(event: Event) -> bool:
 
 
 CROSSINGS = "enter", "exit"
-CLEAR = 1e-3  # of the duration: least distance of a question's time from events
+EVENT_CLEARANCE = 1e-3  # of the duration: least distance of a question's time from events
 SPRUNG = 2  # maximum number of bodies on springs whose oscillation has a short formula of time
 LEVEL = 1e-9  # least horizontal component of an axle's direction that is not vertical
-STILL, ROUNDING = 1e-7, 1e-9  # of the subject's own and of the overall greatest speed: a lower speed is rest
+REST_SPEED_RTOL, SPEED_NOISE_RTOL = (
+    1e-7,
+    1e-9,
+)  # of the subject's own and of the overall greatest speed: a lower speed is rest
 
 
 def pick(
@@ -93,22 +96,22 @@ def pick(
     return None
 
 
-def apart(time: float, trace: Trace) -> bool:
+def is_clear_of_events(time: float, trace: Trace) -> bool:
     """Return whether a time is clear of all events that change the motion."""
-    clear = CLEAR * float(trace.state.times[-1])
+    clear = EVENT_CLEARANCE * float(trace.state.times[-1])
     return all(abs(time - event.time) > clear for event in trace.events if event.changes_motion)
 
 
-def still(trace: Trace, speeds: Array) -> float:
+def rest_speed(trace: Trace, speeds: Array) -> float:
     """Return the speed, m/s, below which a subject with these speeds (n,) on the scan counts as at rest.
 
     What never moves has speeds, too, as rounding leaves them.
     """
     fastest = float(np.abs(trace.scan.v).max(initial=0.0))
-    return max(STILL * float(np.abs(speeds).max(initial=0.0)), ROUNDING * fastest)
+    return max(REST_SPEED_RTOL * float(np.abs(speeds).max(initial=0.0)), SPEED_NOISE_RTOL * fastest)
 
 
-def bears_from(trace: Trace) -> float:
+def data_relevant_from(trace: Trace) -> float:
     """Return the time, s, from which all given data can affect the motion; infinite if they never do.
 
     If bodies can collide, all bodies that ever do must have collided; fuel must be used up; the first boundary of a
@@ -124,21 +127,21 @@ def bears_from(trace: Trace) -> float:
     if any(force.region is not None for force in mechanism.forces):
         waits.append(next((event.time for event in trace.events if event.kind in CROSSINGS), inf))
     slack = next((event for event in trace.events if event.kind == "slack"), None)
-    if slack is not None and bending(mechanism.line[slack.subjects[0]], start(mechanism)):
+    if slack is not None and bending(mechanism.line[slack.subjects[0]], initial_frames(mechanism)):
         waits.append(slack.time)
     return max(waits, default=0.0)
 
 
-def least(mechanism: Mechanism, quantity: Quantity) -> float:
+def smallest_answer(mechanism: Mechanism, quantity: Quantity) -> float:
     """Return the smallest admissible answer of a quantity, less for mass-proportional ones if all bodies are light."""
     return quantity.least * min(1.0, max(body.mass for body in mechanism.bodies)) if quantity.heavy else quantity.least
 
 
-def has_met(trace: Trace, time: float, *, just_after: bool = False) -> bool:
+def has_collided(trace: Trace, time: float, *, just_after: bool = False) -> bool:
     """Return whether a collision occurs before a time, or `just_after` it; True if bodies cannot collide."""
     if not trace.mechanism.meetings:
         return True
-    end = time * (1.0 + (AT_ONCE if just_after else -AT_ONCE))
+    end = time * (1.0 + (EVENT_TIME_RTOL if just_after else -EVENT_TIME_RTOL))
     return any(event.kind == "collision" and event.time <= end for event in trace.events)
 
 
@@ -155,7 +158,7 @@ def has_formula_of_time(mechanism: Mechanism) -> bool:
     swings = any(one.kind == "hinge" and hypot(*one.axis[:2]) > LEVEL for one in coordinates)
     if len(coordinates) > SPRUNG or mechanism.attractions or swings:
         return False
-    frames = start(mechanism)
+    frames = initial_frames(mechanism)
     return not any(bending(line, frames) for line in mechanism.lines)
 
 
@@ -169,7 +172,7 @@ DISTINCT_RTOL = 2e-3  # relative: values that differ by less agree in three digi
 JUMP = 1e-5  # relative: least change of a value across an event that is a jump
 
 
-def changed(study: Study, moment: Moment) -> Callable[[Target], bool]:
+def is_worth_asking_at(study: SimulatedScene, moment: Moment) -> Callable[[Target], bool]:
     """Return a predicate that tests whether the value of a target at a moment is worth asking for.
 
     It must be neither zero nor stated, and differ from the initial value and from that at other moments. At an event
@@ -178,12 +181,12 @@ def changed(study: Study, moment: Moment) -> Callable[[Target], bool]:
     time, trace = study.time(moment), study.trace
     if time is None:
         return lambda _: False
-    start, here = trace.at(0.0), trace.at(moment.side(time))
+    start, here = trace.at(0.0), trace.at(moment.evaluation_time(time))
     sides = [trace.at(float(np.nextafter(time, 0.0)))] if moment.event and moment.sided is None else []
 
     def differs(target: Target) -> bool:
         value = target.value(here)
-        if not is_something(value, target, study):
+        if not is_large_enough(value, target, study):
             return False
         known = [target.value(start), *(number for number, unit in moment.stated if unit == target.unit)]
         if any(
@@ -192,11 +195,11 @@ def changed(study: Study, moment: Moment) -> Callable[[Target], bool]:
             return False
         if any(abs(value - target.value(side)) > JUMP * abs(value) for side in sides):
             return False
-        return hangs_on(moment, trace, time, lambda times: target.values(trace.sample(times)))
+        return depends_on_moment(moment, trace, time, lambda times: target.values(trace.sample(times)))
 
     return differs
 
 
-def is_something(value: float, target: Target, study: Study) -> bool:
+def is_large_enough(value: float, target: Target, study: SimulatedScene) -> bool:
     """Return whether a value exceeds the smallest admissible answer of its quantity; False for negative values."""
-    return value > least(study.mechanism, QUANTITIES[target.quantity])  # NaN is no more
+    return value > smallest_answer(study.mechanism, QUANTITIES[target.quantity])  # NaN is no more

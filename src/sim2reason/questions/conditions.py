@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from math import isfinite
 
-from sim2reason.questions.dependence import Dependence, towards_border
+from sim2reason.questions.dependence import AnswerFunction, bisect_border
 from sim2reason.questions.given import StatedResult
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.query import Noun, Query
@@ -13,10 +13,10 @@ from sim2reason.questions.words import Words
 
 STRIDES = (16, 4)  # steps of the scan: a coarse pass first
 SMOOTH = 0.1  # of the smaller distance from the given result: maximum error of a cubic interpolation, if smooth
-NEAR = 0.01  # relative: values closer to the root are the same root
+ROOT_RTOL = 0.01  # relative: values closer to the root are the same root
 DIP = 3  # parabolic guesses for the minimum of a dip
 SHALLOW = 0.3  # of a dip: a guessed minimum above this fraction is not evaluated,
-NEARLY = 10.0  # margins: unless the dip is already lower; halving then finds the minimum of a kink
+NEAR_MARGINS = 10.0  # margins: unless the dip is already lower; halving then finds the minimum of a kink
 KINK = 10  # halvings near a kink
 EDGE = 0.01  # relative: distance from the root at which a missing answer is tested
 BEHIND = 3.0  # steps of the scan: extrapolation distance beyond an end of the range
@@ -25,11 +25,11 @@ FINER = 3  # refinements of uneven intervals
 CLOSER = 5  # halvings between numbers with different courses of events
 
 
-class Scan:
+class UniquenessScan:
     """A search for further roots; answers below and above the only root lie on opposite sides of the given result."""
 
     def __init__(
-        self, dependence: Dependence, root: float, given: float, margin: float, coarse: Dependence | None = None
+        self, dependence: AnswerFunction, root: float, given: float, margin: float, coarse: AnswerFunction | None = None
     ) -> None:
         """Prepare the search; `margin` is the smallest significant difference between an answer and the given result.
 
@@ -123,7 +123,7 @@ class Scan:
         return None if found is None or not isfinite(found) or self._differ(values[index], end) else found
 
     def _is_apart(self, at: float) -> bool:
-        return abs(at - self._root) > NEAR * abs(self._root)
+        return abs(at - self._root) > ROOT_RTOL * abs(self._root)
 
     def _could_be(self, at: float) -> bool:
         clear = self._clear(at)
@@ -133,7 +133,7 @@ class Scan:
         """Return the signed distance of the answer from the given result, in margins; None without an answer."""
         if at not in self._known:
             clear = self._beyond(at, self._coarse(at))
-            self._known[at] = clear if clear is None or clear > NEARLY else self._beyond(at, self._dependence(at))
+            self._known[at] = clear if clear is None or clear > NEAR_MARGINS else self._beyond(at, self._dependence(at))
         return self._known[at]
 
     def _beyond(self, at: float, found: float | None) -> float | None:
@@ -143,7 +143,7 @@ class Scan:
     def _borders(self) -> Iterator[float]:
         """Yield numbers that approach, by bisection, the limits beyond which there is no answer."""
         for one, other in pairwise(sorted({*self._known, self._root})):
-            yield from towards_border(self._coarse, one, other)
+            yield from bisect_border(self._coarse, one, other)
 
     def _turning_points(self) -> Iterator[float]:
         """Yield midpoints of neighbouring numbers that have different courses of events.
@@ -157,7 +157,7 @@ class Scan:
             yield from middles
             for (low, high), at in zip(apart, middles, strict=True):
                 if self._coarse(at) is None:
-                    yield from (*towards_border(self._coarse, low, at), *towards_border(self._coarse, at, high))
+                    yield from (*bisect_border(self._coarse, low, at), *bisect_border(self._coarse, at, high))
             pairs = [half for (low, high), at in zip(apart, middles, strict=True) for half in ((low, at), (at, high))]
 
     def _differ(self, one: float, other: float) -> bool:
@@ -179,7 +179,7 @@ class Scan:
                 return
             bottom, depth = _lowest((low, a), (middle, b), (high, c))
             if guess >= DIP or depth > SHALLOW * b or bottom in self._known:
-                if b > NEARLY:
+                if b > NEAR_MARGINS:
                     return
                 bottom = 0.5 * (middle + max(low, high, key=lambda end: abs(end - middle)))
             yield bottom
@@ -219,8 +219,8 @@ def _lowest(*points: tuple[float, float]) -> tuple[float, float]:
 def asking_for(unknown: Unknown, query: Query, given: StatedResult, words: Words, noun: Noun | None) -> tuple[str, ...]:
     """Return all sentences that ask for the value of the unknown with which a query has the given result."""
     kind, sense = KINDS[query.kind], query.target.sense if query.target is not None else None
-    wanted, told = kind.wanted(query, words, noun), kind.told(query, words, noun, given.said)
-    plain = [f"{called} is {given.said}" for called in kind.called(query, words, noun)[:1]]
+    wanted, told = kind.condition_phrases(query, words, noun), kind.statements(query, words, noun, given.said)
+    plain = [f"{called} is {given.said}" for called in kind.noun_phrases(query, words, noun)[:1]]
     clauses = tuple(dict.fromkeys((*told[:1], *plain)))
     counted = f", {sense.positive} being positive" if sense is not None and not sense.fixed else ""
     shapes = (

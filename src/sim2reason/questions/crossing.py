@@ -7,7 +7,7 @@ import numpy as np
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.trace import Trace
 
-Excess = Callable[[State], Array]
+EventFunction = Callable[[State], Array]
 """A function of the state that is negative before and positive after what is looked for, (n,)."""
 
 SMALL = 1e-9  # of the function's largest value: smaller values are zero
@@ -18,7 +18,7 @@ FINE = 33  # instants in an interval where the function may touch zero
 _NEAR = 10.0 ** -np.arange(1.0, 9.0)
 
 
-def crossings(trace: Trace, excess: Excess) -> Iterator[float]:
+def crossings(trace: Trace, excess: EventFunction) -> Iterator[float]:
     """Yield the times, s, in order, at which a function rises through zero without a jump.
 
     What begins at zero must fall below it first. NaN is neither below nor above.
@@ -39,15 +39,15 @@ def crossings(trace: Trace, excess: Excess) -> Iterator[float]:
             if values[number] - values[number - 1] <= SMALL * size:
                 yield high  # an event, such as a turn, at which nothing jumps
         else:
-            yield _closed_in(trace, excess, (low, float(values[number - 1])), (high, float(values[number])))
+            yield _refine_root(trace, excess, (low, float(values[number - 1])), (high, float(values[number])))
 
 
-def first_crossing(trace: Trace, excess: Excess) -> float | None:
+def first_crossing(trace: Trace, excess: EventFunction) -> float | None:
     """Return the first of the `crossings`, s; None if there is none in the simulated motion."""
     return next(crossings(trace, excess), None)
 
 
-def jumps(trace: Trace, excess: Excess) -> list[float]:
+def jumps(trace: Trace, excess: EventFunction) -> list[float]:
     """Return the times, s, in order, of events at which a function jumps from negative to positive."""
     times, values = trace.scan.times, excess(trace.scan)
     small = SMALL * np.abs(values)[np.isfinite(values)].max(initial=0.0)
@@ -56,7 +56,7 @@ def jumps(trace: Trace, excess: Excess) -> list[float]:
     return found
 
 
-def begins_beyond(trace: Trace, excess: Excess) -> bool:
+def rises_from_zero(trace: Trace, excess: EventFunction) -> bool:
     """Return whether a function is zero at the start and rises first, as a rate at an initial turning point does."""
     values = excess(trace.scan)
     size = np.abs(values)[np.isfinite(values)].max(initial=0.0)
@@ -64,7 +64,7 @@ def begins_beyond(trace: Trace, excess: Excess) -> bool:
     return bool(abs(values[0]) <= SMALL * size and len(clear) and clear[0] > 0.0)
 
 
-def _sampled(trace: Trace, excess: Excess) -> tuple[Array, Array]:
+def _sampled(trace: Trace, excess: EventFunction) -> tuple[Array, Array]:
     """Return times and values of the function on the scan, refined where it may touch zero between samples."""
     times = trace.scan.times
     values = excess(trace.scan)
@@ -86,7 +86,7 @@ def _sampled(trace: Trace, excess: Excess) -> tuple[Array, Array]:
     return joined[order], np.concatenate([values, excess(trace.sample(more))])[order]
 
 
-def _closed_in(trace: Trace, excess: Excess, low: tuple[float, float], high: tuple[float, float]) -> float:
+def _refine_root(trace: Trace, excess: EventFunction, low: tuple[float, float], high: tuple[float, float]) -> float:
     """Return the time, s, of a sign change between two instants, by the secant method with bracketing."""
     (a, fa), (b, fb) = low, high
     for _ in range(ROUNDS):

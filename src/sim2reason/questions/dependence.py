@@ -12,34 +12,34 @@ from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.query import Query
-from sim2reason.questions.recurrence import flies_away, nothing_new
-from sim2reason.questions.study import BEYOND, COARSE, SHORTEST, Study, ways
+from sim2reason.questions.recurrence import has_known_continuation, subjects_escape
+from sim2reason.questions.study import COARSE_STEP_ERROR, SHORTEST, TIME_MARGIN, SimulatedScene, change_directions
 from sim2reason.questions.unknown import LENGTHS, with_number
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST, Trace
 
-LONGER = 2.0  # times the scene's own horizon: simulation time for an event that may occur later;
-LATEST = 8.0  # or for a query whose answer exists however late the event occurs
+LATE_HORIZON_FACTOR = 2.0  # times the scene's own horizon: simulation time for an event that may occur later;
+LAST_HORIZON_FACTOR = 8.0  # or for a query whose answer exists however late the event occurs
 BORDER = 12  # bisections towards the limit beyond which there is no answer
-SAME_TIME = 1e-6  # relative
+EVENT_TIME_RTOL = 1e-6  # relative
 STEP = 1e-4  # relative step of numerical derivatives
-SECANTS, ROUNDS, EXACT = 8, 60, 1e-10  # secant steps, bracketed steps, and relative accuracy of the root
+SECANTS, ROUNDS, ROOT_RTOL = 8, 60, 1e-10  # secant steps, bracketed steps, and relative accuracy of the root
 
-ROOMY = 100.0  # factor on the length of a string that is long enough
+STRING_LENGTH_FACTOR = 100.0  # factor on the length of a string that is long enough
 GROUND = "limit"  # kind of the event that ends the motion of a falling body
 
 Course = tuple[tuple[tuple[str, tuple[str, ...]], ...], tuple[float, ...]]
 """Events in turn, by kind and subjects, which way each coordinate has changed, and whether it stands."""
 
 
-class Dependence:
+class AnswerFunction:
     """The answer to a query as a function of the number at one address of the scene."""
 
     def __init__(
         self,
         query: Query,
-        study: Study,
+        study: SimulatedScene,
         path: str,
         error: float = FINEST,
         scene: Scene | None = None,
@@ -66,15 +66,15 @@ class Dependence:
         self._courses: dict[float, Course] = {}
         self._late = set[float]()  # where it may come yet when the motion is no longer followed
 
-    def know(self, value: float, answer: float) -> None:
+    def record_answer(self, value: float, answer: float) -> None:
         """Record the answer for the value of the number in the study's scene, which need not be simulated again."""
         if self._as_asked:
             self._known[value] = answer
-            self._note(value, self._study)
+            self._record_course(value, self._study)
 
-    def coarser(self, error: float) -> "Dependence":
+    def coarser(self, error: float) -> "AnswerFunction":
         """Return the same function with less accurate integration; both share the known waiting times."""
-        found = Dependence(self._query, self._study, self._path, error, self._scene, self._likely, self._patience)
+        found = AnswerFunction(self._query, self._study, self._path, error, self._scene, self._likely, self._patience)
         found._times, found._late = self._times, self._late
         return found
 
@@ -99,31 +99,31 @@ class Dependence:
             scene = with_number(self._scene, self._path, value)
         except (SceneError, ValueError):
             return None
-        for stages in self._plans(value, scene):
+        for stages in self._simulation_times(value, scene):
             try:
-                return self._followed(value, scene, stages)
+                return self._simulate_until_answer(value, scene, stages)
             except (SceneError, SimulationError, UnsupportedError):
                 continue
         return None
 
-    def _followed(self, value: float, scene: Scene, stages: Sequence[float]) -> float | None:
+    def _simulate_until_answer(self, value: float, scene: Scene, stages: Sequence[float]) -> float | None:
         """Return the answer for a value, found by simulations of increasing duration.
 
         If the simulation fails at some duration, the answer may still exist at a later time.
         """
         kind = KINDS[self._query.kind]
-        query = kind.expecting(self._query, self._likely(value) if self._likely is not None else 0.0)
+        query = kind.with_likely_answer(self._query, self._likely(value) if self._likely is not None else 0.0)
         for until in stages:
             change = self._study.change
             mechanism = scene.mechanism if change is None else change(scene.mechanism)
-            other = Study(scene, ENGINES[RECORDED](mechanism, np.array([0.0, until]), self._error), change)
+            other = SimulatedScene(scene, ENGINES[RECORDED](mechanism, np.array([0.0, until]), self._error), change)
             found = kind.loose_answer(query, other)
             self._late.discard(value)
             if found is not None:
-                self._note(value, other)
+                self._record_course(value, other)
                 return found if isfinite(found) else None
             if other.trace.cut or other.trace.stable_until < until:
-                return self._lying(other)
+                return self._answer_after_landing(other)
             if (self._later_counts or self._patience) and self._never(other.trace):
                 break
             if self._later_counts:
@@ -131,34 +131,40 @@ class Dependence:
         self._times[value] = inf
         return kind.late_answer(self._query)
 
-    def _lying(self, study: Study) -> float | None:
+    def _answer_after_landing(self, study: SimulatedScene) -> float | None:
         """Return the answer at a stated time by which a body has landed, for values that remain valid then; else None.
 
         Lengths and totals of an interval remain valid after the landing; speeds and forces do not.
         """
-        moment, end = self._query.moment, study.trace.stable_until * (1.0 - SAME_TIME)
+        moment, end = self._query.moment, study.trace.stable_until * (1.0 - EVENT_TIME_RTOL)
         lasts = isinstance(self._query, StretchQuery) or KINDS[self._query.kind].measured(self._query).unit == "m"
-        if study.trace.cut != GROUND or moment is None or not lasts or moment.ahead is None or moment.kind == "start":
+        if (
+            study.trace.cut != GROUND
+            or moment is None
+            or not lasts
+            or moment.stated_time is None
+            or moment.kind == "start"
+        ):
             return None
         return KINDS[self._query.kind].loose_answer(replace(self._query, moment=moment.having([end])), study)
 
     def _never(self, trace: Trace) -> bool:
         """Return whether an event that has not occurred by the end of a motion is known never to occur."""
-        return nothing_new(trace) or flies_away(self._query.moment, trace)
+        return has_known_continuation(trace) or subjects_escape(self._query.moment, trace)
 
     @property
     def _later_counts(self) -> bool:
         """Return whether the query waits for an event whose time is not the answer."""
         timed = KINDS[self._query.kind].measured(self._query).name == "time"
-        return not timed and self._query.moment is not None and self._query.moment.ahead is None
+        return not timed and self._query.moment is not None and self._query.moment.stated_time is None
 
-    def _note(self, value: float, study: Study) -> None:
+    def _record_course(self, value: float, study: SimulatedScene) -> None:
         """Record the time of the query's moment in a motion, s, and the course of events before it."""
         self._times[value] = time = KINDS[self._query.kind].time(self._query, study) or 0.0
-        events = tuple((e.kind, e.subjects) for e in study.trace.events if e.time < time * (1.0 - SAME_TIME))
-        self._courses[value] = events, ways(study, time)
+        events = tuple((e.kind, e.subjects) for e in study.trace.events if e.time < time * (1.0 - EVENT_TIME_RTOL))
+        self._courses[value] = events, change_directions(study, time)
 
-    def _plans(self, value: float, scene: Scene) -> list[tuple[float, ...]]:
+    def _simulation_times(self, value: float, scene: Scene) -> list[tuple[float, ...]]:
         """Return sequences of simulation times, s, to try in turn for a value of the number.
 
         It comes about when it came at the nearest of the values that are known. Where it did not come there at all, the
@@ -170,11 +176,20 @@ class Dependence:
             known = [time for time in self._times.values() if time < inf]
             if known and not any(known):  # the motion has no part in it
                 return [(SHORTEST * end,)]
-            return [(max(end, LONGER * max(known)),)] if known else [(end, LONGER * end, LATEST * end, *later)]
-        if moment is not None and (known := moment.ahead) is not None:
-            return [(max(BEYOND * known, SHORTEST * end),)]
+            return (
+                [(max(end, LATE_HORIZON_FACTOR * max(known)),)]
+                if known
+                else [(end, LATE_HORIZON_FACTOR * end, LAST_HORIZON_FACTOR * end, *later)]
+            )
+        if moment is not None and (known := moment.stated_time) is not None:
+            return [(max(TIME_MARGIN * known, SHORTEST * end),)]
         near = self._times[min(self._times, key=lambda known: abs(known - value))] if self._times else 0.0
-        usual = (end, LONGER * end, *((LATEST * end,) if self._later_counts or later else ()), *later)
+        usual = (
+            end,
+            LATE_HORIZON_FACTOR * end,
+            *((LAST_HORIZON_FACTOR * end,) if self._later_counts or later else ()),
+            *later,
+        )
         if not near:
             return [usual]
         return [usual[1:], usual] if near == inf else [(min(1.2 * near, usual[-1]), *usual)]
@@ -186,17 +201,17 @@ class Dependence:
             return None
         return (beside - here) / (STEP * value)
 
-    def solved(self, value: float, near: float) -> float | None:
+    def solve_from(self, value: float, near: float) -> float | None:
         """Return the number with answer `value`, by secants that begin at one end; None if they do not converge.
 
-        When the answer is accurate to `EXACT`, one more secant step, which need not be verified, improves the number.
+        When the answer is accurate to `ROOT_RTOL`, one more secant step, which need not be verified, improves the number.
         """
         a, b = near, near * (1.0 + STEP)
         fa, fb = self._excess(a, value), self._excess(b, value)
         for _ in range(SECANTS):
             if fa is None or fb is None or not (isfinite(fa) and isfinite(fb)):
                 return None
-            close = abs(fb) <= EXACT * abs(value)
+            close = abs(fb) <= ROOT_RTOL * abs(value)
             if fa == fb:
                 return b if close else None
             a, b, fa = b, b - fb * (b - a) / (fb - fa), fb
@@ -216,7 +231,7 @@ class Dependence:
         a, b = low, high
         size = abs(value) or max((abs(end) for end in (fa, fb) if isfinite(end)), default=0.0)
         for _ in range(ROUNDS):
-            if abs(b - a) <= EXACT * abs(b) or abs(fb) <= EXACT * size:
+            if abs(b - a) <= ROOT_RTOL * abs(b) or abs(fb) <= ROOT_RTOL * size:
                 break
             plain = isfinite(fa) and isfinite(fb)
             middle = b - fb * (b - a) / (fb - fa) if plain else 0.5 * (a + b)
@@ -236,16 +251,16 @@ class Dependence:
         return None if found is None else found - value
 
 
-def roomy(scene: Scene) -> Scene:
+def with_long_strings(scene: Scene) -> Scene:
     """Return the scene with hidden lengths multiplied, so that every string is long enough."""
     for parameter in scene.parameters:
         if parameter.hidden and parameter.value and parameter.measure.unit in LENGTHS:
             with suppress(SceneError, ValueError):
-                scene = scene.having(parameter.path, ROOMY * parameter.value)
+                scene = scene.having(parameter.path, STRING_LENGTH_FACTOR * parameter.value)
     return scene
 
 
-def towards_border(dependence: Callable[[float], float | None], one: float, other: float) -> Iterator[float]:
+def bisect_border(dependence: Callable[[float], float | None], one: float, other: float) -> Iterator[float]:
     """Yield numbers that approach, by bisection, the limit between a number with an answer and one without."""
     has = [dependence(at) is not None for at in (one, other)]
     inside, outside = (one, other) if has[0] else (other, one)
@@ -255,13 +270,13 @@ def towards_border(dependence: Callable[[float], float | None], one: float, othe
         inside, outside = (middle, outside) if dependence(middle) is not None else (inside, middle)
 
 
-def roots(dependence: Dependence, values: Sequence[float], given: float) -> list[float]:
+def find_roots(dependence: AnswerFunction, values: Sequence[float], given: float) -> list[float]:
     """Return all roots, with answer `given`, between neighbouring `values` with answers on its two sides.
 
     Limits between values with and without an answer are located by bisection and included in the search.
     """
-    coarse = dependence.coarser(COARSE)
-    tried = sorted({*values, *(at for pair in pairwise(values) for at in towards_border(coarse, *pair))})
+    coarse = dependence.coarser(COARSE_STEP_ERROR)
+    tried = sorted({*values, *(at for pair in pairwise(values) for at in bisect_border(coarse, *pair))})
     excess = [(at, found - given) for at in tried if (found := coarse(at)) is not None]
     pairs = [(low, high) for (low, a), (high, b) in pairwise(excess) if (a > 0.0) != (b > 0.0)]
     found = (dependence.between(given, low, high) for low, high in pairs)

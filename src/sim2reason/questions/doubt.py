@@ -7,7 +7,9 @@ from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
 
 
-def doubt(certificate: Certificate | None, time: float | None, moment: Moment | None, asked: Iterable[Channel]) -> str:
+def certification_gap(
+    certificate: Certificate | None, time: float | None, moment: Moment | None, asked: Iterable[Channel]
+) -> str:
     """Return why `asked` channels are not certified from the start to a time, s, or at a moment; empty if they are.
 
     Channels are compared at all samples up to there; at an event up to and beyond it.

@@ -2,9 +2,9 @@
 
 from collections.abc import Sequence
 
-from sim2reason.questions.dependence import Dependence, roomy, roots
+from sim2reason.questions.dependence import AnswerFunction, find_roots, with_long_strings
 from sim2reason.questions.query import Query
-from sim2reason.questions.study import COARSE, ENOUGH, Study
+from sim2reason.questions.study import COARSE_STEP_ERROR, EXACT_STEP_ERROR, SimulatedScene
 from sim2reason.questions.unknown import Unknown, beyond_range, range_of
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.scene import Scene
@@ -18,29 +18,37 @@ TOUCHED, ZERO = 1e-9, 1e-7  # relative: how closely an extremum is found, and wh
 SPARSE = 4  # every so many points of a range are tried with that patience
 
 
-def values_giving(query: Query, given: float, unknown: Unknown, study: Study) -> list[float]:
+def values_giving(query: Query, given: float, unknown: Unknown, study: SimulatedScene) -> list[float]:
     """Return the values of an unknown number that give a query's answer, from the usual range or else from beyond."""
 
     def looked_for() -> list[float]:
         scene, path = study.scene, unknown.path
-        dependence = Dependence(query, study, path, ENOUGH, roomy(scene))
-        found = roots(dependence, range_of(scene, path), given)
-        patient = Dependence(query, study, path, ENOUGH, roomy(scene), None, PATIENCE[bool(changing(study.mechanism))])
+        dependence = AnswerFunction(query, study, path, EXACT_STEP_ERROR, with_long_strings(scene))
+        found = find_roots(dependence, range_of(scene, path), given)
+        patient = AnswerFunction(
+            query,
+            study,
+            path,
+            EXACT_STEP_ERROR,
+            with_long_strings(scene),
+            None,
+            PATIENCE[bool(changing(study.mechanism))],
+        )
         for values in () if found else (range_of(scene, path)[::SPARSE], *beyond_range(scene, path)):
-            found += roots(patient, values, given)
+            found += find_roots(patient, values, given)
         return found or _approached(dependence, range_of(scene, path), beyond_range(scene, path), given)
 
-    return study.once(("values giving", query, given, unknown.path), looked_for)
+    return study.memoize(("values giving", query, given, unknown.path), looked_for)
 
 
 def _approached(
-    dependence: Dependence, usual: Sequence[float], beyond: Sequence[Sequence[float]], given: float
+    dependence: AnswerFunction, usual: Sequence[float], beyond: Sequence[Sequence[float]], given: float
 ) -> list[float]:
     """Return the values near which an answer has its extremum, if it has the given value there.
 
     An answer that is a magnitude does not change sign where it is zero: on both sides it is greater.
     """
-    coarse = dependence.coarser(COARSE)
+    coarse = dependence.coarser(COARSE_STEP_ERROR)
     tried = sorted({*usual, *(value for values in beyond for value in values)})
     apart = [(at, abs(found - given)) for at in tried if (found := coarse(at)) is not None]
     triples = zip(apart, apart[1:], apart[2:], strict=False)
@@ -48,7 +56,7 @@ def _approached(
     return [root for low, high in dips[:DIPS] for root in _in_dip(dependence, low, high, given)]
 
 
-def _in_dip(dependence: Dependence, low: float, high: float, given: float) -> list[float]:
+def _in_dip(dependence: AnswerFunction, low: float, high: float, given: float) -> list[float]:
     """Return where an answer is as given between two values between which it comes closest to that.
 
     The golden-section search ends where the answer is as given or beyond; there it passes twice.

@@ -36,6 +36,6 @@ ELEMENTARY = Need.INVERSE_FUNCTION
 """The greatest need that is met without a computer."""
 
 
-def greatest(needs: Iterable[Need]) -> Need:
+def most_advanced(needs: Iterable[Need]) -> Need:
     """Return the most advanced of some needs; ARITHMETIC if there are none."""
     return max(needs, default=Need.ARITHMETIC)

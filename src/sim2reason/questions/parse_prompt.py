@@ -8,9 +8,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from sim2reason.errors import SimulationError, TextError
-from sim2reason.questions import KINDS, MODES, ParsedQuestion, Query, Study, Words
-from sim2reason.questions.following import FollowedMotion, follow, motion_of
-from sim2reason.questions.ordinary.nearest import nearest_said
+from sim2reason.questions import KINDS, MODES, ParsedQuestion, Query, SimulatedScene, Words
+from sim2reason.questions.following import FollowedMotion, simulate_scene, simulate_until_answer
+from sim2reason.questions.ordinary.nearest import suggestion
 from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.prompt import FORMATS, IN_RADIANS, PLAIN_FORMATS, SYMBOLIC, WHOLE
 from sim2reason.questions.shapes import Draft, shapes_to_try
@@ -20,7 +20,7 @@ from sim2reason.questions.words import spoken_of
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.units import parse_unit
 from sim2reason.text.parsing import NONE_GIVEN, ParsedScene, parse_scene
-from sim2reason.text.parsing.assembly import untold
+from sim2reason.text.parsing.assembly import unstated_error
 from sim2reason.text.prose.symbol_names import without_names
 
 SAMPLES = 101
@@ -56,7 +56,7 @@ class ParsedPrompt:
     """
 
     reading: ParsedScene
-    study: Study
+    study: SimulatedScene
     asked: ParsedQuestion
     unit: str
     shape: str
@@ -185,14 +185,14 @@ def _understood(
     asked = (mode.parsed(draft.question, study, words) for mode in MODES.values())
     found = next((each for each in asked if each is not None), None)
     if found is None and len(reading.unknown) > 1:
-        raise untold(reading.unknown.values())
+        raise unstated_error(reading.unknown.values())
     if found is None:
         raise TextError("prompt", f"no question is asked by {draft.question!r}", "ask in the words of the library")
     if "start" in reading.without and depends_on_start(found.query, study):
         raise TextError("prompt", "it does not say how the motion begins", "say where everything is at first")
     if reading.unknown or KINDS[found.query.kind].time(found.query, study) is not None:
         return ParsedPrompt(reading, study, found, unit, shape)
-    followed = follow(found.query, motion)
+    followed = simulate_until_answer(found.query, motion)
     return ParsedPrompt(reading, followed.study, found, unit, shape, followed.reason)
 
 
@@ -202,13 +202,13 @@ def _in_ordinary_english(
     """Return the meaning of a draft with a question in ordinary English; TextError if a part has no meaning."""
     reading = _told(draft, rng)
     if len(reading.unknown) > 1:
-        raise untold(reading.unknown.values())
+        raise unstated_error(reading.unknown.values())
     if given or reading.unknown or "start" in reading.without:
         raise TextError("prompt", f"no question is asked by {draft.question!r}", "ask in the words of the library")
-    motion, words = motion_of(reading.scene), _words(reading)
+    motion, words = simulate_scene(reading.scene), _words(reading)
     meant = understood(draft.question, motion, words)
     if meant is None or meant.posed.unknown is not None:
-        near = nearest_said(draft.question, motion, words)
+        near = suggestion(draft.question, motion, words)
         raise TextError("prompt", f"no question is asked by {draft.question!r}", near)
     asked = ParsedQuestion("numeric", meant.posed.query)
     return ParsedPrompt(reading, meant.followed.study, asked, unit, shape, meant.followed.reason)
@@ -229,8 +229,8 @@ def _begun(reading: ParsedScene) -> FollowedMotion:
     scene = reading.scene
     for share in SHARES if reading.unknown else ():
         with suppress(SimulationError):
-            return FollowedMotion(Study.of(scene, np.linspace(0.0, share * scene.horizon, SAMPLES)))
-    return motion_of(scene)
+            return FollowedMotion(SimulatedScene.of(scene, np.linspace(0.0, share * scene.horizon, SAMPLES)))
+    return simulate_scene(scene)
 
 
 def _in_symbols(words: Words, draft: Draft, given: Mapping[str, str]) -> Words:

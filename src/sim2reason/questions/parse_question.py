@@ -5,10 +5,10 @@ from collections.abc import Collection, Mapping
 from decimal import Decimal
 from functools import cache
 
-from sim2reason.questions import KINDS, Query, Study, Words
+from sim2reason.questions import KINDS, Query, SimulatedScene, Words
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.query import targets
-from sim2reason.questions.words import DIGITS, say
+from sim2reason.questions.words import DIGITS, format_number
 from sim2reason.scenes.dsl.units import UnitSystem
 
 _LENGTHS = {
@@ -85,10 +85,12 @@ def _told(found: re.Match[str], unit: str) -> str:
     digits = _WORDS.get(said) or _FRACTIONS.get(said) or re.sub(r"[,\u2009\u202f]", "", said)
     power = (found["power"] or "").translate(_RAISED) or found["exponent"] or "0"
     value = Decimal(digits).scaleb(int(power)) * _sizes(unit)[found["unit"]]
-    return say(float(value), unit) if 0 < value < LARGEST else found[0]
+    return format_number(float(value), unit) if 0 < value < LARGEST else found[0]
 
 
-def parse_question(text: str, study: Study, words: Words, kinds: Collection[str] | None = None) -> Query | None:
+def parse_question(
+    text: str, study: SimulatedScene, words: Words, kinds: Collection[str] | None = None
+) -> Query | None:
     """Return the query that a sentence expresses, found by trying all phrases of all kinds; None if none matches.
 
     Each kind reads numbers and names from the sentence. The rest must match the kind's `shapes` word for word, but
@@ -99,6 +101,9 @@ def parse_question(text: str, study: Study, words: Words, kinds: Collection[str]
     for kind in (found for name, found in KINDS.items() if kinds is None or name in kinds):
         for query in kind.parsed(text, study, words, heard):
             noun = offered[query.target] if query.target is not None else None
-            if any(sentence(shape) == text for shape in (*kind.shapes(query, words, noun), *kind.former(query, words))):
+            if any(
+                sentence(shape) == text
+                for shape in (*kind.shapes(query, words, noun), *kind.former_sentences(query, words))
+            ):
                 return query
     return None

@@ -15,7 +15,7 @@ from sim2reason.grading.parts import LABELS
 from sim2reason.questions import KINDS, Question, Words
 from sim2reason.questions.parse_prompt import ParsedPrompt, parse_prompt
 from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, WHOLE, Prompt, composed, unit_in_words
-from sim2reason.questions.references import referring, spelled_out
+from sim2reason.questions.references import resolved_references, with_reference
 from sim2reason.text.prose.description import Description
 from sim2reason.text.prose.phrases import join
 
@@ -106,7 +106,7 @@ def together(
     for before, question in pairwise(questions):
         moment = question.query.moment
         again = moment is not None and moment == before.query.moment
-        texts.append(referring(question.text, moment, words) if again else question.text)
+        texts.append(with_reference(question.text, moment, words) if again else question.text)
     body = composed(description, last, rng, question_last=True)
     scene = body.text.removesuffix(last).rstrip()
     units = tuple(map(_unit_of, questions))
@@ -127,7 +127,7 @@ def _parsed(
     found: PartPrompt, part: int, before: Sequence[ParsedPrompt], rng: np.random.Generator | None
 ) -> ParsedPrompt:
     question = found.questions[part]
-    meant = [full for held in before for full in spelled_out(question, held.query.moment, held.words)]
+    meant = [full for held in before for full in resolved_references(question, held.query.moment, held.words)]
     refused: list[TextError] = []
     for text in (text for each in (meant or [question]) for text in found.single(part, each)):
         try:

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
-from sim2reason.questions.following import Followed, FollowedMotion, follow, motion_of
+from sim2reason.questions.following import FollowedMotion, SimulatedAnswer, simulate_scene, simulate_until_answer
 from sim2reason.questions.inversion import values_giving, why_not_one
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.kinds.comparison import compared
@@ -17,7 +17,7 @@ from sim2reason.questions.moments.parts.reached import stated
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.query import Query, quantities_named, targets
 from sim2reason.questions.structured import StructuredQuestion, measured, one_of, resolved
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.unknown import Unknown, derived_numbers, number_at
 from sim2reason.questions.variation import SceneChange, is_removal, variation, words_in
 from sim2reason.questions.words import Words
@@ -69,36 +69,36 @@ class PosedQuestion:
         """Return the unit of the given result."""
         return words.units.spell(KINDS[self.query.kind].measured(self.query).unit)
 
-    def followed(self, motion: FollowedMotion) -> Followed:
+    def followed(self, motion: FollowedMotion) -> SimulatedAnswer:
         """Return the answer with the motion that leads to it, or the reason why there is none."""
         if self.compare != VALUE or self.varied is not None:
             return self._compared(motion)
         if self.less is not None:
             return _difference(replace(self, less=None).followed(motion), self.less.followed(motion))
         if self.unknown is None:
-            found = [follow(query, motion) for query in (self.query, *self.others)]
+            found = [simulate_until_answer(query, motion) for query in (self.query, *self.others)]
             missing = next((each for each in found if each.answer is None), None)
             return missing or found[0]._replace(answer=sum(each.answer or 0.0 for each in found))
         values = sorted(values_giving(self.query, self.given, self.unknown, motion.study))
         if self.end and values:
             values = [values[0 if self.end == LEAST else -1]]
         reason = why_not_one(self.unknown, values, motion.study.scene)
-        return Followed(motion.study, None if reason else values[0], reason)
+        return SimulatedAnswer(motion.study, None if reason else values[0], reason)
 
-    def _compared(self, motion: FollowedMotion) -> Followed:
+    def _compared(self, motion: FollowedMotion) -> SimulatedAnswer:
         """Return the answer in the varied scene, compared with the answer or the number in the scene as it is."""
         plain, scene = replace(self, varied=None, compare=VALUE), motion.study.scene
         try:
-            there = motion if self.varied is None else motion_of(self.varied.applied(scene))
+            there = motion if self.varied is None else simulate_scene(self.varied.applied(scene))
         except (SceneError, SimulationError, UnsupportedError, ValueError) as error:
-            return Followed(motion.study, None, f"with the change there is no such motion: {error}")
+            return SimulatedAnswer(motion.study, None, f"with the change there is no such motion: {error}")
         after = plain.followed(there)
         if self.compare == VALUE or after.answer is None:
             return after
         path = self._number
         before = plain.followed(motion).answer if not path else number_at(scene, path)
         if before is None or (self.compare == RATIO and not before):
-            return Followed(motion.study, None, "in the scene as it is there is nothing to compare it with")
+            return SimulatedAnswer(motion.study, None, "in the scene as it is there is nothing to compare it with")
         return after._replace(answer=after.answer / before if self.compare == RATIO else after.answer - before)
 
     @property
@@ -126,10 +126,10 @@ def findable(words: Words) -> tuple[str, ...]:
     return tuple(dict.fromkeys((*named, *(unknown.path for unknown in words.unknowns))))
 
 
-def posed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
+def pose_question(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
     """Return the query for a structured question about a scene; TextError for a part that has no meaning there."""
     if asked.given:
-        return replace(_reversed(asked, motion, words), compare=compared_as(asked, VALUE))
+        return replace(_reversed(asked, motion, words), compare=answer_form(asked, VALUE))
     find = one_of("find", asked.find, findable(words))
     if MINUS in asked.when:
         return _between(asked, motion, words)
@@ -142,7 +142,7 @@ def posed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> Po
     if query is None:
         remedy = "name a moment, see: sim2reason list moments; of a number of the scene, say what it makes so, by given"
         raise TextError("when", f"{asked.find} is not found {asked.when or 'without a moment'}", remedy)
-    return PosedQuestion(query, compare=compared_as(asked, VALUE) if asked.find in numbers(words) else VALUE)
+    return PosedQuestion(query, compare=answer_form(asked, VALUE) if asked.find in numbers(words) else VALUE)
 
 
 def numbers(words: Words) -> frozenset[str]:
@@ -150,7 +150,7 @@ def numbers(words: Words) -> frozenset[str]:
     return frozenset(unknown.path for unknown in words.unknowns)
 
 
-def compared_as(asked: StructuredQuestion, usual: str) -> str:
+def answer_form(asked: StructuredQuestion, usual: str) -> str:
     """Return the form of an answer: *ratio*, *difference* or *value*, or else the usual one; TextError for others."""
     return one_of("compare", asked.compare or usual, COMPARED)
 
@@ -159,14 +159,14 @@ def _between(asked: StructuredQuestion, motion: FollowedMotion, words: Words) ->
     """Return the question for a difference between two moments, such as *second bounced minus bounced*."""
     if asked.change:
         raise TextError("when", "a difference between two moments is not compared", "ask for each of the two moments")
-    first, second = (posed(replace(asked, when=when), motion, words) for when in asked.when.rsplit(MINUS, 1))
+    first, second = (pose_question(replace(asked, when=when), motion, words) for when in asked.when.rsplit(MINUS, 1))
     target = first.query.target
     if target is not None and target.sense is None and QUANTITIES[target.quantity].vector and asked.find != "speed":
         raise TextError("along", f"{asked.find} may change its direction", "name a direction, by along")
     return replace(first, less=second)
 
 
-def _difference(first: Followed, second: Followed) -> Followed:
+def _difference(first: SimulatedAnswer, second: SimulatedAnswer) -> SimulatedAnswer:
     """Return the difference of two answers, or the missing one if either is missing."""
     if first.answer is None or second.answer is None:
         return first if first.answer is None else second
@@ -177,7 +177,7 @@ def _summed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> 
     """Return the queries for a sum over several subjects, such as *block A + block B*."""
     if asked.find not in SUMMED or asked.change:
         raise TextError("of", f"{asked.find} of several does not add up", f"ask for one, or for: {', '.join(SUMMED)}")
-    first, *others = (posed(replace(asked, of=of.strip()), motion, words).query for of in asked.of.split(PLUS))
+    first, *others = (pose_question(replace(asked, of=of.strip()), motion, words).query for of in asked.of.split(PLUS))
     return PosedQuestion(first, others=tuple(others))
 
 
@@ -188,7 +188,7 @@ def _reversed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -
     unknown = offered[one_of("find", asked.find, offered)]
     result, _, value = (part.strip() for part in asked.given.partition("="))
     if value in EXTREMES:
-        inner = posed(replace(asked, find=result, given="", compare=""), motion, words).query
+        inner = pose_question(replace(asked, find=result, given="", compare=""), motion, words).query
         return PosedQuestion(_optimum(inner, unknown.path, motion.study, greatest=value == GREATEST))
     value, _, end = value.partition(", ")
     end = one_of("given", end, EXTREMES) if end else ""
@@ -196,8 +196,8 @@ def _reversed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -
         target, wanted = stated(asked, f"{result} = {value}" if value else asked.given, words, "given")
         along = target.sense.positive if target.sense is not None else ""
         inner = replace(asked, find=target.quantity, of=target.subject, along=along, given="", compare="")
-        return PosedQuestion(posed(inner, motion, words).query, unknown, wanted, end=end)
-    query = posed(replace(asked, find=result, given="", compare=""), motion, words).query
+        return PosedQuestion(pose_question(inner, motion, words).query, unknown, wanted, end=end)
+    query = pose_question(replace(asked, find=result, given="", compare=""), motion, words).query
     unit = words.units.spell(KINDS[query.kind].measured(query).unit)
     return PosedQuestion(query, unknown, measured("given", value, unit), end=end)
 
@@ -216,8 +216,8 @@ def _changed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) ->
     study = motion.study
     if is_removal(asked.change):
         return _after_removal(asked, motion, words)
-    inner = posed(replace(asked, change="", compare=""), motion, words)
-    compare = compared_as(asked, RATIO)
+    inner = pose_question(replace(asked, change="", compare=""), motion, words)
+    compare = answer_form(asked, RATIO)
     number, _, value = (part.strip() for part in asked.change.partition("="))
     if value in (*LIMITS, *EXTREMES):
         held = {p.path: p for p in study.scene.parameters if p.value}
@@ -235,22 +235,22 @@ def _changed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) ->
 
 def _after_removal(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
     """Return the question about the motion that follows the removal of something; TextError if it is compared."""
-    if compared_as(asked, VALUE) != VALUE:
+    if answer_form(asked, VALUE) != VALUE:
         raise TextError("compare", "what follows a removal is not compared with what goes before", "take the value")
     scene = motion.study.scene
     varied = variation(asked.change, scene, words, partial(_time_of, motion=motion, words=words))
     try:
-        there = motion_of(varied.applied(scene))
+        there = simulate_scene(varied.applied(scene))
     except (SceneError, SimulationError, UnsupportedError, ValueError) as error:
         raise TextError("change", f"nothing follows: {error}", "remove it at another moment") from None
-    inner = posed(replace(asked, change="", compare=""), there, words_in(there.study.scene, words))
+    inner = pose_question(replace(asked, change="", compare=""), there, words_in(there.study.scene, words))
     return replace(inner, varied=varied)
 
 
 def _time_of(when: str, change: SceneChange, *, motion: FollowedMotion, words: Words) -> float:
     """Return the time of a moment, in seconds or the scene's unit of time, in a changed scene."""
-    there = motion_of(change.applied(motion.study.scene)) if change.values or change.fixed else motion
-    found = posed(StructuredQuestion("time", when=when), there, words).followed(there)
+    there = simulate_scene(change.applied(motion.study.scene)) if change.values or change.fixed else motion
+    found = pose_question(StructuredQuestion("time", when=when), there, words).followed(there)
     if found.answer is None:
         raise TextError("change", f"{when!r} never comes: {found.reason}", "name a moment of the motion")
     return found.answer
@@ -263,6 +263,8 @@ def _is_plain_change(varied: SceneChange, scene: Scene) -> bool:
     return alone and bool(value) and bool(number_at(scene, path))
 
 
-def _optimum(inner: Query, path: str, study: Study, *, greatest: bool, asks_place: bool = True) -> OptimumQuery:
+def _optimum(
+    inner: Query, path: str, study: SimulatedScene, *, greatest: bool, asks_place: bool = True
+) -> OptimumQuery:
     unit = next(p.measure.unit for p in study.scene.parameters if p.path == path)
     return OptimumQuery("optimum", inner.target, inner.moment, stripped(inner), path, unit, greatest, asks_place)

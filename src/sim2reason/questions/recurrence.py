@@ -7,7 +7,7 @@ from math import pi
 
 import numpy as np
 
-from sim2reason.questions.choices import STILL, apart
+from sim2reason.questions.choices import REST_SPEED_RTOL, is_clear_of_events
 from sim2reason.questions.crossing import crossings
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.distances import Moved
@@ -22,7 +22,10 @@ from sim2reason.simulation.quantities.subjects.pairs import members
 from sim2reason.simulation.quantities.subjects.paths import center_path, chain
 from sim2reason.simulation.trace import Trace, ending
 
-SAME, ERRS = 1e-6, 100.0  # of the greatest displacement and speed; times the error of a step: tolerances of recurrence
+RECURRENCE_RTOL, ERRS = (
+    1e-6,
+    100.0,
+)  # of the greatest displacement and speed; times the error of a step: tolerances of recurrence
 MOST = 12  # greatest number of candidate times
 
 
@@ -37,7 +40,7 @@ class Repetition:
         mechanism = trace.mechanism
         names = [c.name for body in chain(mechanism, self.name) for c in body.coordinates]
         time = _first_return(trace, [mechanism.number[name] for name in names])
-        return time if time is not None and apart(time, trace) else None
+        return time if time is not None and is_clear_of_events(time, trace) else None
 
 
 def is_autonomous(mechanism: Mechanism) -> bool:
@@ -76,8 +79,8 @@ def drift_return(trace: Trace) -> float | None:
     far = float(np.abs((trace.scan.q - start.q)[:, felt]).max(initial=0.0))
     fast, rapid = (float(np.abs(held).max(initial=0.0)) for held in (trace.scan.v, trace.scan.a))
     lengths = [(line, start.length(line)[0]) for line in mechanism.lines]
-    same, sizes = max(SAME, ERRS * trace.tolerance), np.linalg.norm(trace.scan.a, axis=1)
-    idle = bool(sizes[0] <= SAME * sizes.max())  # nothing is accelerated at first
+    same, sizes = max(RECURRENCE_RTOL, ERRS * trace.tolerance), np.linalg.norm(trace.scan.a, axis=1)
+    idle = bool(sizes[0] <= RECURRENCE_RTOL * sizes.max())  # nothing is accelerated at first
     way = trace.scan.a[int(np.argmax(sizes >= 0.5 * sizes.max()))] if idle else start.a[0]
 
     def excess(state: State) -> Array:
@@ -108,7 +111,9 @@ def ends_at_rest(trace: Trace) -> bool:
     """Return whether all velocities and accelerations are zero at the end, and the equations are autonomous."""
     end = trace.at(float(trace.state.times[-1]))
     fastest = float(np.abs(trace.scan.v).max(initial=0.0))
-    at_rest = float(np.abs(end.v).max(initial=0.0)) <= STILL * fastest and not np.any(np.abs(end.a) > STILL)
+    at_rest = float(np.abs(end.v).max(initial=0.0)) <= REST_SPEED_RTOL * fastest and not np.any(
+        np.abs(end.a) > REST_SPEED_RTOL
+    )
     return not trace.cut and at_rest and is_autonomous(trace.mechanism)
 
 
@@ -121,7 +126,7 @@ def rest_for_good(trace: Trace) -> float | None:
         return None
     last = max((event.time for event in trace.events), default=0.0)
     speeds = np.abs(trace.scan.v).max(axis=1, initial=0.0)
-    still = float(speeds[trace.scan.times >= last].max(initial=0.0)) <= STILL * float(speeds.max(initial=0.0))
+    still = float(speeds[trace.scan.times >= last].max(initial=0.0)) <= REST_SPEED_RTOL * float(speeds.max(initial=0.0))
     return last if still else trace.stable_until
 
 
@@ -140,12 +145,12 @@ def uniform_from(trace: Trace) -> float | None:
     return None if trace.scan.a[trace.scan.times > last].any() else last
 
 
-def nothing_new(trace: Trace) -> bool:
+def has_known_continuation(trace: Trace) -> bool:
     """Return whether the motion after the end of the simulation is known: permanent rest, or a repetition."""
     return ends_at_rest(trace) or first_return(trace) is not None
 
 
-def flies_off(trace: Trace, name: str) -> bool:
+def escapes(trace: Trace, name: str) -> bool:
     """Return whether a body under gravitation of the others alone escapes from all of them.
 
     It recedes from each, and is faster than it must be to escape: v² > 2 Σ GM/r. Where others move, too, that one of
@@ -178,7 +183,7 @@ def _first_return(trace: Trace, numbers: Sequence[int]) -> float | None:
     hinges = np.array([mechanism.coordinates[n].kind == "hinge" for n in number], dtype=np.bool_)
     far, fast = (float(np.abs(held[:, number]).max(initial=0.0)) for held in (trace.scan.q, trace.scan.v))
     speeds = start.v[0, number]
-    moves = bool((np.abs(speeds) > SAME * fast).any())
+    moves = bool((np.abs(speeds) > RECURRENCE_RTOL * fast).any())
     way = speeds if moves else start.a[0, number]
     if not way.any():
         return None
@@ -195,7 +200,7 @@ def _first_return(trace: Trace, numbers: Sequence[int]) -> float | None:
     def alike(here: State) -> bool:
         off = np.where(turned, np.remainder(gone(here) + pi, 2.0 * pi) - pi, gone(here))
         changed = here.v[:, number] - speeds
-        same = max(SAME, ERRS * trace.tolerance)
+        same = max(RECURRENCE_RTOL, ERRS * trace.tolerance)
         return float(np.abs(off).max()) <= same * far and float(np.abs(changed).max()) <= same * fast
 
     return next((time for time in islice(crossings(trace, excess), MOST) if alike(trace.at(time))), None)
@@ -216,7 +221,7 @@ def why_never(moment: Moment | None, trace: Trace) -> str:
     until, last = f"{trace.stable_until:.6g} {unit}", f"{_last_change(trace):.6g} {unit}"
     if trace.cut:
         return f"it does not happen before {until}, where the description of the motion ends: {ending(trace)}"
-    if moment is not None and moment.ahead is not None:
+    if moment is not None and moment.stated_time is not None:
         return ""
     period = _period(trace)
     reasons = {
@@ -224,15 +229,15 @@ def why_never(moment: Moment | None, trace: Trace) -> str:
         f"everything is at rest for good from {last} on": ends_at_rest(trace),
         f"the motion repeats itself every {period or 0.0:.6g} {unit}": period is not None
         and trace.stable_until > (getattr(moment, "number", 1) + 1) * period,
-        "it has turned back on both sides, and has no energy to come any farther": confined(moment, trace),
-        "what it is about flies off for ever": flies_away(moment, trace),
+        "it has turned back on both sides, and has no energy to come any farther": reverses_before(moment, trace),
+        "what it is about flies off for ever": subjects_escape(moment, trace),
         f"it has not by {until}, and from {last} on no acceleration changes any more": not changing(trace.mechanism)
         and trace.stable_until > EVENTLESS * max(_last_change(trace), _own(trace)),
     }
     return next((f"it never happens: {reason}" for reason, holds in reasons.items() if holds), "")
 
 
-def confined(moment: Moment | None, trace: Trace) -> bool:
+def reverses_before(moment: Moment | None, trace: Trace) -> bool:
     """Return whether a motion along one coordinate has reversed on both sides and so never reaches a position.
 
     A force that depends on that coordinate alone has a potential, and all other forces take energy away. At a turning
@@ -246,16 +251,16 @@ def confined(moment: Moment | None, trace: Trace) -> bool:
     return len(turns) >= BOTH and all(event.kind == "turn" for event in trace.events)
 
 
-def flies_away(moment: Moment | None, trace: Trace) -> bool:
+def subjects_escape(moment: Moment | None, trace: Trace) -> bool:
     """Return whether a moment never occurs because its bodies escape to infinity.
 
     If only one of two moving bodies flies off, the other may still go round and overtake it again and again.
     """
-    if moment is None or not moment.comes_round:
+    if moment is None or not moment.requires_return:
         return False
     named = {name for subject in moment.subjects for name in members(subject)}
     bodies = (body for body in trace.mechanism.bodies if body.coordinates and (not named or body.name in named))
-    flying = [flies_off(trace, body.name) for body in bodies]
+    flying = [escapes(trace, body.name) for body in bodies]
     return all(flying) if moment.subjects else any(flying)
 
 

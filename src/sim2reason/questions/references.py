@@ -10,7 +10,7 @@ from sim2reason.questions.words import Words
 THAT = "that moment"
 
 
-def referring(text: str, moment: Moment | None, words: Words) -> str:
+def with_reference(text: str, moment: Moment | None, words: Words) -> str:
     """Return a question with *that moment* for the preceding question's moment; unchanged if that is not shorter."""
     for told, short in _phrases(moment, words):
         if told in text:
@@ -20,7 +20,7 @@ def referring(text: str, moment: Moment | None, words: Words) -> str:
     return text
 
 
-def spelled_out(text: str, moment: Moment | None, words: Words) -> Iterator[str]:
+def resolved_references(text: str, moment: Moment | None, words: Words) -> Iterator[str]:
     """Yield all possible meanings of a question with *that moment*, given the moment of the preceding one."""
     for told, short in _phrases(moment, words):
         if text.startswith(sentence(short)):

@@ -5,14 +5,14 @@ from itertools import pairwise
 from math import isfinite
 from typing import NamedTuple
 
-from sim2reason.questions.dependence import Dependence
+from sim2reason.questions.dependence import AnswerFunction
 
 FEW = 5  # values of the first pass; without a single reversal among them the search ends
 STRIDE = 2  # stride through the values of the second pass
 STEP = 0.01  # relative: step of finite differences
 ROUNDS = 6  # iterations of Newton's method
 FARTHEST = 0.2  # relative: largest total step
-EXACT, SAME = 1e-8, 5e-7  # relative: tolerance of convergence; tolerance for a known extreme
+CONVERGENCE_RTOL, KNOWN_EXTREME_RTOL = 1e-8, 5e-7  # relative: tolerance of convergence; tolerance for a known extreme
 
 
 class StationaryValue(NamedTuple):
@@ -23,10 +23,10 @@ class StationaryValue(NamedTuple):
     greatest: bool
 
 
-class StationaryPoint:
+class ExtremeSearch:
     """A search for the unique extreme of an answer as a function of a number."""
 
-    def __init__(self, dependence: Dependence) -> None:
+    def __init__(self, dependence: AnswerFunction) -> None:
         """Prepare the search, given the answer as a function of the number."""
         self._answer = dependence
 
@@ -75,10 +75,10 @@ class StationaryPoint:
             shift = -slope / bend
             if abs(shift) > FARTHEST * abs(about):
                 return None
-            if turn == 0 and abs(shift) <= SAME * abs(at):
+            if turn == 0 and abs(shift) <= KNOWN_EXTREME_RTOL * abs(at):
                 return StationaryValue(at, here, greatest)
             at += shift
-            if abs(shift) <= EXACT * abs(at):
+            if abs(shift) <= CONVERGENCE_RTOL * abs(at):
                 break
         value = self._answer(at)
         return StationaryValue(at, value, greatest) if value is not None else None

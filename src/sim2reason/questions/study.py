@@ -14,14 +14,14 @@ from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST, Trace
 
 SHORTEST = 1e-2  # of a motion: least duration of its variants
-ENOUGH = 1e-8  # relative: error of integration steps if answers are compared for equality
-COARSE = 1e-6  # relative: error of integration steps if only clear differences of answers matter
-BEYOND = 1.1  # factor on the time of the moment: duration of variants and of the second engine's motion
+EXACT_STEP_ERROR = 1e-8  # relative: error of integration steps if answers are compared for equality
+COARSE_STEP_ERROR = 1e-6  # relative: error of integration steps if only clear differences of answers matter
+TIME_MARGIN = 1.1  # factor on the time of the moment: duration of variants and of the second engine's motion
 
 
 Change = Callable[[Mechanism], Mechanism]
 """Of a mechanism, for any scene of the kind."""
-Made = tuple[Scene, Mechanism, Change | None]
+VariantParts = tuple[Scene, Mechanism, Change | None]
 """A scene, what moves in it, and how that was changed, if it was."""
 
 
@@ -33,15 +33,17 @@ class Timed(Hashable, Protocol):
         ...
 
 
-class Study(Memo):
+class SimulatedScene(Memo):
     """A scene with its motion, shared by all questions and filters, with cached derived results."""
 
     def __init__(self, scene: Scene, trace: Trace, change: Change | None = None) -> None:
         """Wrap the motion of `scene` from the recorded engine, or that of its mechanism after a `change`."""
         self.scene, self.trace, self.change = scene, trace, change
         self._times: dict[Timed, float | None] = {}
-        self._variants: dict[object, tuple[Study | None, float]] = {}  # and until when they are known
-        self._shorter: dict[tuple[object, float], Study] = {}  # variants that are known for longer than is asked
+        self._variants: dict[object, tuple[SimulatedScene | None, float]] = {}  # and until when they are known
+        self._shorter: dict[
+            tuple[object, float], SimulatedScene
+        ] = {}  # variants that are known for longer than is asked
         self._scenes: dict[tuple[tuple[str, float], ...], Scene | None] = {}
 
     @classmethod
@@ -66,19 +68,21 @@ class Study(Memo):
             found = self._times[moment] = moment.time(self.trace)
             return found
 
-    def variant(self, scene: Scene, until: float | None = None, error: float = COARSE) -> "Study | None":
+    def variant(
+        self, scene: Scene, until: float | None = None, error: float = COARSE_STEP_ERROR
+    ) -> "SimulatedScene | None":
         """Return a changed scene with its motion until a time, s, by default as long as this one; None if it fails.
 
         `error` is the relative error allowed in an integration step.
         """
-        return self._followed((scene, error), lambda: (scene, scene.mechanism, None), until, error)
+        return self._simulate_variant((scene, error), lambda: (scene, scene.mechanism, None), until, error)
 
-    def with_values(self, values: Mapping[str, float], until: float | None = None) -> "Study | None":
+    def with_values(self, values: Mapping[str, float], until: float | None = None) -> "SimulatedScene | None":
         """Return the motion with other values at some addresses, until a time, s; None if it fails."""
         scene = self._having(values)
         return None if scene is None else self.variant(scene, until)
 
-    def likewise(self, values: Mapping[str, float]) -> "Study | None":
+    def with_same_change(self, values: Mapping[str, float]) -> "SimulatedScene | None":
         """Return the motion with other values, with the same change, duration and accuracy; None if it fails.
 
         None if there is none.
@@ -88,10 +92,10 @@ class Study(Memo):
             return None
         change, error = self.change, self.trace.tolerance or FINEST
 
-        def make() -> Made:
+        def make() -> VariantParts:
             return scene, scene.mechanism if change is None else change(scene.mechanism), change
 
-        return self._followed(("likewise", tuple(values.items())), make, None, error)
+        return self._simulate_variant(("likewise", tuple(values.items())), make, None, error)
 
     def _having(self, values: Mapping[str, float]) -> Scene | None:
         """Return the scene with other values, from a cache; None if it is invalid."""
@@ -103,18 +107,18 @@ class Study(Memo):
                 self._scenes[key] = None
         return self._scenes[key]
 
-    def changed(self, name: Hashable, change: Change, until: float | None = None) -> "Study | None":
+    def changed(self, name: Hashable, change: Change, until: float | None = None) -> "SimulatedScene | None":
         """Return the motion of the changed mechanism; `name` identifies the change in the cache; None if it fails."""
         whole = change if self.change is None else _one_after(self.change, change)
-        return self._followed(name, lambda: (self.scene, change(self.mechanism), whole), until)
+        return self._simulate_variant(name, lambda: (self.scene, change(self.mechanism), whole), until)
 
-    def _followed(
+    def _simulate_variant(
         self,
         key: object,
-        make: Callable[[], Made],
+        make: Callable[[], VariantParts],
         until: float | None,
-        error: float = COARSE,
-    ) -> "Study | None":
+        error: float = COARSE_STEP_ERROR,
+    ) -> "SimulatedScene | None":
         end = float(self.trace.state.times[-1])
         until = end if until is None else min(max(until, SHORTEST * end), end)
         known, reaches = self._variants.get(key, (None, -1.0))
@@ -125,12 +129,12 @@ class Study(Memo):
             except (SceneError, SimulationError, UnsupportedError):
                 known = None
             self._variants[key] = known, reaches
-        return known if known is None or reaches == until else self._cut(key, known, until)
+        return known if known is None or reaches == until else self._truncate(key, known, until)
 
-    def _cut(self, key: object, known: "Study", until: float) -> "Study":
+    def _truncate(self, key: object, known: "SimulatedScene", until: float) -> "SimulatedScene":
         """Return a variant truncated to a time, s, so that results do not depend on the order of queries."""
         if (key, until) not in self._shorter:
-            self._shorter[key, until] = Study(known.scene, known.trace.until(until), known.change)
+            self._shorter[key, until] = SimulatedScene(known.scene, known.trace.until(until), known.change)
         return self._shorter[key, until]
 
 
@@ -138,18 +142,18 @@ def _one_after(first: Change, then: Change) -> Change:
     return lambda mechanism: then(first(mechanism))
 
 
-def _made(made: Made, until: float, error: float) -> Study | None:
+def _made(made: VariantParts, until: float, error: float) -> SimulatedScene | None:
     scene, mechanism, change = made
     if not mechanism.coordinates:
         return None
-    return Study(scene, ENGINES[RECORDED](mechanism, np.array([0.0, until]), error), change)
+    return SimulatedScene(scene, ENGINES[RECORDED](mechanism, np.array([0.0, until]), error), change)
 
 
 TURNING = 1e-6  # of the mean speed: a slower coordinate is reversing
-STILL = 1e-9  # of the largest change: smaller changes are zero
+CHANGE_RTOL = 1e-9  # of the largest change: smaller changes are zero
 
 
-def ways(study: Study, time: float) -> tuple[float, ...]:
+def change_directions(study: SimulatedScene, time: float) -> tuple[float, ...]:
     """Return the sign of each coordinate's change by a time, s, or of its beginning, and whether it reverses then.
 
     Between motions with different results a magnitude passes through zero, or a swing becomes a full turn.
@@ -158,4 +162,4 @@ def ways(study: Study, time: float) -> tuple[float, ...]:
     changes = end.q[0] - start.q[0] if time else start.a[0]
     largest = np.abs(changes).max()
     turns = np.abs(end.v[0]) * time <= TURNING * largest if time else np.zeros(len(changes), dtype=bool)
-    return (*np.sign(np.where(np.abs(changes) > STILL * largest, changes, 0.0)).tolist(), *turns.tolist())
+    return (*np.sign(np.where(np.abs(changes) > CHANGE_RTOL * largest, changes, 0.0)).tolist(), *turns.tolist())

@@ -4,25 +4,25 @@ from collections.abc import Callable, Collection, Iterator
 from math import inf, isclose
 from typing import get_args
 
-from sim2reason.questions import KINDS, Question, Study
+from sim2reason.questions import KINDS, Question, SimulatedScene
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.query import Query
 from sim2reason.questions.regimes.strings import AllStayTaut, StaysTaut
-from sim2reason.questions.study import BEYOND
+from sim2reason.questions.study import TIME_MARGIN
 from sim2reason.questions.unknown import range_of
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.template import Topic
-from sim2reason.simulation.trace import happened
+from sim2reason.simulation.trace import events_before
 
 STRIDE = 6  # stride through the range of an unknown number
 AXES = "x", "y", "z"
 STRAIN = ".strain.by"  # final part of the address of a spring's initial strain
 SHIFTED, FROM_NONE = 0.9, (0.05, 0.01)  # altered strains: a factor, and values in m for a relaxed spring
-SAME = 1e-6  # relative, and in SI units: answers that differ by less are equal
+ANSWER_RTOL = 1e-6  # relative, and in SI units: answers that differ by less are equal
 TOPICS: tuple[Topic, ...] = get_args(Topic)
 
 
-def irrelevant(question: Question, study: Study, among: Collection[Topic] = TOPICS) -> frozenset[Topic]:
+def irrelevant(question: Question, study: SimulatedScene, among: Collection[Topic] = TOPICS) -> frozenset[Topic]:
     """Return the topics that do not matter to a question, so that the text may omit their sentences.
 
     With an unknown number, a topic is irrelevant only if it is for all usual values of the number.
@@ -30,7 +30,7 @@ def irrelevant(question: Question, study: Study, among: Collection[Topic] = TOPI
     return frozenset(topic for topic, matters in MATTERS.items() if topic in among and not matters(question, study))
 
 
-def _uses_axes(question: Question, study: Study) -> bool:
+def _uses_axes(question: Question, study: SimulatedScene) -> bool:
     """Return whether a question is about a component along an axis, or its moment refers to one."""
     del study
     moment = question.query.moment
@@ -38,7 +38,7 @@ def _uses_axes(question: Question, study: Study) -> bool:
     return any(held is not None and held.sense is not None and held.sense.axis in AXES for held in targets)
 
 
-def _slackens(question: Question, study: Study) -> bool:
+def _slackens(question: Question, study: SimulatedScene) -> bool:
     """Return whether a string goes slack before the moment, or may with other values of the unknown number."""
     query = question.query
     if query.hides:
@@ -52,21 +52,21 @@ def _slackens(question: Question, study: Study) -> bool:
     return any(_has_slackened(question, held) for held in (study, *_others(question, study)))
 
 
-def _others(question: Question, study: Study) -> Iterator[Study]:
+def _others(question: Question, study: SimulatedScene) -> Iterator[SimulatedScene]:
     """Yield motions with other values of the unknown number, for the usual duration of the question."""
     time = KINDS[question.query.kind].time(question.query, study)
-    until = time * BEYOND if time is not None else None
+    until = time * TIME_MARGIN if time is not None else None
     values = range_of(study.scene, question.unknown)[::STRIDE] if question.unknown else ()
     yield from filter(None, (study.with_values({question.unknown: value}, until) for value in values))
 
 
-def _has_slackened(question: Question, study: Study) -> bool:
+def _has_slackened(question: Question, study: SimulatedScene) -> bool:
     """Return whether a string goes slack before the moment, or before the end if the moment does not occur."""
     time = KINDS[question.query.kind].time(question.query, study)
-    return any(event.kind == "slack" for event in happened(study.trace.events, inf if time is None else time))
+    return any(event.kind == "slack" for event in events_before(study.trace.events, inf if time is None else time))
 
 
-def depends_on_start(query: Query, study: Study) -> bool:
+def depends_on_start(query: Query, study: SimulatedScene) -> bool:
     """Return whether the answer to a query depends on the initial motion or the initial strain of springs.
 
     Springs between two walls exert forces in equilibrium, too. These depend on the natural lengths, which a text tells
@@ -78,7 +78,7 @@ def depends_on_start(query: Query, study: Study) -> bool:
     others = (study.with_values(values, 0.0) for values in _other_strains(study.scene))
     mine = kind.answer(query, study)
     its = (kind.answer(query, other) for other in others if other is not None)
-    return not all(isclose(mine or 0.0, answer or 0.0, rel_tol=SAME, abs_tol=SAME) for answer in its)
+    return not all(isclose(mine or 0.0, answer or 0.0, rel_tol=ANSWER_RTOL, abs_tol=ANSWER_RTOL) for answer in its)
 
 
 def _other_strains(scene: Scene) -> Iterator[dict[str, float]]:
@@ -89,12 +89,12 @@ def _other_strains(scene: Scene) -> Iterator[dict[str, float]]:
             yield from ({parameter.path: value} for value in values)
 
 
-def _depends_on_start(question: Question, study: Study) -> bool:
+def _depends_on_start(question: Question, study: SimulatedScene) -> bool:
     """Return whether the answer to a question depends on the initial motion."""
     return depends_on_start(question.query, study)
 
 
-MATTERS: dict[Topic, Callable[[Question, Study], bool]] = {
+MATTERS: dict[Topic, Callable[[Question, SimulatedScene], bool]] = {
     "axes": _uses_axes,
     "slack": _slackens,
     "start": _depends_on_start,

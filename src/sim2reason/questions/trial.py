@@ -8,18 +8,18 @@ import numpy as np
 
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions.outcomes import PossibleOutcome
-from sim2reason.questions.study import COARSE, ENOUGH, Study
+from sim2reason.questions.study import COARSE_STEP_ERROR, EXACT_STEP_ERROR, SimulatedScene
 from sim2reason.questions.unknown import beyond_range, range_of, usual_range, with_number
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST
 
 SAMPLES = 65
-SPARSE = 16  # stride of the first pass: without a change in it the search ends
-LONGER = 7  # greatest number of doublings of the duration
-EXACT, ROUGH = 1e-9, 1e-5  # relative: accuracy of the threshold, and of one for mere comparison
+SCAN_STRIDE = 16  # stride of the first pass: without a change in it the search ends
+MAX_DOUBLINGS = 7  # greatest number of doublings of the duration
+THRESHOLD_RTOL, ROUGH = 1e-9, 1e-5  # relative: accuracy of the threshold, and of one for mere comparison
 WRONG = 1e-3  # relative: accuracy of a threshold known to be wrong
-SAME = 5e-7  # relative: two closer thresholds are equal
-CLOSE, WIDER, WIDEST = 0.004, 5.0, 5  # relative distance of the first search near a threshold; its growth; steps
+SAME_THRESHOLD_RTOL = 5e-7  # relative: two closer thresholds are equal
+SEARCH_RTOL, WIDER, WIDEST = 0.004, 5.0, 5  # relative distance of the first search near a threshold; its growth; steps
 BENT = 2.0  # factor on the distance of a secant from a parabola about zero: margin of the search
 HALVED = 2  # guesses that should halve the bracket
 
@@ -31,10 +31,10 @@ class _Found(NamedTuple):
     excess: float | None
 
 
-class Trial:
+class ThresholdSearch:
     """Whether an outcome occurs, as a function of the number at an address of the scene."""
 
-    def __init__(self, study: Study, outcome: PossibleOutcome, path: str, engine: str = RECORDED) -> None:
+    def __init__(self, study: SimulatedScene, outcome: PossibleOutcome, path: str, engine: str = RECORDED) -> None:
         """Prepare the search, given the study of a scene in which that number has any value."""
         self._scene, self._outcome, self._path, self._engine = study.scene, outcome, path, engine
         self._change = study.change
@@ -70,7 +70,7 @@ class Trial:
         scene = with_number(self._scene, self._path, value)
         duration = self._outcome.duration(scene)
         mechanism = scene.mechanism if self._change is None else self._change(scene.mechanism)
-        for doublings in range(begin, LONGER):
+        for doublings in range(begin, MAX_DOUBLINGS):
             trace = ENGINES[self._engine](mechanism, np.linspace(0.0, duration * 2.0**doublings, SAMPLES), error)
             found = self._outcome.happens(trace)
             if found is not None:
@@ -94,8 +94,10 @@ class Trial:
 
         `error` is the error allowed in an integration step, reduced if necessary to resolve the two sides.
         """
-        error = min(error, ENOUGH)
-        return self(value * (1.0 + SAME), error) is above and self(value * (1.0 - SAME), error) is (not above)
+        error = min(error, EXACT_STEP_ERROR)
+        return self(value * (1.0 + SAME_THRESHOLD_RTOL), error) is above and self(
+            value * (1.0 - SAME_THRESHOLD_RTOL), error
+        ) is (not above)
 
     def rough_change(self, *, above: bool, error: float = FINEST) -> float | None:
         """Return the threshold, if a coarse grid shows a single one with the sense `above`; else None.
@@ -103,9 +105,9 @@ class Trial:
         `error` is the error allowed in an integration step; a large one also lowers the accuracy of the result.
         """
         turn = self._roughly()
-        if turn is None or self(turn[1], COARSE) is not above:
+        if turn is None or self(turn[1], COARSE_STEP_ERROR) is not above:
             return None
-        return self.between(*turn, EXACT if error <= ENOUGH else ROUGH, error)
+        return self.between(*turn, THRESHOLD_RTOL if error <= EXACT_STEP_ERROR else ROUGH, error)
 
     def usual_change(self) -> float | None:
         """Return the threshold in the usual range, if a coarse grid shows a single one; else None.
@@ -126,15 +128,15 @@ class Trial:
     def _roughly(self) -> tuple[float, float] | None:
         """Return the only pair of neighbours on a coarse grid between which the outcome changes; None if not unique."""
         values = range_of(self._scene, self._path)
-        turns = self._turns((*values[::SPARSE], values[-1]))
+        turns = self._turns((*values[::SCAN_STRIDE], values[-1]))
         return turns[0] if len(turns) == 1 else None
 
     def _halved(self, values: list[float]) -> tuple[float, float]:
         """Return two neighbours among values between which the outcome changes, by bisection."""
-        first = self(values[0], COARSE)
+        first = self(values[0], COARSE_STEP_ERROR)
         while len(values) > 2:
             middle = len(values) // 2
-            found = self(values[middle], COARSE)
+            found = self(values[middle], COARSE_STEP_ERROR)
             if found is None:
                 values.pop(middle)
             else:
@@ -143,7 +145,7 @@ class Trial:
 
     def _turns(self, values: Iterable[float]) -> list[tuple[float, float]]:
         """Return up to two pairs of neighbours among values between which the outcome changes."""
-        told = ((value, found) for value in values if (found := self(value, COARSE)) is not None)
+        told = ((value, found) for value in values if (found := self(value, COARSE_STEP_ERROR)) is not None)
         return list(islice(((low, high) for (low, one), (high, other) in pairwise(told) if one != other), 2))
 
     def _is_usual(self, low: float, high: float) -> bool:
@@ -153,24 +155,24 @@ class Trial:
 
     def close_to(self, about: float, within: float) -> float | None:
         """Return the threshold within a relative distance of a number; None if the outcome is equal at the ends."""
-        sides = {self(about * (1.0 - within), COARSE), self(about * (1.0 + within), COARSE)}
+        sides = {self(about * (1.0 - within), COARSE_STEP_ERROR), self(about * (1.0 + within), COARSE_STEP_ERROR)}
         return self.near(about) if sides == {True, False} else None
 
     def within(self, about: float, times: float) -> float | None:
         """Return the threshold within a factor of a number, if the outcome differs at the ends; else None."""
         least, *_, most = range_of(self._scene, self._path)
         low, high = max(least, about / times), min(most, about * times)
-        return self.between(low, high, WRONG, COARSE)
+        return self.between(low, high, WRONG, COARSE_STEP_ERROR)
 
     def near(self, about: float) -> float | None:
         """Return the threshold nearest to a number, searched at growing distances; None if there is none."""
-        for width in (SAME, *(CLOSE * WIDER**turn for turn in range(WIDEST))):
+        for width in (SAME_THRESHOLD_RTOL, *(SEARCH_RTOL * WIDER**turn for turn in range(WIDEST))):
             low, high = about / (1.0 + width), about * (1.0 + width)
-            if {self(low, ENOUGH), self(high, ENOUGH)} == {True, False}:
-                return about if width == SAME else self.between(low, high, ROUGH, ENOUGH)
+            if {self(low, EXACT_STEP_ERROR), self(high, EXACT_STEP_ERROR)} == {True, False}:
+                return about if width == SAME_THRESHOLD_RTOL else self.between(low, high, ROUGH, EXACT_STEP_ERROR)
         return None
 
-    def between(self, low: float, high: float, exact: float = EXACT, error: float = FINEST) -> float | None:
+    def between(self, low: float, high: float, exact: float = THRESHOLD_RTOL, error: float = FINEST) -> float | None:
         """Return the threshold between two numbers; None if the outcome does not differ or a motion fails.
 
         Secants are used on a side on which the distance from the threshold is known, bisection otherwise.

@@ -83,7 +83,7 @@ OWN = frozenset(
 LENGTHS = frozenset({"m", "au"})
 USUAL = 2.0  # factor on the range of drawn values, either way
 NUDGE = 1.0 + 1e-3
-TRIES = 3  # numbers tried for one question
+MAX_UNKNOWNS = 3  # numbers tried for one question
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,13 +128,13 @@ def unknowns(scene: Scene, mentions: Mapping[str, str], symbols: Mapping[str, st
     return [unknown for unknown in found if unknown is not None]
 
 
-def some(offered: Sequence[Unknown], scene: Scene, rng: np.random.Generator) -> Iterator[Unknown]:
+def draw_unknowns(offered: Sequence[Unknown], scene: Scene, rng: np.random.Generator) -> Iterator[Unknown]:
     """Yield a few random unknowns, drawn first by quantity, so that many masses are not favoured.
 
     Those are left out without which the text would be another one.
     """
     left = list(offered)
-    for _ in range(min(TRIES, len(left))):
+    for _ in range(min(MAX_UNKNOWNS, len(left))):
         sought = {found.name: found.sought for found in sorted(left, key=lambda found: found.name)}
         shares = np.array([*sought.values()]) / sum(sought.values())
         name = [*sought][int(rng.choice(len(sought), p=shares))]

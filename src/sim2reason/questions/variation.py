@@ -14,7 +14,7 @@ from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.displaced import displaced
 from sim2reason.scenes.dsl.fields import Magnetic, Push
 from sim2reason.scenes.dsl.mechanism import Force, Inextensible, Mechanism
-from sim2reason.scenes.dsl.model import rebuilt
+from sim2reason.scenes.dsl.model import replace_validated
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.quantities.subjects.contacts import Hands
@@ -110,10 +110,10 @@ def removable(words: Words) -> Mapping[str, str]:
 def after_removal(scene: Scene, removed: tuple[str, ...], after: float) -> Scene:
     """Return a scene from the time `after`, s, on, without some lines and forces, given by name."""
     fields = {name: getattr(scene, name) for name in Scene.model_fields}
-    return rebuilt(SceneAfterRemoval(**fields, removed=removed, after=after))
+    return replace_validated(SceneAfterRemoval(**fields, removed=removed, after=after))
 
 
-MOST = 6  # greatest number of changes in one question
+MAX_CHANGES = 6  # greatest number of changes in one question
 FIXED = "fixed"  # the keyword for a body that no longer moves
 REMOVED = "removed"  # the keyword for an object that ceases to act, such as a cut string
 _PARTED = re.compile(r",\s+")
@@ -157,8 +157,8 @@ def variation(said: str, scene: Scene, words: Words, time_of: Callable[[str, Sce
     TextError if a change names no number or body of the scene, or has no value; or if there are two times.
     """
     parts = _PARTED.split(said.strip())
-    if len(parts) > MOST:
-        raise TextError("change", f"there are {len(parts)} changes", f"give at most {MOST}")
+    if len(parts) > MAX_CHANGES:
+        raise TextError("change", f"there are {len(parts)} changes", f"give at most {MAX_CHANGES}")
     values, fixed, units, removed = dict[str, float](), list[str](), units_of(scene), dict[str, str]()
     for part in parts:
         gone = REMOVAL.fullmatch(part)

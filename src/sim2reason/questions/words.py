@@ -107,14 +107,14 @@ def spoken_of(symbol: str, said: str, units: UnitSystem) -> tuple[str, OwnSymbol
     return None
 
 
-def say(value: float, unit: str) -> str:
+def format_number(value: float, unit: str) -> str:
     """Return a number with all its digits, at least two, and its unit; lengths from 10 km on are in kilometres."""
     if unit == METRE and value >= LONG:
         return join_unit(digits(value / KILO), "km")
     return join_unit(digits(value), unit)
 
 
-def said(text: str, unit: str) -> list[float]:
+def numbers_in_text(text: str, unit: str) -> list[float]:
     """Return the numbers with a given unit in a text."""
     found = [float(number) for number in _number(unit).findall(text)]
     if unit == METRE:
@@ -124,7 +124,7 @@ def said(text: str, unit: str) -> list[float]:
 
 @cache
 def _number(unit: str) -> re.Pattern[str]:
-    """Return a pattern for a number as `say` writes it: the degree sign follows without a space."""
+    """Return a pattern for a number as `format_number` writes it: the degree sign follows without a space."""
     shown = join_unit("", unit)
     return re.compile(rf"({DIGITS}(?:\.{DIGITS})?){re.escape(shown)}(?![\w/])")
 
@@ -155,7 +155,7 @@ def digits(value: float) -> str:
     return two if isclose(float(two), value, rel_tol=EXACT) else f"{Decimal(f'{value:.15g}').normalize():f}"
 
 
-def spoken(value: float) -> float:
+def rounded_as_written(value: float) -> float:
     """Return a positive number rounded as it is written."""
     return float(two_digits(value))
 
@@ -168,7 +168,7 @@ def round_number(value: float, least: float, most: float) -> float:
     tens = floor(log10(value))
     found = [float(f"{mantissa}e{exponent}") for exponent in (tens - 1, tens, tens + 1) for mantissa in ROUND]
     fitting = [number for number in found if least <= number <= most]
-    return min(fitting, key=lambda number: abs(log10(number / value)), default=spoken(value))
+    return min(fitting, key=lambda number: abs(log10(number / value)), default=rounded_as_written(value))
 
 
 @dataclass(frozen=True, eq=False)
@@ -221,7 +221,7 @@ class Words:
     def say(self, value: float, unit: str) -> str:
         """Return the text of a question's own number: 0.80 s, or its symbol."""
         own = self.own.get(unit)
-        return own.shown if own is not None else say(value, self.units.spell(unit))
+        return own.shown if own is not None else format_number(value, self.units.spell(unit))
 
     def amount(self, value: float, unit: str) -> str:
         """Return the same text with a noun before a symbol: 0.80 s, or *a time $t$*."""
@@ -232,7 +232,7 @@ class Words:
         """Return the values of a question's own numbers in a text."""
         own = self.own.get(unit)
         if own is None:
-            return said(text, self.units.spell(unit))
+            return numbers_in_text(text, self.units.spell(unit))
         return [own.value] if own.shown in text else []
 
     @property

@@ -25,7 +25,7 @@ Flags = NDArray[np.bool_]
 
 SMOOTH = 1e-4  # relative tolerance of a motion without events that change the forces
 EVENTFUL = 1e-3  # relative tolerance of a motion with such events
-NEAR = 1e-4  # events are simultaneous if their times differ by less than this fraction of the duration
+EVENT_TIME_RTOL = 1e-4  # events are simultaneous if their times differ by less than this fraction of the duration
 CHANGES = frozenset({"collision", "taut", "slack", "stick", "slip"})  # events that permit the tolerance EVENTFUL
 RECORDED, WITNESS = "exact", "mujoco"
 
@@ -152,10 +152,10 @@ def certify(mechanism: Mechanism, times: Array) -> tuple[Trace, Certificate]:
     Raises:
         UnsupportedError, SimulationError, SceneError: The exact engine cannot simulate the mechanism.
     """
-    return witnessed(ENGINES[RECORDED](mechanism, times))
+    return certify_trace(ENGINES[RECORDED](mechanism, times))
 
 
-def witnessed(recorded: Trace) -> tuple[Trace, Certificate]:
+def certify_trace(recorded: Trace) -> tuple[Trace, Certificate]:
     """Simulate a recorded motion with the second engine and compare the two, as `certify` does."""
     try:
         witness = ENGINES[WITNESS](recorded.mechanism, recorded.state.times)
@@ -176,7 +176,7 @@ def truncated(trace: Trace, certificate: Certificate) -> Trace:
 def compare(recorded: Trace, witness: Trace) -> Certificate:
     """Compare two traces of one mechanism, sampled at the same times."""
     times = recorded.state.times
-    near = NEAR * float(times[-1])
+    near = EVENT_TIME_RTOL * float(times[-1])
     first = recorded if recorded.stable_until <= witness.stable_until + near else witness
     end, reason = first.stable_until, first.cut
     matched, parted = _match(_telling(recorded.events), _telling(witness.events), near)

@@ -85,7 +85,7 @@ def simulate(
         array([0.  , 2.45, 4.9 ])
     """
     scene = scene_of(scene, "simulate")
-    trace = whole(scene, duration, engine, samples)
+    trace = simulate_full_duration(scene, duration, engine, samples)
     trace = truncated(trace) if truncate else trace
     if duration is not None and trace.stable_until < duration:
         unit = scene.units.time
@@ -94,7 +94,9 @@ def simulate(
     return trace.until(trace.stable_until)
 
 
-def whole(scene: Scene, duration: float | None = None, engine: str = RECORDED, samples: int = SAMPLES) -> Trace:
+def simulate_full_duration(
+    scene: Scene, duration: float | None = None, engine: str = RECORDED, samples: int = SAMPLES
+) -> Trace:
     """Simulate a scene for the whole duration, as plots need; states after `stable_until` are invalid."""
     if engine == BOTH:
         return certify(scene, duration, samples)[0]

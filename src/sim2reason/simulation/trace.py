@@ -13,7 +13,7 @@ from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array, State
 
 SHOWN = 10  # largest number of events in the text of a trace
-AT_ONCE = 1e-9  # relative: events with a smaller difference of time are simultaneous
+EVENT_TIME_RTOL = 1e-9  # relative: events with a smaller difference of time are simultaneous
 
 
 EVENT_KINDS: Mapping[str, str] = {
@@ -72,9 +72,9 @@ class Event:
         return self.kind != "turn"
 
 
-def happened(events: Iterable[Event], until: float) -> tuple[Event, ...]:
+def events_before(events: Iterable[Event], until: float) -> tuple[Event, ...]:
     """Return the events before a time, s, in order, without turns and without events at that time."""
-    return tuple(event for event in events if event.time < until * (1.0 - AT_ONCE) and event.changes_motion)
+    return tuple(event for event in events if event.time < until * (1.0 - EVENT_TIME_RTOL) and event.changes_motion)
 
 
 @dataclass(frozen=True)
@@ -145,7 +145,7 @@ class Trace:
             The kind and the subjects of each event, in order.
         """
         end = self.stable_until if until is None else until
-        return tuple((event.kind, event.subjects) for event in happened(self.events, end))
+        return tuple((event.kind, event.subjects) for event in events_before(self.events, end))
 
     def through(self, time: float) -> "Trace":
         """Return the motion recorded up to the second sample after a time.
@@ -217,7 +217,9 @@ class Trace:
         borders = in_order(borders[(borders >= 0.0) & (borders <= end)])
         if len(borders) < 2:
             return self.sample(borders)
-        pieces = min(max(PER_STEP, -(-LEAST // (len(borders) - 1))), max(1, MOST // len(borders)))
+        pieces = min(
+            max(PER_STEP, -(-MIN_SCAN_SAMPLES // (len(borders) - 1))), max(1, MAX_SCAN_SAMPLES // len(borders))
+        )
         shares = np.arange(pieces) / pieces
         inner = borders[:-1, None] + np.diff(borders)[:, None] * shares
         return self.sample(in_order(np.append(inner.ravel(), end)))
@@ -230,7 +232,7 @@ def ending(trace: Trace) -> str:
     return f"{why} ({', '.join(last.subjects)})" if last is not None else why
 
 
-PER_STEP, LEAST, MOST = 4, 64, 8000  # instants of a scan: per step, at least, at most
+PER_STEP, MIN_SCAN_SAMPLES, MAX_SCAN_SAMPLES = 4, 64, 8000  # instants of a scan: per step, at least, at most
 
 
 def _unsampled() -> State:

@@ -1,14 +1,24 @@
 """Worked solutions, written step by step, with each equation checked.
 
-A `Setting` is a scene with the names of its text and a query about it; `solve` finds the cheapest strategy that leads
+A `ProblemContext` is a scene with the names of its text and a query about it; `solve` finds the cheapest strategy that leads
 to the answer. Symbols come from the scene alone, see `writing.lexicon`; the properties that every solution must have
 are checked by `testing.solutions.faults`.
 """
 
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.solution import Relation, Solution, Step
-from sim2reason.solutions.solve import by, solve, solve_prompt
+from sim2reason.solutions.solve import solve, solve_prompt, solve_with
 from sim2reason.solutions.strategies import STRATEGIES
 from sim2reason.solutions.writing.steps import UnsolvedError
 
-__all__ = ["STRATEGIES", "Relation", "Setting", "Solution", "Step", "UnsolvedError", "by", "solve", "solve_prompt"]
+__all__ = [
+    "STRATEGIES",
+    "ProblemContext",
+    "Relation",
+    "Solution",
+    "Step",
+    "UnsolvedError",
+    "solve",
+    "solve_prompt",
+    "solve_with",
+]

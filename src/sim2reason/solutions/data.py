@@ -30,7 +30,7 @@ def as_data(solution: Solution) -> Data:
         "steps": [_step(step, solution.values) for step in solution.steps],
         "goal": solution.goal,
         "unit": solution.unit,
-        "scale": float(solution.said(1.0)),
+        "scale": float(solution.in_answer_unit(1.0)),
         "whole": solution.whole,
         "formula": solution.formula,
         "answer": solution.answer,

@@ -10,21 +10,21 @@ from dataclasses import dataclass
 from math import inf, isfinite
 
 from sim2reason.questions.difficulty import Difficulty
-from sim2reason.questions.need import Need, greatest
-from sim2reason.simulation.trace import Trace, happened
+from sim2reason.questions.need import Need, most_advanced
+from sim2reason.simulation.trace import Trace, events_before
 from sim2reason.solutions.algebra.expressions import Expression, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.closed_forms.gathering import symbols_in
 from sim2reason.solutions.solution import Relation, Solution
 
 SQUARE = 2
-PHASE = 2  # points of the score for each phase after the first: its start and its laws have to be found
-REPEATED = 4  # largest number of phases that the score counts; later ones mostly repeat earlier ones
+POINTS_PER_PHASE = 2  # points of the score for each phase after the first: its start and its laws have to be found
+MAX_COUNTED_PHASES = 4  # largest number of phases that the score counts; later ones mostly repeat earlier ones
 _SUBSCRIPT = re.compile(r"_(?:\{(?:[^{}]|\{[^{}]*\})*\}|\\?[A-Za-z0-9])|'+")
 
 
 @dataclass(frozen=True, slots=True)
-class Band:
+class ScoreRange:
     """The range of difficulty scores of one difficulty label, both ends included, with a description."""
 
     least: float
@@ -32,7 +32,7 @@ class Band:
     meaning: str
 
     @property
-    def told(self) -> str:
+    def text(self) -> str:
         """Return the range of scores in words, such as *3 to 14*."""
         if not isfinite(self.least):
             return f"at most {self.most:g}"
@@ -43,10 +43,10 @@ class Band:
         return self.least <= score <= self.most
 
 
-LABELS: Mapping[Difficulty, Band] = {
-    "easy": Band(-inf, 9, "a few laws that belong to one idea, few unknowns"),
-    "medium": Band(3, 14, "several laws that have to be put together, or two phases of a motion"),
-    "hard": Band(5, inf, "many laws, several bodies whose equations are solved together, or several phases"),
+LABELS: Mapping[Difficulty, ScoreRange] = {
+    "easy": ScoreRange(-inf, 9, "a few laws that belong to one idea, few unknowns"),
+    "medium": ScoreRange(3, 14, "several laws that have to be put together, or two phases of a motion"),
+    "hard": ScoreRange(5, inf, "many laws, several bodies whose equations are solved together, or several phases"),
 }
 """Score ranges of the difficulty labels. Neighbouring ranges overlap: the label is requested, the score is measured."""
 
@@ -70,36 +70,36 @@ class SolutionDifficulty:
     @property
     def score(self) -> int:
         """Return the score: laws + 2 per further phase + unknowns after the first + level of mathematics."""
-        further = min(self.phases, REPEATED) - 1
-        return self.laws + PHASE * further + (self.unknowns - 1) + int(self.needs)
+        further = min(self.phases, MAX_COUNTED_PHASES) - 1
+        return self.laws + POINTS_PER_PHASE * further + (self.unknowns - 1) + int(self.needs)
 
 
-def measured(*parts: tuple[Solution, int]) -> SolutionDifficulty:
+def measure_difficulty(*parts: tuple[Solution, int]) -> SolutionDifficulty:
     """Return the difficulty of a solution, or of the solutions of all parts, which count each law once.
 
     Each solution is paired with the number of events before the moment of its question.
     """
     solutions = [solution for solution, _ in parts]
     return SolutionDifficulty(
-        different_laws(*solutions),
+        count_different_laws(*solutions),
         max(max(len(solution.phases), 1 + events) for solution, events in parts),
-        max(map(unknowns_together, solutions)),
-        greatest(solution.needs for solution in solutions),
+        max(map(count_coupled_unknowns, solutions)),
+        most_advanced(solution.needs for solution in solutions),
     )
 
 
 def number_of_events(trace: Trace, time: float | None) -> int:
     """Return the number of event times before a time, s; by default before the end of the reliable motion."""
     until = trace.stable_until if time is None else time
-    return len({event.time for event in happened(trace.events, until)})
+    return len({event.time for event in events_before(trace.events, until)})
 
 
-def different_laws(*found: Solution) -> int:
+def count_different_laws(*found: Solution) -> int:
     """Return the number of laws in some solutions that differ by more than subscripts."""
     return len({_SUBSCRIPT.sub("", law.latex()) for solution in found for law in _laws(solution)})
 
 
-def number_of_laws(found: Solution) -> int:
+def count_laws(found: Solution) -> int:
     """Return the number of laws of physics in a solution.
 
     Definitions do not count: a multiple or sum of names, as v = -v_x, T = 2π/ω or e = ℓ - ℓ_0, a number, as a = 0 in a
@@ -112,7 +112,7 @@ def _laws(found: Solution) -> Iterator[Relation]:
     return (relation for relation in found.relations if relation.role == "law" and not _is_bookkeeping(relation))
 
 
-def unknowns_together(found: Solution) -> int:
+def count_coupled_unknowns(found: Solution) -> int:
     """Return the size of the largest set of unknowns that laws connect with each other; at least 1."""
     groups: list[set[str]] = []
     for names in _unknowns_of_laws(found):

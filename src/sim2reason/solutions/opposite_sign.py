@@ -4,12 +4,12 @@ from collections.abc import Iterator, Sequence
 
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Absolute, Call, Root
-from sim2reason.solutions.algebra.inverse import put_all
+from sim2reason.solutions.algebra.inverse import substitute_all
 from sim2reason.solutions.algebra.reached import is_restitution
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.solution import with_unit
-from sim2reason.solutions.writing.comparing import exceeds
-from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
+from sim2reason.solutions.writing.comparing import record_inequality
+from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError
 
 SQUARES = frozenset({"kinetic energy", "rotational kinetic energy", "translational kinetic energy"})  # never negative
 ONLY = "Only a magnitude is given;"
@@ -17,7 +17,7 @@ ONLY = "Only a magnitude is given;"
 SINES = {"arcsin": "sine", "arccos": "cosine"}
 
 
-def is_magnitude(setting: Setting, book: Book, goal: str) -> bool:
+def states_only_magnitude(setting: ProblemContext, book: SolutionBuilder, goal: str) -> bool:
     """Return whether the question states only the magnitude of a goal whose sign was chosen in its formula."""
     target = setting.target
     if target is None or target.sense is not None or target.quantity in SQUARES:
@@ -26,7 +26,9 @@ def is_magnitude(setting: Setting, book: Book, goal: str) -> bool:
     return book.sign_chosen != 0 or (target.quantity == "friction force" and not slides)
 
 
-def exclude_opposite(book: Book, step: Writing, goal: str, found: Sequence[tuple[str, Expression]]) -> bool:
+def exclude_opposite_sign(
+    book: SolutionBuilder, step: StepBuilder, goal: str, found: Sequence[tuple[str, Expression]]
+) -> bool:
     """Write the reason why the opposite sign of a goal leads to no possible value; return whether there is one.
 
     `found` has the chain of formulas from the goal to the unknown: each name with its formula, the unknown last.
@@ -34,20 +36,20 @@ def exclude_opposite(book: Book, step: Writing, goal: str, found: Sequence[tuple
     values: dict[str, Expression] = {goal: -Symbol(goal)}
     for number, (name, held) in enumerate(found):
         try:
-            formula = put_all(held, values)
+            formula = substitute_all(held, values)
         except TypeError:  # a number that is not written as a formula
             return False
         reason = _impossible(book, step, goal, name, formula)
         if reason is None and number == len(found) - 1:
             reason = _out_of_range(book, step, goal, name, formula)
         if reason is not None:
-            step.say(f"{ONLY} with $-{goal}$ in place of ${goal}$, {reason}." if reason else "")
+            step.add_text(f"{ONLY} with $-{goal}$ in place of ${goal}$, {reason}." if reason else "")
             return bool(reason)
         values[name] = formula
     return False
 
 
-def _impossible(book: Book, step: Writing, goal: str, name: str, formula: Expression) -> str | None:
+def _impossible(book: SolutionBuilder, step: StepBuilder, goal: str, name: str, formula: Expression) -> str | None:
     """Return why a formula has no real value, in words; empty if that is obvious; None if it has a value."""
     for part in _inner_first(formula):
         if isinstance(part, Root):
@@ -57,18 +59,18 @@ def _impossible(book: Book, step: Writing, goal: str, name: str, formula: Expres
                 return None  # of either sign
             if not any(isinstance(held, Sum) for held in _inner_first(part)):
                 return ""  # whoever sees the formula sees its sign
-            exceeds(book, step, ZERO, part.inside)
+            record_inequality(book, step, ZERO, part.inside)
             return f"${name}$ would not be real, as what stands under the square root would be negative"
         if isinstance(part, Call) and part.function in SINES and abs(book.value(part.argument)) > 1.0:
             size = book.value(part.argument)
-            exceeds(book, step, Absolute(part.argument), ONE)
+            record_inequality(book, step, Absolute(part.argument), ONE)
             whose = "its" if part in (formula, -formula) else "the"  # of the angle, or of a sum with it
             told = f"{whose} {SINES[part.function]} would be ${with_unit(size, '')}$"
             return f"there would be no angle ${name}$, as {told}"
     return None
 
 
-def _out_of_range(book: Book, step: Writing, goal: str, name: str, formula: Expression) -> str:
+def _out_of_range(book: SolutionBuilder, step: StepBuilder, goal: str, name: str, formula: Expression) -> str:
     """Return that the unknown would be negative, or a coefficient of restitution above 1; empty if neither."""
     try:
         branches = _of_either_sign(goal, formula)
@@ -80,12 +82,12 @@ def _out_of_range(book: Book, step: Writing, goal: str, name: str, formula: Expr
     would = f"the formula would give {given} for ${name}$"
     if value < 0.0 < book.values[name]:
         for branch in branches:
-            exceeds(book, step, ZERO, branch)
+            record_inequality(book, step, ZERO, branch)
         return f"{would}, which is negative" if len(found) == 1 else f"{would}, both negative"
     if len(branches) > 1:
         return ""
     if is_restitution(name, book) and value > 1.0:
-        exceeds(book, step, formula, ONE)
+        record_inequality(book, step, formula, ONE)
         return f"{would}, which is more than 1"
     return ""
 

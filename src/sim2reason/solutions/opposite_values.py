@@ -4,16 +4,18 @@ from collections.abc import Sequence
 
 from sim2reason.solutions.algebra.evaluated import Chain
 from sim2reason.solutions.algebra.expressions import Expression
-from sim2reason.solutions.algebra.reached import is_explicit, told_range, values_with
-from sim2reason.solutions.opposite_sign import ONLY, exclude_opposite
+from sim2reason.solutions.algebra.reached import is_explicit, range_text, values_with
+from sim2reason.solutions.opposite_sign import ONLY, exclude_opposite_sign
 from sim2reason.solutions.other_roots import OtherRoots
-from sim2reason.solutions.writing.steps import Writing
+from sim2reason.solutions.writing.steps import StepBuilder
 
 OPPOSITE = f"{ONLY} with the opposite sign, for which {{}} would be {{}}"
 """Beginning of the sentence that excludes a value of the unknown with which the goal has the opposite sign."""
 
 
-def tell_sign(roots: OtherRoots, step: Writing, chain: Chain | None, found: Sequence[tuple[str, Expression]]) -> None:
+def write_sign_reason(
+    roots: OtherRoots, step: StepBuilder, chain: Chain | None, found: Sequence[tuple[str, Expression]]
+) -> None:
     """Write why the goal has its sign, from its chain of formulas `found` or from other values of the unknown.
 
     The `chain` leads from the unknown to the goal, and is None where the sign is known. If one of its formulas is a
@@ -22,10 +24,10 @@ def tell_sign(roots: OtherRoots, step: Writing, chain: Chain | None, found: Sequ
     if chain is None:
         return
     goal, _ = chain.formulas[-1]
-    if exclude_opposite(roots.book, step, goal, found) or not is_explicit(chain):
+    if exclude_opposite_sign(roots.book, step, goal, found) or not is_explicit(chain):
         return
     others = values_with(chain, -float(chain.value(roots.book.values).real), roots.unknown, roots.book)
     if not others:
-        what = told_range(roots.unknown, roots.book)
-        step.say(f"{ONLY} no {what} gives $-{goal}$ in place of ${goal}$.")
-    roots.exclude(others, OPPOSITE)
+        what = range_text(roots.unknown, roots.book)
+        step.add_text(f"{ONLY} no {what} gives $-{goal}$ in place of ${goal}$.")
+    roots.schedule_exclusion(others, OPPOSITE)

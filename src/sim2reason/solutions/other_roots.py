@@ -7,30 +7,30 @@ from math import inf, pi
 from sim2reason.solutions.algebra.evaluated import Chain
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Root
-from sim2reason.solutions.algebra.inverse import put
-from sim2reason.solutions.algebra.reached import is_explicit, told_range, values_with
+from sim2reason.solutions.algebra.inverse import substitute
+from sim2reason.solutions.algebra.reached import is_explicit, range_text, values_with
 from sim2reason.solutions.algebra.single_sine import beyond_right_angle
-from sim2reason.solutions.solution import SAME, with_unit
-from sim2reason.solutions.writing.comparing import exceeds
-from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
+from sim2reason.solutions.solution import ANSWER_RTOL, with_unit
+from sim2reason.solutions.writing.comparing import record_inequality
+from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import DEGREES, SECONDS
 
 Sides = tuple[Expression, Expression]
 """The left and right sides of an equation."""
 OTHER = "With the other root for {}, {}"
-LONGEST = 6000  # maximum length of the LaTeX of a comparison after substitution
+MAX_COMPARISON_LENGTH = 6000  # maximum length of the LaTeX of a comparison after substitution
 UNDEFINED = (UnsolvedError, ValueError, ArithmeticError, KeyError, TypeError)
 
 
 class OtherRoots:
     """The writer of the reasons that exclude other roots in a reverse question, verified where possible."""
 
-    def __init__(self, book: Book, unknown: str, chain: Callable[[str], Chain]) -> None:
+    def __init__(self, book: SolutionBuilder, unknown: str, chain: Callable[[str], Chain]) -> None:
         """Take the symbol of the unknown and a function that returns the chain of formulas on which a name depends."""
         self.book, self.unknown, self._chain = book, unknown, chain
 
     def tell(
-        self, step: Writing, name: str, found: Expression, others: Sequence[float], written: Sequence[Sides]
+        self, step: StepBuilder, name: str, found: Expression, others: Sequence[float], written: Sequence[Sides]
     ) -> None:
         """Write why the other roots of the equation for a name are excluded.
 
@@ -40,7 +40,7 @@ class OtherRoots:
         if book.in_symbols:
             return
         if name == self.unknown:
-            self.exclude(others)
+            self.schedule_exclusion(others)
         if len(others) == 1:
             self.drop(step, name, others)
             self._too_late(step, name, others)
@@ -48,9 +48,9 @@ class OtherRoots:
         elif not others and len(written) > 1:
             self._from_squaring(step, name, *written)
         if book.units[name] == DEGREES:
-            step.say(beyond_right_angle(others, book.values[name]) or self._obtuse(step, name, found))
+            step.add_text(beyond_right_angle(others, book.values[name]) or self._obtuse(step, name, found))
 
-    def drop(self, step: Writing, name: str, others: Sequence[float]) -> None:
+    def drop(self, step: StepBuilder, name: str, others: Sequence[float]) -> None:
         """Write that another root is excluded because a positive quantity would be negative."""
         book = self.book
         if len(others) != 1 or book.values[self.unknown] <= 0.0 or (name == self.unknown and others[0] >= 0.0):
@@ -58,18 +58,18 @@ class OtherRoots:
         if name == self.unknown:
             self._say_negative(step, others[0])
         elif self._would_be_negative(name, others[0]):
-            step.say(f"The other root, {self._number(name, others[0])}, would take a negative ${self.unknown}$.")
+            step.add_text(f"The other root, {self._number(name, others[0])}, would take a negative ${self.unknown}$.")
         else:
             self._say_never(step, name, others[0])
 
-    def _say_negative(self, step: Writing, value: float) -> None:
+    def _say_negative(self, step: StepBuilder, value: float) -> None:
         number = self._number(self.unknown, value)
-        step.say(f"The other root, {number}, is negative, but ${self.unknown}$ is positive.")
+        step.add_text(f"The other root, {number}, is negative, but ${self.unknown}$ is positive.")
 
     def _number(self, name: str, value: float) -> str:
         return f"${with_unit(value, self.book.units[name])}$"
 
-    def exclude(self, others: Sequence[float], lead: str = OTHER, *, must: bool = False) -> None:
+    def schedule_exclusion(self, others: Sequence[float], lead: str = OTHER, *, must: bool = False) -> None:
         """Schedule a final statement of the comparison that fails for another, positive value of the unknown.
 
         It is written when all assumed comparisons are. The sentence begins with `lead`. With `must`, UnsolvedError is
@@ -86,10 +86,10 @@ class OtherRoots:
         """Write that another time is later, or, where the second time is asked for, that it is the first one."""
         name, ordinal = Symbol(self.unknown), ("first", "second")[self.book.passage - 1]
         earlier = self.book.passage > 1 and value < self.book.values[self.unknown]
-        step = self.book.open("verify")
-        exceeds(self.book, step, *((name, Number(value)) if earlier else (Number(value), name)))
+        step = self.book.begin_step("verify")
+        record_inequality(self.book, step, *((name, Number(value)) if earlier else (Number(value), name)))
         other = f"The other root, {self._number(name.name, value)},"
-        step.say(f"{other} is {'earlier' if earlier else 'later'}: ${name.name}$ is the {ordinal} time.")
+        step.add_text(f"{other} is {'earlier' if earlier else 'later'}: ${name.name}$ is the {ordinal} time.")
         step.close()
 
     def _tell_excluded(self, value: float, lead: str, *, must: bool) -> None:
@@ -107,12 +107,12 @@ class OtherRoots:
             except UNDEFINED:
                 continue
             if broken:
-                step = self.book.open("verify")
-                exceeds(self.book, step, right, left)
+                step = self.book.begin_step("verify")
+                record_inequality(self.book, step, right, left)
                 positive = "positive" if relation.right == ZERO else f"greater than ${relation.right.latex()}$"
                 number = self._number(self.unknown, value)
-                step.say(f"{lead.format(f'${self.unknown}$', number)}, ${relation.left.latex()}$ would not be")
-                step.say(f"{positive}.")
+                step.add_text(f"{lead.format(f'${self.unknown}$', number)}, ${relation.left.latex()}$ would not be")
+                step.add_text(f"{positive}.")
                 step.close()
                 return
         if must:
@@ -125,30 +125,30 @@ class OtherRoots:
             UnsolvedError: the formula becomes too long.
         """
         for name in reversed(held):
-            side = put(side, name, held[name])
-            if len(side.latex()) > LONGEST:
+            side = substitute(side, name, held[name])
+            if len(side.latex()) > MAX_COMPARISON_LENGTH:
                 raise UnsolvedError("it becomes too long")
-        return put(side, self.unknown, Number(value))
+        return substitute(side, self.unknown, Number(value))
 
-    def _too_late(self, step: Writing, name: str, others: Sequence[float]) -> None:
+    def _too_late(self, step: StepBuilder, name: str, others: Sequence[float]) -> None:
         """Write that another root is later than a stated instant that ends the stage."""
         book = self.book
         stated = [held for held in book.stated if book.units[held] == book.units[name] == SECONDS]
         late = [held for held in stated if book.values[name] < book.values[held] < others[0]]
         if late:
-            step.say(f"The other root, {self._number(name, others[0])}, is later than ${late[0]}$.")
+            step.add_text(f"The other root, {self._number(name, others[0])}, is later than ${late[0]}$.")
 
-    def _say_never(self, step: Writing, name: str, value: float) -> None:
+    def _say_never(self, step: StepBuilder, name: str, value: float) -> None:
         """Write that no value of the unknown gives another root, or schedule the exclusion of the values that do."""
         if name == self.unknown:
             return
         chain = self._chain(name)
         values = values_with(chain, value, self.unknown, self.book) if is_explicit(chain) else None
         if values:
-            self.exclude(values, must=True)
+            self.schedule_exclusion(values, must=True)
         elif values is not None:
-            what = told_range(self.unknown, self.book)
-            step.say(f"No {what} gives the other root, {self._number(name, value)}.")
+            what = range_text(self.unknown, self.book)
+            step.add_text(f"No {what} gives the other root, {self._number(name, value)}.")
 
     def _would_be_negative(self, name: str, value: float) -> bool:
         """Return whether a name, linear in the unknown, takes a value only where the unknown is negative."""
@@ -160,17 +160,17 @@ class OtherRoots:
         straight = two != one and abs(three - 2.0 * two + one) <= 1e-9 * max(abs(one), abs(two))
         return straight and (value - one) / (two - one) < -1.0
 
-    def _breaks_assumption(self, step: Writing, name: str, value: float) -> None:
+    def _breaks_assumption(self, step: StepBuilder, name: str, value: float) -> None:
         """Write the comparison, assumed by the equations, that fails with another root."""
         for left, right in self._assumed(name):
             try:
-                more, less = put(right, name, Number(value)), put(left, name, Number(value))
+                more, less = substitute(right, name, Number(value)), substitute(left, name, Number(value))
                 broken = self.book.value(more) > self.book.value(less)
             except UNDEFINED:
                 continue
             if broken:
-                exceeds(self.book, step, more, less)
-                step.say(
+                record_inequality(self.book, step, more, less)
+                step.add_text(
                     f"With the other root, {self._number(name, value)}, ${left.latex()}$ would not be greater than "
                     f"${right.latex()}$."
                 )
@@ -183,7 +183,7 @@ class OtherRoots:
             if relation.role == "exceeds" and name in names and self.book.hidden.isdisjoint(names - {name}):
                 yield relation.left, relation.right
 
-    def _from_squaring(self, step: Writing, name: str, shown: Sides, plain: Sides) -> None:
+    def _from_squaring(self, step: StepBuilder, name: str, shown: Sides, plain: Sides) -> None:
         """Write that the other root of the displayed quadratic is negative or fails the original equation."""
         other, known = self._other_of_quadratic(name, shown), self.book.values[name]
         if other is None:
@@ -192,17 +192,17 @@ class OtherRoots:
         if other < 0.0 < known and name == self.unknown:
             self._say_negative(step, other)
         elif any(isinstance(part, Root) and name in part.symbols() for side in plain for part in _parts(side)):
-            size = SAME * max(abs(self.book.value(plain[0])), abs(self.book.value(plain[1])))
+            size = ANSWER_RTOL * max(abs(self.book.value(plain[0])), abs(self.book.value(plain[1])))
             try:
-                gap = Absolute(put(plain[0], name, Number(other)) - put(plain[1], name, Number(other)))
+                gap = Absolute(substitute(plain[0], name, Number(other)) - substitute(plain[1], name, Number(other)))
                 misses = self.book.value(gap) > size
             except UNDEFINED:
                 return
             if misses:
-                exceeds(self.book, step, gap, ZERO)
-                step.say(f"The other root, {number}, does not satisfy the equation before it is squared.")
+                record_inequality(self.book, step, gap, ZERO)
+                step.add_text(f"The other root, {number}, does not satisfy the equation before it is squared.")
         elif name == self.unknown:
-            self.exclude([other], must=True)
+            self.schedule_exclusion([other], must=True)
         else:
             self._say_never(step, name, other)
 
@@ -221,17 +221,17 @@ class OtherRoots:
         slope, middle = (one - less) / 2.0, (one + less) / 2.0  # of α x² + β x + γ: β and α + γ
         bend = (two - middle - 2.0 * slope) / 3.0
         rest, whole = middle - bend, abs(less) + abs(two) + abs(three)
-        fits = abs(9.0 * bend + 3.0 * slope + rest - three) <= SAME * whole and abs(one) <= SAME * whole
-        root = rest / bend if abs(bend) > SAME * whole else 1.0
-        return root * known if fits and abs(root - 1.0) > SAME else None
+        fits = abs(9.0 * bend + 3.0 * slope + rest - three) <= ANSWER_RTOL * whole and abs(one) <= ANSWER_RTOL * whole
+        root = rest / bend if abs(bend) > ANSWER_RTOL * whole else 1.0
+        return root * known if fits and abs(root - 1.0) > ANSWER_RTOL else None
 
-    def _obtuse(self, step: Writing, name: str, found: Expression) -> str:
+    def _obtuse(self, step: StepBuilder, name: str, found: Expression) -> str:
         """Return a sentence that the other angle with the same sine exceeds 90°; empty unless an arcsine was taken."""
         inverse = -found if found.negative else found
         known = self.book.values[name]
         if not isinstance(inverse, Call) or inverse.function != "arcsin" or not 0.0 < known < 0.5 * pi:
             return ""
-        exceeds(self.book, step, PI - Symbol(name), Number(0.5) * PI)
+        record_inequality(self.book, step, PI - Symbol(name), Number(0.5) * PI)
         return f"The other angle with this sine, {self._number(name, pi - known)}, is more than $90^\\circ$."
 
 

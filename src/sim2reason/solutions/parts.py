@@ -24,7 +24,7 @@ class PartsSolution(Solution):
     @property
     def text(self) -> str:
         """Return the solutions of all parts with their labels, and all answers in one box."""
-        told = [f"({label}) {_told(part)}" for label, part in zip(LABELS, self.parts, strict=False)]
+        told = [f"({label}) {_unboxed_text(part)}" for label, part in zip(LABELS, self.parts, strict=False)]
         if self.answer is not None:
             boxes = (_BOX.search(part.text) for part in self.parts)
             said = "; ".join(f"({label}) {box[1] if box else ''}" for label, box in zip(LABELS, boxes, strict=False))
@@ -51,7 +51,7 @@ def chosen(solution: Solution, letter: str) -> Solution:
     return ChosenSolution(**held, letter=letter)
 
 
-def together(parts: Sequence[Solution]) -> Solution:
+def combine_parts(parts: Sequence[Solution]) -> Solution:
     """Return one solution of all parts; if a part has no answer, a solution without one that names the part."""
     for label, part in zip(LABELS, parts, strict=False):
         if part.answer is None:
@@ -69,7 +69,7 @@ def together(parts: Sequence[Solution]) -> Solution:
     )
 
 
-def _told(part: Solution) -> str:
+def _unboxed_text(part: Solution) -> str:
     """Return the text of one part without the box around its answer."""
     return _BOX.sub(r"\1", part.text)
 

@@ -12,7 +12,7 @@ from sim2reason.questions.moments.parts.passage import Threshold
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.query import Target
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.writing.unit_latex import DEGREES, METRES, SECONDS
 
 SAME_TIME = 1e-9  # relative: two moments that are closer are one
@@ -31,7 +31,7 @@ def number_unit(moment: Moment | None) -> str:
     return UNITS.get(stated[0][1], "") if stated else SECONDS
 
 
-def at_named_moment(setting: Setting) -> Setting:
+def at_named_moment(setting: ProblemContext) -> ProblemContext:
     """Return the question at the moment with a name of its own that a value sets; the question itself if none has."""
     moment = setting.query.moment
     if not isinstance(moment, Reached):
@@ -40,7 +40,7 @@ def at_named_moment(setting: Setting) -> Setting:
     return setting if named is None else replace(setting, query=Query(named.kind, setting.query.target, named))
 
 
-def _thresholds(setting: Setting, target: Target, value: float) -> Iterator[Threshold]:
+def _thresholds(setting: ProblemContext, target: Target, value: float) -> Iterator[Threshold]:
     """Yield the moments at which a quantity first has a value, if the moment asked about is that one."""
     if target.sense is not None or setting.unknown or value <= 0.0:
         return
@@ -52,7 +52,7 @@ def _thresholds(setting: Setting, target: Target, value: float) -> Iterator[Thre
                 yield moment
 
 
-def instants(setting: Setting) -> Iterator[tuple[Moment, float]]:
+def instants(setting: ProblemContext) -> Iterator[tuple[Moment, float]]:
     """Yield moments of a stated number that are the one at which a quantity reaches a value, each with its number.
 
     Distances along a line and angles come first, at which energy gives speeds without the time, which comes last.

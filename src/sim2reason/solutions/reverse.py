@@ -11,31 +11,43 @@ from sim2reason.questions.moments.times import AtTime
 from sim2reason.solutions.algebra.evaluated import (
     Chain,
     ImplicitRoot,
+    NumericFormula,
     NumericRoot,
     SpecialFunction,
-    Worked,
     loses_digits,
-    numbers,
+    numeric_parts,
 )
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Quotient, Symbol, added
-from sim2reason.solutions.algebra.inverse import numeric_root, other_solutions, put, settled, solved_for
+from sim2reason.solutions.algebra.inverse import (
+    evaluate_known_parts,
+    numeric_root,
+    other_solutions,
+    solved_for,
+    substitute,
+)
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.algebra.single_sine import closed_root, fraction_in, single_sine, trend
-from sim2reason.solutions.algebra.stated_equations import as_power, doubled, half_angles, stated_equation, tidied
-from sim2reason.solutions.collisions.placing import SOLVED
-from sim2reason.solutions.opposite_values import tell_sign
+from sim2reason.solutions.algebra.stated_equations import (
+    as_one_fraction,
+    as_power,
+    found_by_double_angle,
+    half_angles,
+    stated_equation,
+)
+from sim2reason.solutions.collisions.placing import SOLVE_KIND
+from sim2reason.solutions.opposite_values import write_sign_reason
 from sim2reason.solutions.other_roots import OtherRoots, Sides
 from sim2reason.solutions.reached_values import at_named_moment
-from sim2reason.solutions.setting import Setting, joined
+from sim2reason.solutions.setting import ProblemContext, join_words
 from sim2reason.solutions.stretch_ends import at_end
-from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
+from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError
 
 PAIR = 2  # number of terms of an equation whose root can be read off
-LONG = 300  # maximum length of the LaTeX of a formula that is written out
-LONGEST = 40  # maximum number of substitutions of one formula into another
+MAX_FORMULA_LENGTH = 300  # maximum length of the LaTeX of a formula that is written out
+MAX_SUBSTITUTIONS = 40  # maximum number of substitutions of one formula into another
 
 
-def forward(setting: Setting) -> Setting:
+def forward(setting: ProblemContext) -> ProblemContext:
     """Return the setting whose answer the engine knows, for a question that hides it; other settings unchanged.
 
     For *when is the speed 2.1 m/s?* it asks for the speed at the time t, the answer. For a threshold, the number whose
@@ -68,7 +80,9 @@ def forward(setting: Setting) -> Setting:
 class Inversion:
     """The solver that goes from the given value of a goal back to the unknown parameter."""
 
-    def __init__(self, book: Book, goal: str, value: float, unknown: str, *, magnitude: bool = False) -> None:
+    def __init__(
+        self, book: SolutionBuilder, goal: str, value: float, unknown: str, *, magnitude: bool = False
+    ) -> None:
         """Take the `value` of the goal in SI units; with `magnitude` the question states only its absolute value."""
         self.book, self.goal, self.unknown = book, goal, unknown
         if goal not in book.formulas:
@@ -86,8 +100,8 @@ class Inversion:
         """Write the solution for the unknown and return its symbol; `spelled` is the stated result, empty for zero."""
         book, at = self.book, self.goal
         formula, value = self._begun(spelled)
-        for _ in range(LONGEST):
-            if any(book.is_hidden(part) for part in numbers(formula)):
+        for _ in range(MAX_SUBSTITUTIONS):
+            if any(book.is_hidden(part) for part in numeric_parts(formula)):
                 raise UnsolvedError("it would need numbers that are not known")
             names = [name for name in dict.fromkeys(formula.symbols()) if name in book.hidden]
             later = [name for name in names if name != self.unknown]
@@ -107,10 +121,10 @@ class Inversion:
             if not later:
                 raise UnsolvedError("what is given does not hang on what is unknown")
             formula = self._short(formula)
-            if len(formula.latex()) > LONG:
+            if len(formula.latex()) > MAX_FORMULA_LENGTH:
                 return self._numerically(at)
             last = max(later, key=list(book.formulas).index)
-            formula = put(formula, last, book.formulas[last])
+            formula = substitute(formula, last, book.formulas[last])
             self._inserted.append(last)
         return self._numerically(at)
 
@@ -118,7 +132,7 @@ class Inversion:
         """Return the formula of the goal and its given value; for an implicit root, the residual and zero."""
         book, formula = self.book, self._defined
         if spelled:
-            book.state(self.goal, self.stated, spelled)
+            book.make_given(self.goal, self.stated, spelled)
             return (formula.residual, ZERO) if isinstance(formula, ImplicitRoot) else (formula, Symbol(self.goal))
         del book.formulas[self.goal]  # it keeps the value that is set
         book.hidden.discard(self.goal)
@@ -127,12 +141,12 @@ class Inversion:
 
     def _short(self, formula: Expression) -> Expression:
         """Return a formula, with numbers in place of known symbols if it is too long to read."""
-        if len(formula.latex()) <= LONG:
+        if len(formula.latex()) <= MAX_FORMULA_LENGTH:
             return formula
-        plain = tidied(formula, self.unknown)
-        if len(plain.latex()) <= LONG:
+        plain = as_one_fraction(formula, self.unknown)
+        if len(plain.latex()) <= MAX_FORMULA_LENGTH:
             return plain
-        return settled(formula, frozenset(self.book.hidden), self.book.worked)
+        return evaluate_known_parts(formula, frozenset(self.book.hidden), self.book.worked)
 
     def _equation(self, name: str) -> tuple[Expression, Expression]:
         """Return the formula of a known name and its value; for an implicit root, the residual and zero."""
@@ -143,7 +157,7 @@ class Inversion:
         """Return a formula solved for a name, with numbers in place of known symbols if it is too long to read."""
         book = self.book
         found = solved_for(name, formula, value, book.values)
-        if isinstance(found, NumericRoot) or len(found.latex()) > LONG:
+        if isinstance(found, NumericRoot) or len(found.latex()) > MAX_FORMULA_LENGTH:
             short = self._in_numbers(name, formula)
             power = as_power(short, name, book.worked)
             if power is not None:
@@ -152,16 +166,16 @@ class Inversion:
             if not isinstance(found, NumericRoot) and loses_digits(found, book.values):
                 self._guarded = True
                 found = solved_for(name, short, value, book.values, self._worked)
-        return found if len(found.latex()) <= LONG else numeric_root(name, formula, value, book.values)
+        return found if len(found.latex()) <= MAX_FORMULA_LENGTH else numeric_root(name, formula, value, book.values)
 
     def _worked(self, held: Polynomial) -> Expression:
         """Return the value of a coefficient, with guard digits if a difference of such numbers would lose digits."""
         found = self.book.worked(held.factored())
-        return replace(found, guarded=True) if self._guarded and isinstance(found, Worked) else found
+        return replace(found, guarded=True) if self._guarded and isinstance(found, NumericFormula) else found
 
     def _in_numbers(self, name: str, formula: Expression) -> Expression:
         """Return a formula in which all names but one have their numbers."""
-        return settled(formula, frozenset({name}), self.book.worked)
+        return evaluate_known_parts(formula, frozenset({name}), self.book.worked)
 
     def _others(self, name: str, formula: Expression, value: Expression) -> Sequence[float]:
         """Return the other values of a name that satisfy an equation."""
@@ -174,10 +188,10 @@ class Inversion:
         """Return the sides of the equation that a root solves; None if inverse operations suffice."""
         if isinstance(found, NumericRoot):
             told = self.book.in_symbols or formula is self._defined or isinstance(formula, ImplicitRoot)
-            return None if told or len(formula.latex()) > LONG or value == ZERO else (value, formula)
+            return None if told or len(formula.latex()) > MAX_FORMULA_LENGTH or value == ZERO else (value, formula)
         if not any(part in found.latex() for part in (r"\sqrt", r"\arctan")):
             return self._put_together(name, found, formula, value)
-        if next(numbers(found), None) is None:
+        if next(numeric_parts(found), None) is None:
             sides = stated_equation(name, formula, value, Polynomial.factored)
         else:
             short = self._in_numbers(name, formula)
@@ -186,14 +200,14 @@ class Inversion:
 
     def _put_together(self, name: str, found: Expression, formula: Expression, value: Expression) -> Sides | None:
         """Return the sides of the equation that results from substitution; None if it is too long."""
-        bare = isinstance(found, Quotient) and {type(part) for part in found.parts} == {Worked}
+        bare = isinstance(found, Quotient) and {type(part) for part in found.parts} == {NumericFormula}
         if not self._inserted and not bare:
             return None
-        if next(numbers(found), None) is not None:
+        if next(numeric_parts(found), None) is not None:
             short = self._in_numbers(name, formula)
             formula = as_power(short, name, self.book.worked) or short
-        formula = tidied(formula, name)
-        return (value, formula) if len(formula.latex()) <= LONG else None
+        formula = as_one_fraction(formula, name)
+        return (value, formula) if len(formula.latex()) <= MAX_FORMULA_LENGTH else None
 
     def _only_root(self, name: str, formula: Expression, found: Expression) -> str:
         """Return a clause that an equation solved numerically has a single root, if its right side is monotonic."""
@@ -210,7 +224,7 @@ class Inversion:
         root = closed or NumericRoot(added(chain, -Symbol(at)), self.unknown, near)
         book.keen = abs(root.slope(book.values, near) * near / (book.values[at] or 1.0))
         book.refresh(self.unknown, book.value(root))
-        step = book.open(SOLVED)
+        step = book.begin_step(SOLVE_KIND)
         if not self.stated:
             step.rest_on(self.goal)
         if closed:
@@ -220,16 +234,16 @@ class Inversion:
             said = f"{self._insertion(at, names[::-1])} gives, in {'SI units' if book.counts_in_si else 'numbers'},"
         else:
             said, how = "These equations together", "have the numerical solution"
-        step.say(f"{said} {how} {step.closed(Symbol(self.unknown), root)}.")
+        step.add_text(f"{said} {how} {step.closed(Symbol(self.unknown), root)}.")
         others = other_solutions(self.unknown, closed.equation, ZERO, book.values) if closed else []
         self._roots.drop(step, self.unknown, others)
-        self._roots.exclude(others)
-        tell_sign(self._roots, step, self._signed, self._found)
+        self._roots.schedule_exclusion(others)
+        write_sign_reason(self._roots, step, self._signed, self._found)
         self._tell_implied(step, names)
         step.close()
         return self.unknown
 
-    def _tell_implied(self, step: Writing, names: Sequence[str]) -> None:
+    def _tell_implied(self, step: StepBuilder, names: Sequence[str]) -> None:
         """Write the values of names that have been defined without one: roots and special functions."""
         told: list[str] = []
         for name in names:
@@ -238,7 +252,7 @@ class Inversion:
                 told.append(step.closed(Symbol(name), NumericRoot(held.residual, held.name, held.near)))
             elif isinstance(held, SpecialFunction):
                 told.append(step.closed(Symbol(name), held))
-        step.say(f"With it, {joined(told)}." if told else "")
+        step.add_text(f"With it, {join_words(told)}." if told else "")
 
     def _leading(self, at: str) -> list[str]:
         """Return the unknown names on which a name depends, each after those on which it depends itself."""
@@ -259,7 +273,7 @@ class Inversion:
 
     def _lead(self, at: str, equation: Sides) -> str:
         """Return the words before an equation that results from substitution; empty for any other equation."""
-        numeric, counted = any(next(numbers(side), None) is not None for side in equation), self.book.counts_in_si
+        numeric, counted = any(next(numeric_parts(side), None) is not None for side in equation), self.book.counts_in_si
         units = f" in {'SI units' if counted else 'numbers'}," if numeric else ""
         if not self._inserted:
             return f"In{units[3:]} " if numeric else ""
@@ -272,12 +286,12 @@ class Inversion:
         inserted = [f"${name}$" for name in names if name not in (self.unknown, at)]
         if not inserted:
             return f"The equation for ${at}$"
-        return f"Inserting {joined(inserted)} into the equation for ${at}$"
+        return f"Inserting {join_words(inserted)} into the equation for ${at}$"
 
     def _close(self, name: str, found: Expression, at: str, others: Sequence[float], written: Sequence[Sides]) -> None:
         """Write the value of a symbol after the equation that determines it, or a simpler form of that equation."""
         equation = written[0] if len(written) > 1 else None
-        step = self.book.open(SOLVED)
+        step = self.book.begin_step(SOLVE_KIND)
         given = at == self.goal and bool(self.stated)
         where, how = f"With the given ${at}$, " if given else "So ", ""
         if isinstance(found, NumericRoot):
@@ -293,16 +307,16 @@ class Inversion:
             sine = single_sine(name, found)
             end = f". {sine}, so " if sine and end == ", so " else end
             where = f"{lead}{said}{self._only_root(name, equation[1], found)}{end}"
-            if doubled(equation[1], found, name):
-                where = f"{where}with {joined([step.derived(*sides) for sides in half_angles(name)])}, "
+            if found_by_double_angle(equation[1], found, name):
+                where = f"{where}with {join_words([step.derived(*sides) for sides in half_angles(name)])}, "
         self.book.values[name] = self.book.value(found)
         if name == self.unknown:
             self.book.refresh(name, self.book.values[name])
-        step.say(f"{where}{how}{step.closed(Symbol(name), found)}.")
+        step.add_text(f"{where}{how}{step.closed(Symbol(name), found)}.")
         if not isinstance(found, NumericRoot):
             self._roots.tell(step, name, found, others, written)
         self._found.append((name, found))
         if name == self.unknown:
-            tell_sign(self._roots, step, self._signed, self._found)
+            write_sign_reason(self._roots, step, self._signed, self._found)
         self._tell_implied(step, names)
         step.close()

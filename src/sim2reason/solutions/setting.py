@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Self
 
 from sim2reason.base.lazy import cached_property
-from sim2reason.questions import KINDS, Formula, Query, Question, StatedResult, Study, Target, Words
+from sim2reason.questions import KINDS, Formula, Query, Question, SimulatedScene, StatedResult, Target, Words
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.need import Need
 from sim2reason.questions.regimes import Regime
@@ -15,25 +15,25 @@ from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.simulation.engines.exact.engine import motion
 from sim2reason.simulation.engines.exact.motion import Motion
 from sim2reason.simulation.quantities.subjects.lines import line_phrases, pulleys, springs
-from sim2reason.simulation.trace import happened
+from sim2reason.simulation.trace import events_before
 from sim2reason.solutions.writing.lexicon import Lexicon, StatedNumber
 from sim2reason.solutions.writing.unit_latex import latex
 from sim2reason.text.prose.description import Description
 from sim2reason.text.prose.voices import numeric
 
-LEVEL = 1e-9  # tolerance of the components of a unit vector
-BEYOND = 1.001  # factor by which the motion is followed beyond the moment of the question
-LEAST = 1e-6  # s, minimum duration of the motion that is followed
+DIRECTION_TOLERANCE = 1e-9  # tolerance of the components of a unit vector
+FOLLOWED_TIME_FACTOR = 1.001  # factor by which the motion is followed beyond the moment of the question
+MIN_FOLLOWED_TIME = 1e-6  # s, minimum duration of the motion that is followed
 
 
 @dataclass(frozen=True)
-class Setting:
+class ProblemContext:
     """A problem context: a scene, its names in the text, a query, and the `symbols` of the text by address."""
 
     scene: Scene
     words: Words
     symbols: Mapping[str, str]
-    study: Study
+    study: SimulatedScene
     query: Query
     unknown: str = ""  # the address of the number that the text leaves open, and asks for
     stated: StatedResult | None = None  # what the query's answer is said to be, where that is not asked for
@@ -45,7 +45,7 @@ class Setting:
     most: Need = Need.INTEGRATION  # what a solution may need; one that needs more is none
 
     @classmethod
-    def of(cls, question: Question, study: Study, words: Words, description: Description) -> Self:
+    def of(cls, question: Question, study: SimulatedScene, words: Words, description: Description) -> Self:
         """Return the setting of a question with an answer; the unknown has its symbol in the text.
 
         A text in symbols has no symbol for a number that it does not state, such as a strain of zero.
@@ -77,7 +77,7 @@ class Setting:
         if self.scene is not self.study.scene:
             return Lexicon(self.scene, self.symbols)
         key = "lexicon", tuple(self.symbols.items())
-        return self.study.once(key, lambda: Lexicon(self.scene, self.symbols))
+        return self.study.memoize(key, lambda: Lexicon(self.scene, self.symbols))
 
     @cached_property
     def time(self) -> float:
@@ -88,18 +88,18 @@ class Setting:
     @cached_property
     def motion(self) -> Motion:
         """Return the motion until that time as segments; a recorded motion is reused."""
-        until, trace = max(self.time * BEYOND, LEAST), self.study.trace
+        until, trace = max(self.time * FOLLOWED_TIME_FACTOR, MIN_FOLLOWED_TIME), self.study.trace
         known, held = float(trace.state.times[-1]), trace.record
         if self.mechanism is not self.study.mechanism or until > known:
             return motion(self.mechanism, until)
         if isinstance(held, Motion) and not trace.tolerance:
             return held.through(until)
-        return self.study.once("motion", lambda: motion(self.mechanism, known)).through(until)
+        return self.study.memoize("motion", lambda: motion(self.mechanism, known)).through(until)
 
     @cached_property
-    def story(self) -> frozenset[str]:
+    def earlier_event_kinds(self) -> frozenset[str]:
         """Return the kinds of the events before that time."""
-        return frozenset(event.kind for event in happened(self.motion.events, self.time))
+        return frozenset(event.kind for event in events_before(self.motion.events, self.time))
 
     @cached_property
     def answer(self) -> float | None:
@@ -127,14 +127,14 @@ class Setting:
         """Return the address of the pulley that each light carrier holds."""
         return pulleys(self.mechanism, self.words.mentions)
 
-    def called(self, body: str) -> str:
+    def display_name(self, body: str) -> str:
         """Return the noun phrase of a body; of a light carrier, that of its pulley."""
         address = body if body in self.words.mentions else self.pulleys.get(body, "")
         return self.words.mentions.get(address, "the carrier of the pulley")
 
-    def mark(self, body: str) -> str:
+    def subscript_of(self, body: str) -> str:
         """Return the subscript for a body: its letter, else its noun; empty if it is the only moving body."""
-        said = self.called(body)
+        said = self.display_name(body)
         if not said.startswith("the "):
             return said.rpartition(" ")[2]
         moving = {c.body for c in self.mechanism.coordinates}
@@ -143,20 +143,20 @@ class Setting:
             return mass  # a_M of the prism of mass M
         return "" if len(moving) == 1 else rf"\text{{{said.removeprefix('the ').rpartition(' ')[2]}}}"
 
-    def listed(self, bodies: list[str]) -> str:
+    def bodies_phrase(self, bodies: list[str]) -> str:
         """Return several bodies as one phrase, such as *block A, crates B and C*."""
         nouns: dict[str, list[str]] = {}
-        for said in map(self.called, bodies):
+        for said in map(self.display_name, bodies):
             noun, _, letter = said.rpartition(" ") if not said.startswith("the ") else (said, "", "")
             nouns.setdefault(noun, []).append(letter)
         phrases = [
-            noun if letters == [""] else f"{noun}{'s' if len(letters) > 1 else ''} {joined(letters)}"
+            noun if letters == [""] else f"{noun}{'s' if len(letters) > 1 else ''} {join_words(letters)}"
             for noun, letters in nouns.items()
         ]
-        return joined(phrases)
+        return join_words(phrases)
 
     @cached_property
-    def lines(self) -> Mapping[str, str]:
+    def string_phrases(self) -> Mapping[str, str]:
         """Return phrases for strings, by name, including pulled strings, which have no length constraint."""
         found = line_phrases(self.mechanism, self.words.mentions, self.mechanism.strings, "string", alone=False)
         drawn = {
@@ -167,7 +167,7 @@ class Setting:
         return {**drawn, **found, **self._by_one_end(found)}
 
     @cached_property
-    def springs(self) -> Mapping[str, str]:
+    def spring_phrases(self) -> Mapping[str, str]:
         """Return phrases for springs, by name."""
         return springs(self.mechanism, self.words.mentions)
 
@@ -183,14 +183,14 @@ class Setting:
             if line.name in found:
                 continue
             bodies = [self.mechanism.site[site].body for site in (line.through[0], line.through[-1])]
-            ends = [self.called(body) for body in bodies if body is not None]
+            ends = [self.display_name(body) for body in bodies if body is not None]
             where = " and ".join(ends) if ends else "its two fixed ends"
             named[line.name] = f"the string between {where}" if len(ends) > 1 else f"the string tied to {where}"
             if len(ends) == 1 and any(self._on_a_rim(site) for site in (line.through[0], line.through[-1])):
                 named[line.name] = f"the part of the string between {where} and its fixed end"
             if not ends:
                 around = [self.mechanism.site[site].body for site in line.through]
-                named[line.name] = f"the string round {next(self.called(b) for b in around if b is not None)}"
+                named[line.name] = f"the string round {next(self.display_name(b) for b in around if b is not None)}"
         return named
 
     @cached_property
@@ -205,14 +205,14 @@ class Setting:
         """Return a parameter that the text states, by its path; None if it does not."""
         return self.lexicon.givens.get(path)
 
-    def towards(self, way: Vector, *, on: str | None = None) -> str:
+    def direction_words(self, way: Vector, *, on: str | None = None) -> str:
         """Return a direction in words; `on` is the body on whose face the direction lies, if that can move."""
         x, y, z = way
-        if abs(z) > 1.0 - LEVEL:
+        if abs(z) > 1.0 - DIRECTION_TOLERANCE:
             return "upward" if z > 0.0 else "downward"
-        if abs(x) > 1.0 - LEVEL:
+        if abs(x) > 1.0 - DIRECTION_TOLERANCE:
             return "to the right" if x > 0.0 else "to the left"
-        if abs(y) > 1.0 - LEVEL:
+        if abs(y) > 1.0 - DIRECTION_TOLERANCE:
             return "away from you" if y > 0.0 else "towards you"
         surface = "slope" if on is None or self._slides_along(on, way) else "face"
         return f"{'up' if z > 0.0 else 'down'} the {surface}"
@@ -221,15 +221,17 @@ class Setting:
         """Return whether a body, or its carrier, slides along a direction, as a plank on a slope does."""
         axes = [held.axis for held in self.mechanism.body[body].coordinates]
         parent = self.mechanism.body[body].parent
-        along = any(abs(abs(sum(a * b for a, b in zip(axis, way, strict=True))) - 1.0) < LEVEL for axis in axes)
+        along = any(
+            abs(abs(sum(a * b for a, b in zip(axis, way, strict=True))) - 1.0) < DIRECTION_TOLERANCE for axis in axes
+        )
         return along or (parent is not None and self._slides_along(parent, way))
 
 
-def capital(text: str) -> str:
+def capitalized(text: str) -> str:
     """Return a text with its first letter capitalised."""
     return text[:1].upper() + text[1:]
 
 
-def joined(names: list[str]) -> str:
+def join_words(names: list[str]) -> str:
     """Return names as a list in words: A, B and C."""
     return names[0] if len(names) == 1 else ", ".join(names[:-1]) + " and " + names[-1]

@@ -7,8 +7,8 @@ from typing import Literal
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.base.record import abridged, counted
-from sim2reason.questions.need import Need, greatest
-from sim2reason.solutions.algebra.digits import DIGITS, rounded
+from sim2reason.questions.need import Need, most_advanced
+from sim2reason.solutions.algebra.digits import DIGITS, rounded_latex
 from sim2reason.solutions.algebra.evaluated import NumericRoot, SpecialFunction
 from sim2reason.solutions.algebra.expressions import Expression, Number
 from sim2reason.solutions.algebra.needs import need_of
@@ -17,8 +17,8 @@ from sim2reason.solutions.writing.unit_latex import DEGREES
 
 Role = Literal["given", "law", "derived", "result", "verified", "exceeds", "trial", "condition"]
 CHECKS = frozenset({"verified", "exceeds"})  # roles of relations on which no other relation depends
-WELL = 1e-9  # relative tolerance within which every relation holds
-SAME = 1e-6  # relative tolerance of the answer of a solution to the engine's
+RELATION_RTOL = 1e-9  # relative tolerance within which every relation holds
+ANSWER_RTOL = 1e-6  # relative tolerance of the answer of a solution to the engine's
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +43,7 @@ class Relation:
         text = f"{plain_latex(self.left)} {sign} {formula}"
         if value is not None and (self.unit or not isinstance(self.right, Number)):
             number = with_unit(value, self.unit)
-            bare = formula == rounded(value) and self.unit != DEGREES
+            bare = formula == rounded_latex(value) and self.unit != DEGREES
             plain = bare or isinstance(self.right, NumericRoot | SpecialFunction)
             text = f"{self.left.latex()} = {number}" if plain else f"{text} = {number}"
         return f"${text}$"
@@ -159,7 +159,7 @@ class Step:
         if self.integration is not None:
             return Need.INTEGRATION
         held = (relation for relation in self.relations if relation.role not in CHECKS)
-        return greatest(need_of(side) for relation in held for side in (relation.left, relation.right))
+        return most_advanced(need_of(side) for relation in held for side in (relation.left, relation.right))
 
 
 @dataclass(frozen=True)
@@ -199,7 +199,7 @@ class Solution:
     @cached_property
     def needs(self) -> Need:
         """Return the most advanced mathematics in any step; INTEGRATION if the solution has no answer."""
-        return greatest(step.need for step in self.steps) if self.answer is not None else Need.INTEGRATION
+        return most_advanced(step.need for step in self.steps) if self.answer is not None else Need.INTEGRATION
 
     @property
     def derived(self) -> bool:
@@ -221,12 +221,12 @@ class Solution:
         if self.whole:
             return rf" = \boxed{{{round(answer)}}}{self.unit}"
         if self.asked_unit is None:
-            return rf" \approx \boxed{{{rounded(answer, 3)}}}{self.unit}"
+            return rf" \approx \boxed{{{rounded_latex(answer, 3)}}}{self.unit}"
         unit, factor = self.asked_unit
         number = with_unit(self.values[self.goal], self.unit)
-        return rf" = {number} \approx \boxed{{{rounded(answer * factor, 3)}}}{unit}"
+        return rf" = {number} \approx \boxed{{{rounded_latex(answer * factor, 3)}}}{unit}"
 
-    def said(self, value: float) -> float:
+    def in_answer_unit(self, value: float) -> float:
         """Return the value of the answer for a value of the goal in SI units."""
         return degrees(value) if self.unit == DEGREES else value * self.scale
 
@@ -238,4 +238,4 @@ class Solution:
 
 def with_unit(value: float, unit: str, digits: int = DIGITS) -> str:
     """Return a number with its unit, in LaTeX; angles in degrees are passed in radians."""
-    return f"{rounded(degrees(value) if unit == DEGREES else value, digits)}{unit}"
+    return f"{rounded_latex(degrees(value) if unit == DEGREES else value, digits)}{unit}"

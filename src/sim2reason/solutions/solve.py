@@ -7,36 +7,36 @@ from math import radians
 
 import numpy as np
 
-from sim2reason.questions import KINDS, Study
+from sim2reason.questions import KINDS, SimulatedScene
 from sim2reason.questions.need import ELEMENTARY, Need
 from sim2reason.questions.parse_prompt import ParsedPrompt, parse_prompt
 from sim2reason.questions.words import Words
-from sim2reason.solutions.algebra.evaluated import is_special, numbers
+from sim2reason.solutions.algebra.evaluated import is_special, numeric_parts
 from sim2reason.solutions.algebra.expressions import Number, Symbol
-from sim2reason.solutions.closed_forms.ingredients import with_ingredients
-from sim2reason.solutions.collisions.long_chains import in_rows, without_repeats
-from sim2reason.solutions.collisions.placing import SOLVED, in_order
+from sim2reason.solutions.closed_forms.ingredients import with_final_algebra
+from sim2reason.solutions.collisions.long_chains import group_steps, without_repeats
+from sim2reason.solutions.collisions.placing import SOLVE_KIND, in_order
 from sim2reason.solutions.laws.either_way import needs_modulus
 from sim2reason.solutions.laws.strings_and_pulleys import after_what_they_rest_on
-from sim2reason.solutions.multipart.renaming import times_in_sequence
-from sim2reason.solutions.opposite_sign import is_magnitude
+from sim2reason.solutions.multipart.renaming import renumber_times
+from sim2reason.solutions.opposite_sign import states_only_magnitude
 from sim2reason.solutions.reached_values import number_unit
 from sim2reason.solutions.reverse import Inversion, forward
-from sim2reason.solutions.setting import Setting, joined
-from sim2reason.solutions.solution import SAME, Relation, Solution, Step
-from sim2reason.solutions.strategies import STRATEGIES, Strategy, fitting, offered
+from sim2reason.solutions.setting import ProblemContext, join_words
+from sim2reason.solutions.solution import ANSWER_RTOL, Relation, Solution, Step
+from sim2reason.solutions.strategies import STRATEGIES, Strategy, applicable_strategies, strategies_for_kind
 from sim2reason.solutions.stretch_ends import tell_reason
-from sim2reason.solutions.verification import verified
+from sim2reason.solutions.verification import verify_solution
 from sim2reason.solutions.writing.lexicon import UnreadError
 from sim2reason.solutions.writing.merging import merged
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import DEGREES
 from sim2reason.text.prose.phrases import Names
 from sim2reason.text.prose.voices import numeric
 from sim2reason.text.prose.writer import Writer
 
 
-def solve(setting: Setting, *, derived: bool = False, checked: bool = True) -> Solution:
+def solve(setting: ProblemContext, *, derived: bool = False, checked: bool = True) -> Solution:
     """Return the worked solution that needs the simplest mathematics; without an answer it has a reason.
 
     The first by cost with elementary needs is taken, if there is one. A solution is accepted if its answer can be
@@ -52,7 +52,7 @@ def solve(setting: Setting, *, derived: bool = False, checked: bool = True) -> S
         return Solution("", reason=str(error))
     if not any(setting.query.kind in strategy.kinds for strategy in STRATEGIES.values()):
         return Solution("", reason=f"no strategy applies: none has a way to the kind {setting.query.kind}")
-    for strategy in offered(setting.query.kind, setting.mechanism, derived=derived):
+    for strategy in strategies_for_kind(setting.query.kind, setting.mechanism, derived=derived):
         if strategy.least_need > setting.most:
             continue
         if strategy.integrates and (best is not None or setting.most < Need.INTEGRATION):
@@ -60,7 +60,7 @@ def solve(setting: Setting, *, derived: bool = False, checked: bool = True) -> S
         found = _kept(strategy, setting, derived=derived)
         if found.answer is not None and best is not None and found.needs >= best.needs:
             continue
-        found = verified(found, setting) if checked and not derived else found
+        found = verify_solution(found, setting) if checked and not derived else found
         if found.answer is None:
             reasons += [f"{strategy.name}: {found.reason}"] if found.applies else []
         elif found.needs <= ELEMENTARY:
@@ -70,31 +70,31 @@ def solve(setting: Setting, *, derived: bool = False, checked: bool = True) -> S
     return best or Solution("", reason="; ".join(reasons) or "no strategy has a way to the question")
 
 
-def _kept(strategy: Strategy, setting: Setting, *, derived: bool) -> Solution:
-    """Return the solution by one strategy, as `by` does, from the cache if possible.
+def _kept(strategy: Strategy, setting: ProblemContext, *, derived: bool) -> Solution:
+    """Return the solution by one strategy, as `solve_with` does, from the cache if possible.
 
     The solution of a derivation is cached with the motion, and reused by the search for the shortest solution of the
     same query unless its mathematics is too advanced. A solution to be shown is always written anew, in its own names.
     """
     key, study = ("derived by", strategy.name, setting.query), setting.study
     if derived:
-        return study.once(key, lambda: by(strategy, setting, shown=False))
+        return study.memoize(key, lambda: solve_with(strategy, setting, shown=False))
     asked = setting.unknown or setting.stated is not None or setting.sought is not None
-    if not asked and setting.most < Need.INTEGRATION and study.knows(key):
-        found = study.once(key, lambda: by(strategy, setting, shown=False))
+    if not asked and setting.most < Need.INTEGRATION and study.is_cached(key):
+        found = study.memoize(key, lambda: solve_with(strategy, setting, shown=False))
         if found.answer is None or found.needs <= setting.most:
             return found
-    return by(strategy, setting)
+    return solve_with(strategy, setting)
 
 
-def by(strategy: Strategy, setting: Setting, *, shown: bool = True) -> Solution:
+def solve_with(strategy: Strategy, setting: ProblemContext, *, shown: bool = True) -> Solution:
     """Return the solution by one strategy, without an answer if it finds none; in symbols for a problem in symbols.
 
     If it is not `shown`, some verifications, on which no result depends, are omitted.
     """
     kind = setting.query.kind
     refused = "" if kind in strategy.kinds else f"no way to the kind {kind}"
-    unfit = strategy not in fitting(setting.mechanism)
+    unfit = strategy not in applicable_strategies(setting.mechanism)
     refused = refused or (strategy.unfit(setting.mechanism) if unfit else strategy.refusal(setting))
     if refused:
         return Solution(strategy.name, reason=refused, applies=False)
@@ -107,20 +107,22 @@ def by(strategy: Strategy, setting: Setting, *, shown: bool = True) -> Solution:
     if found.answer is None:
         return found
     sides = [side for held in found.relations for side in (held.left, held.right)]
-    if any(is_special(side) or next(numbers(side), None) is not None for side in sides):
+    if any(is_special(side) or next(numeric_parts(side), None) is not None for side in sides):
         return Solution(strategy.name, reason="it would need numbers where all is in symbols")
-    return with_ingredients(replace(found, formula=setting.formula.latex))
+    return with_final_algebra(replace(found, formula=setting.formula.latex))
 
 
-def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | None = None, *, shown: bool) -> Solution:
+def _written(
+    strategy: Strategy, setting: ProblemContext, called: Mapping[str, str] | None = None, *, shown: bool
+) -> Solution:
     """Return a solution in numbers; in symbols where it is said how the question's own numbers are `called`."""
     asks = "" if setting.sought is None or setting.unknown else number_unit(setting.query.moment)
-    book = Book(setting.words.units, asks=asks, called=called, most=setting.most)
+    book = SolutionBuilder(setting.words.units, asks=asks, called=called, most=setting.most)
     book.passage = setting.passage
     for path, given in setting.lexicon.givens.items():
         book.reserve(given.symbol)
         unit = given.counted_unit if path == setting.unknown else ""
-        book.know(given.symbol, given.value, unit)
+        book.set_value(given.symbol, given.value, unit)
         if path == setting.unknown:
             book.sought = given.symbol
             book.hidden.add(given.symbol)
@@ -138,16 +140,18 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
             write()
     except (UnsolvedError, UnreadError) as error:
         return Solution(strategy.name, reason=str(error))
-    steps = book.steps if strategy.integrates or strategy.finished else _told(book, goal, late)
+    steps = book.steps if strategy.integrates or strategy.finished else _text_steps(book, goal, late)
     steps = _renumbered([_givens(setting, book, steps, goal), *steps])
-    found = times_in_sequence(_found(strategy, setting, book, goal, steps))
-    answer = found.said(book.values[goal])
-    if setting.answer is None or abs(answer - setting.answer) > SAME * abs(setting.answer):
+    found = renumber_times(_unanswered_solution(strategy, setting, book, goal, steps))
+    answer = found.in_answer_unit(book.values[goal])
+    if setting.answer is None or abs(answer - setting.answer) > ANSWER_RTOL * abs(setting.answer):
         return Solution(strategy.name, reason=f"it leads to {answer:.6g}, which is not the answer")
     return replace(found, answer=answer)
 
 
-def _found(strategy: Strategy, setting: Setting, book: Book, goal: str, steps: tuple[Step, ...]) -> Solution:
+def _unanswered_solution(
+    strategy: Strategy, setting: ProblemContext, book: SolutionBuilder, goal: str, steps: tuple[Step, ...]
+) -> Solution:
     """Return the steps that a strategy wrote as a solution that has no answer yet."""
     counted = not setting.unknown and setting.sought is None and KINDS[setting.query.kind].measured(setting.query).whole
     found = Solution(
@@ -169,22 +173,22 @@ def _found(strategy: Strategy, setting: Setting, book: Book, goal: str, steps: t
     return found
 
 
-def _inverted(setting: Setting, book: Book, goal: str) -> str:
+def _inverted(setting: ProblemContext, book: SolutionBuilder, goal: str) -> str:
     """Write the solution for the unknown where the answer to the query is given, and return its symbol."""
     assert setting.stated is not None
     value, unit = setting.stated.value, book.units.get(goal, "")
     value = radians(value) if unit == DEGREES else value
-    magnitude = is_magnitude(setting, book, goal)
+    magnitude = states_only_magnitude(setting, book, goal)
     found = Inversion(book, goal, value, book.sought, magnitude=magnitude).write(f"{setting.stated.value:g}{unit}")
     hung = {*book.formulas, book.sought}
     for step in book.steps:
-        worked = [part for r in step.relations for side in (r.left, r.right) for part in numbers(side)]
-        if step.kind != SOLVED and any(not hung.isdisjoint(part.symbols()) for part in worked):
+        worked = [part for r in step.relations for side in (r.left, r.right) for part in numeric_parts(side)]
+        if step.kind != SOLVE_KIND and any(not hung.isdisjoint(part.symbols()) for part in worked):
             raise UnsolvedError("it would need numbers that are not known")
     return found
 
 
-def solve_prompt(prompt: str) -> tuple[Solution, Setting]:
+def solve_prompt(prompt: str) -> tuple[Solution, ProblemContext]:
     """Return the solution and setting of a problem from its text alone; TextError as from `parse_prompt`."""
     parsed = parse_prompt(prompt)
     setting = setting_of(parsed)
@@ -193,7 +197,7 @@ def solve_prompt(prompt: str) -> tuple[Solution, Setting]:
     return solve(setting), setting
 
 
-def setting_of(parsed: ParsedPrompt) -> Setting:
+def setting_of(parsed: ParsedPrompt) -> ProblemContext:
     """Return the setting that a prompt describes, with its own symbols.
 
     If the given result does not determine the unknown, the setting asks for that result.
@@ -208,20 +212,20 @@ def setting_of(parsed: ParsedPrompt) -> Setting:
     if unknown and given is not None:
         answer = parsed.counted
         if answer is None:
-            return Setting(scene, Words.of(scene, mentions), named, study, parsed.query)
-        study = Study.of(scene.having(unknown, answer), study.trace.state.times)
+            return ProblemContext(scene, Words.of(scene, mentions), named, study, parsed.query)
+        study = SimulatedScene.of(scene.having(unknown, answer), study.trace.state.times)
     words = Words.of(study.scene, mentions)
-    return Setting(study.scene, words, named, study, parsed.query, unknown, given)
+    return ProblemContext(study.scene, words, named, study, parsed.query, unknown, given)
 
 
 def _noun(mention: str) -> str:
     return mention.removeprefix("the ") if mention.startswith("the ") else mention.rpartition(" ")[0]
 
 
-def _told(book: Book, goal: str, late: AbstractSet[str]) -> list[Step]:
+def _text_steps(book: SolutionBuilder, goal: str, late: AbstractSet[str]) -> list[Step]:
     """Return the steps that lead to the goal, ordered and merged for the text."""
     ordered = in_order(_needed(book.steps, goal), book.earliest, late)
-    return without_repeats(in_rows(merged(after_what_they_rest_on(ordered, late))))
+    return without_repeats(group_steps(merged(after_what_they_rest_on(ordered, late))))
 
 
 def _needed(steps: list[Step], goal: str) -> list[Step]:
@@ -241,7 +245,7 @@ def _needed(steps: list[Step], goal: str) -> list[Step]:
     return [step for step in steps if step.id in kept or not step.gives]
 
 
-def _givens(setting: Setting, book: Book, steps: list[Step], goal: str) -> Step:
+def _givens(setting: ProblemContext, book: SolutionBuilder, steps: list[Step], goal: str) -> Step:
     """Return the step that lists the numbers the solution takes from the text."""
     used = {name for step in steps for name in step.symbols()} | {goal}
     said: dict[str, str] = {}
@@ -258,7 +262,7 @@ def _givens(setting: Setting, book: Book, steps: list[Step], goal: str) -> Step:
     symbols = setting.formula.symbols if book.in_symbols and setting.formula is not None else ()
     pairs = [(name, *text.partition(" (elastic)")[:2]) for name, text in said.items() if name not in symbols]
     numbers = [f"${name} = {text}${why}" for name, text, why in pairs]
-    text = f"Given: {joined(numbers)}." if numbers else ""
+    text = f"Given: {join_words(numbers)}." if numbers else ""
     return Step(-1, "givens", text, tuple(relations), (), ())
 
 

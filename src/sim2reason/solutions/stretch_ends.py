@@ -14,7 +14,7 @@ from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.bounces import GROUND, Bounced, Landed, struck
+from sim2reason.questions.moments.bounces import GROUND, Bounced, Landed, obstacle_phrase
 from sim2reason.questions.moments.burned_out import BurnedOut
 from sim2reason.questions.moments.parts.occurrence import VelocityJump
 from sim2reason.questions.moments.times import AtStart, WholeMotion
@@ -23,8 +23,8 @@ from sim2reason.questions.query import Target
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.trace import IMPACTS
-from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.setting import ProblemContext
+from sim2reason.solutions.writing.steps import SolutionBuilder
 
 SAME = 1e-9  # relative: how well an extreme value is that at an end
 SAMPLES = 2000  # instants of a stretch at which a function is looked at
@@ -42,7 +42,7 @@ CHANGES: Mapping[str, tuple[str, str]] = {
 """By quantity, why it increases and why it decreases."""
 
 
-def at_end(setting: Setting) -> Setting | None:
+def at_end(setting: ProblemContext) -> ProblemContext | None:
     """Return the question about the value at an end of a stretch; None if that is not the extreme value asked for.
 
     Also None if it is not clear why there is no other value beyond it.
@@ -65,7 +65,7 @@ def _same(one: float, other: float | None) -> bool:
     return other is not None and abs(one - other) <= SAME * abs(other)
 
 
-def _ends(setting: Setting, query: StretchQuery) -> Iterator[Moment]:
+def _ends(setting: ProblemContext, query: StretchQuery) -> Iterator[Moment]:
     """Yield the moments at which a stretch ends, of a jump of velocities also just before it, and begins.
 
     Last come events of the body that may be within the stretch: its first impact, burn-out and turning point.
@@ -90,7 +90,7 @@ def _value_at(moment: Moment, query: StretchQuery, functional: Extreme) -> Query
     return Query(moment.kind, Target(functional.quantity.name, query.name, functional.sense), moment)
 
 
-def reason(setting: Setting) -> str:
+def reason(setting: ProblemContext) -> str:
     """Return why the value at an end of a stretch is the extreme one, in sentences; empty if no reason is known."""
     query = setting.extreme
     functional = FUNCTIONALS[query.functional] if query is not None else None
@@ -104,7 +104,7 @@ def reason(setting: Setting) -> str:
     little = LEAST_CHANGE * float(np.abs(values).max())
     quantity = functional.quantity.name if functional.sense is None else query.functional.removeprefix("greatest ")
     if float(np.ptp(values)) <= little:
-        who = setting.called(query.name)
+        who = setting.display_name(query.name)
         constant = f"No force has a component along the velocity of {who}, so its speed does not change."
         return constant if quantity in SPEEDS and little > 0.0 and not setting.mechanism.forces else ""
     if event is not None:
@@ -140,20 +140,20 @@ class _Course:
         return "at the end" if self.last else "at the start"
 
 
-def _until(setting: Setting) -> float:
+def _until(setting: ProblemContext) -> float:
     """Return the last instant of the stretch, s."""
     moment = setting.extreme.moment if setting.extreme is not None else None
     assert moment is not None
     time = setting.study.time(moment)
     assert time is not None
-    return float(np.nextafter(time, 0.0)) if isinstance(moment, VelocityJump) else moment.side(time)
+    return float(np.nextafter(time, 0.0)) if isinstance(moment, VelocityJump) else moment.evaluation_time(time)
 
 
-def _of_speed(setting: Setting, course: _Course) -> str:
+def _of_speed(setting: ProblemContext, course: _Course) -> str:
     """Return why the speed of a body is greatest at an end of a stretch; empty if it is not clear."""
     query, mechanism, until = setting.extreme, setting.mechanism, _until(setting)
     assert query is not None
-    who, noun = setting.called(query.name), FUNCTIONALS[query.functional].name
+    who, noun = setting.display_name(query.name), FUNCTIONALS[query.functional].name
     jumps = any(event.changes_motion and 0.0 < event.time < until for event in setting.study.trace.events)
     steady = not changing(mechanism) and not jumps
     if steady and _flies(mechanism, query.name) and course.lowest:
@@ -188,7 +188,7 @@ def _of_speed(setting: Setting, course: _Course) -> str:
     return ""
 
 
-def _event_within(setting: Setting) -> float | None:
+def _event_within(setting: ProblemContext) -> float | None:
     """Return the time, s, of an event with an extreme value that comes before the end of the stretch; else None."""
     moment = setting.query.moment
     time = setting.study.time(moment) if moment is not None else None
@@ -197,14 +197,14 @@ def _event_within(setting: Setting) -> float | None:
     return time
 
 
-def _of_event(setting: Setting, quantity: str, *, turns: bool) -> str:
+def _of_event(setting: ProblemContext, quantity: str, *, turns: bool) -> str:
     """Return why an extreme value is at an event within the stretch; empty if it is not clear.
 
     `turns` says that the quantity increases until then, and never does afterwards.
     """
     moment, query = setting.query.moment, setting.extreme
     assert query is not None
-    who, name = setting.called(query.name), query.functional
+    who, name = setting.display_name(query.name), query.functional
     if isinstance(moment, Bounced) and quantity in SPEEDS and _falls_to_ground(setting, query.name):
         return (
             f"In flight only gravity does work on {who}, so that its kinetic energy increases as its height decreases."
@@ -222,8 +222,8 @@ def _of_event(setting: Setting, quantity: str, *, turns: bool) -> str:
     return ""
 
 
-def _falls_to_ground(setting: Setting, name: str) -> bool:
-    return _flies(setting.mechanism, name) and struck(setting.words, name) == GROUND
+def _falls_to_ground(setting: ProblemContext, name: str) -> bool:
+    return _flies(setting.mechanism, name) and obstacle_phrase(setting.words, name) == GROUND
 
 
 def _flies(mechanism: Mechanism, name: str) -> bool:
@@ -231,30 +231,30 @@ def _flies(mechanism: Mechanism, name: str) -> bool:
     return only_falls(mechanism) and mechanism.gravity[2] < 0.0 and mechanism.body[name].parent is None
 
 
-def _of_rate(setting: Setting, quantity: str, *, grows: bool, last: bool) -> str:
+def _of_rate(setting: ProblemContext, quantity: str, *, grows: bool, last: bool) -> str:
     """Return why a quantity that changes in one sense is extreme at an end of a stretch; empty if it is not clear."""
     query = setting.extreme
     assert query is not None
     end = "at the end" if last else "at the start"
     if quantity in SPEEDS:
         way, changes = ("along", "increases") if grows else ("opposite to", "decreases")
-        why = f"the acceleration of {setting.called(query.name)} has a component {way} its velocity"
+        why = f"the acceleration of {setting.display_name(query.name)} has a component {way} its velocity"
         return f"All this time {why}, so its speed {changes}, and its {query.functional} is that {end}."
     if quantity not in CHANGES:
         return ""
-    who = setting.called(query.name) if quantity != "distance" else ""
+    who = setting.display_name(query.name) if quantity != "distance" else ""
     why = CHANGES[quantity][0 if grows else 1].format(who=who)
     return f"All this time {why}, so the {query.functional} is that {end}."
 
 
-def tell_reason(setting: Setting, book: Book, goal: str) -> None:
+def tell_reason(setting: ProblemContext, book: SolutionBuilder, goal: str) -> None:
     """Write why the value at an end of a stretch, which is written already, is the extreme one.
 
     If the text gives that value, nothing else is needed.
     """
     if setting.is_given(goal):
         book.rewrite(0, ())
-    step = book.open("extreme")
+    step = book.begin_step("extreme")
     step.rest_on(goal)
-    step.say(reason(setting))
+    step.add_text(reason(setting))
     step.close()

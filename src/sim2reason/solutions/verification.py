@@ -6,14 +6,16 @@ from math import radians
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import Data, as_data
 from sim2reason.solutions.reverse import forward
-from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.solution import SAME, WELL, Solution
+from sim2reason.solutions.setting import ProblemContext
+from sim2reason.solutions.solution import ANSWER_RTOL, RELATION_RTOL, Solution
 
-STATED = 1e-5  # relative tolerance of stated results, which have five digits
+STATED_RESULT_RTOL = 1e-5  # relative tolerance of stated results, which have five digits
 WHY = "recomputed from what it states, it does not lead to the answer"
 
 
-def verified(solution: Solution, setting: Setting, earlier: Mapping[str, float] | None = None) -> Solution:
+def verify_solution(
+    solution: Solution, setting: ProblemContext, earlier: Mapping[str, float] | None = None
+) -> Solution:
     """Return a solution if its answer is recomputed from its data, else a solution without one and the reason.
 
     The recomputed answer must be the engine's, and the given numbers must be those of the text and the question, or
@@ -21,11 +23,11 @@ def verified(solution: Solution, setting: Setting, earlier: Mapping[str, float] 
     """
     if solution.answer is None:
         return solution
-    reason = refusal(as_data(solution), setting, earlier)
+    reason = verification_fault(as_data(solution), setting, earlier)
     return Solution(solution.strategy, reason=f"{WHY}: {reason}") if reason else solution
 
 
-def refusal(data: Data, setting: Setting, earlier: Mapping[str, float] | None = None) -> str:
+def verification_fault(data: Data, setting: ProblemContext, earlier: Mapping[str, float] | None = None) -> str:
     """Return why a solution's data fail the check; empty if they pass. `earlier` has results of earlier parts."""
     setting = forward(setting)
     said = named_in_text(setting) | dict(earlier or {})
@@ -37,7 +39,7 @@ def refusal(data: Data, setting: Setting, earlier: Mapping[str, float] | None = 
     found = recompute(data)
     if found.faults:
         return found.faults[0]
-    if setting.answer is None or not found.agrees(setting.answer, SAME):
+    if setting.answer is None or not found.agrees(setting.answer, ANSWER_RTOL):
         return f"it leads to {found.answer}, not to {setting.answer}"
     return next(_misstated(data, found.values), "")
 
@@ -45,11 +47,11 @@ def refusal(data: Data, setting: Setting, earlier: Mapping[str, float] | None = 
 def _misstated(data: Data, values: Mapping[str, float]) -> Iterator[str]:
     """Yield a message for each stated result that differs from the recomputed one."""
     for name, value in ((name, value) for step in data["steps"] for name, value in step["results"].items()):
-        if name in values and abs(values[name] - value) > STATED * abs(value):
+        if name in values and abs(values[name] - value) > STATED_RESULT_RTOL * abs(value):
             yield f"{name} is {values[name]:.6g}, not {value:.6g}"
 
 
-def named_in_text(setting: Setting) -> dict[str, float]:
+def named_in_text(setting: ProblemContext) -> dict[str, float]:
     """Return the numbers that have a symbol in the text, without the unknown, and the gravitational constant."""
     pulls = setting.mechanism.attractions
     constants = {"G": pulls[0].constant} if pulls else {}
@@ -57,7 +59,7 @@ def named_in_text(setting: Setting) -> dict[str, float]:
     return constants | {given.symbol: given.value for path, given in givens if path != setting.unknown}
 
 
-def stated_by_question(setting: Setting) -> Iterator[float]:
+def stated_by_question(setting: ProblemContext) -> Iterator[float]:
     """Yield the numbers that a question states, of its moment or its result, also converted to radians.
 
     Solutions choose names for them. The time of a moment is left out if the question asks for it.
@@ -71,4 +73,4 @@ def stated_by_question(setting: Setting) -> Iterator[float]:
 
 
 def _same(value: float, other: float) -> bool:
-    return abs(value - other) <= WELL * abs(other)
+    return abs(value - other) <= RELATION_RTOL * abs(other)

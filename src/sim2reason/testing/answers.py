@@ -5,14 +5,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim2reason.questions import Study, Target
-from sim2reason.questions.choices import apart
+from sim2reason.questions import SimulatedScene, Target
+from sim2reason.questions.choices import is_clear_of_events
 from sim2reason.scenes.dsl.units import Dimension, parse_unit
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.trace import Event, Trace
 from sim2reason.testing.specimens import Specimen
 
-CLOSE = 1e-6  # relative to the largest value of the quantity
+ANSWER_RTOL = 1e-6  # relative to the largest value of the quantity
 MOMENTS = (0.0, 0.19, 0.46, 0.73, 0.97)  # fractions of the common motion
 SOON, LATE = 1e-6, 1.0 - 1e-4  # fractions of the common motion between which events are counted
 
@@ -31,14 +31,17 @@ class Difference:
         return f"{self.asked}: {self.found:.9g} in place of {self.expected:.9g}"
 
 
-def same(dimension: Dimension) -> float:
+def unit_factor(dimension: Dimension) -> float:
     """Return the factor 1 for every dimension: answers must be equal."""
     del dimension
     return 1.0
 
 
 def differences(
-    specimen: Specimen, other: Study, factor: Callable[[Dimension], float] = same, close: float = CLOSE
+    specimen: Specimen,
+    other: SimulatedScene,
+    factor: Callable[[Dimension], float] = unit_factor,
+    close: float = ANSWER_RTOL,
 ) -> Iterator[Difference]:
     """Yield the differing answers in another motion, where answers should be larger by `factor`.
 
@@ -46,7 +49,7 @@ def differences(
     """
     stretch = factor(Dimension(time=1))
     end = min(specimen.end, min(other.trace.stable_until, float(other.trace.state.times[-1])) / stretch)
-    times = [t for t in (part * end for part in MOMENTS) if t == 0.0 or apart(t, specimen.study.trace)]
+    times = [t for t in (part * end for part in MOMENTS) if t == 0.0 or is_clear_of_events(t, specimen.study.trace)]
     yield from _parted(_events(specimen.study.trace, end, 1.0), _events(other.trace, end, stretch), end, close)
     here = _values(list(specimen.targets), specimen.study.trace, times, 1.0)
     there = _values(list(specimen.targets), other.trace, times, stretch)

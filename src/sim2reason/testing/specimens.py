@@ -9,16 +9,16 @@ from pydantic import ValidationError
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.errors import DrawError, SceneError, SimulationError, UnsupportedError
-from sim2reason.questions import Study, Words
+from sim2reason.questions import SimulatedScene, Words
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import Targets, targets
 from sim2reason.scenes.dsl.body import Body
-from sim2reason.scenes.dsl.choices import choices, closed
+from sim2reason.scenes.dsl.choices import choices, close_ports
 from sim2reason.scenes.dsl.entity import Entity, Named, Part
-from sim2reason.scenes.dsl.model import Model, Parameter, draw, rebuilt
+from sim2reason.scenes.dsl.model import Model, Parameter, draw, replace_validated
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import dump
-from sim2reason.simulation.certify import Certificate, witnessed
+from sim2reason.simulation.certify import Certificate, certify_trace
 from sim2reason.simulation.trace import Trace
 from sim2reason.testing.report import Finding
 from sim2reason.text.prose.description import Description, describe
@@ -28,9 +28,11 @@ from sim2reason.text.prose.voices import numeric
 def changed(scene: Scene, numbers: Mapping[str, float]) -> Scene | None:
     """Return a scene with several numbers changed at once, by address; None if it is invalid."""
     try:
-        entities = tuple(rebuilt(n, entity=_with(n.entity, n.name, numbers)) for n in scene.entities)
+        entities = tuple(replace_validated(n, entity=_with(n.entity, n.name, numbers)) for n in scene.entities)
         joined = tuple(_with(c, f"{c.key}_{i}", numbers) for i, c in enumerate(scene.connections, 1))
-        return rebuilt(scene, entities=entities, connections=joined, world=_with(scene.world, "world", numbers))
+        return replace_validated(
+            scene, entities=entities, connections=joined, world=_with(scene.world, "world", numbers)
+        )
     except (SceneError, ValidationError):
         return None
 
@@ -47,17 +49,17 @@ def _with(value: Any, address: str, numbers: Mapping[str, float]) -> Any:  # noq
     return type(value)(**fields)
 
 
-def studied(scene: Scene | None, duration: float) -> Study | None:
+def studied(scene: Scene | None, duration: float) -> SimulatedScene | None:
     """Return a simulated scene; None if it cannot be simulated."""
     if scene is None:
         return None
     try:
-        return Study.of(scene, np.array([0.0, duration]))
+        return SimulatedScene.of(scene, np.array([0.0, duration]))
     except (SceneError, SimulationError, UnsupportedError):
         return None
 
 
-def spoken(scene: Scene, seed: int = 0) -> dict[str, Parameter]:
+def stated_numbers(scene: Scene, seed: int = 0) -> dict[str, Parameter]:
     """Return the numbers that a text states as numbers, by address, without those stated by words."""
     found: dict[str, Parameter] = {}
 
@@ -69,14 +71,14 @@ def spoken(scene: Scene, seed: int = 0) -> dict[str, Parameter]:
     return found
 
 
-def told_by_word(scene: Scene, path: str) -> bool:
+def stated_by_word(scene: Scene, path: str) -> bool:
     """Return whether a word states a number, as *smooth* states zero friction."""
     owner, _, name = path.rpartition(".")
     body = scene.bodies.get(owner)
     if body is not None:
-        return _worded(body, name) or body.told_by_word(name)
+        return _worded(body, name) or body.is_stated_by_word(name)
     part = scene.value(owner) if owner != "world" else None
-    return isinstance(part, Part) and (_worded(part, name) or type(part).told_by_word(name, getattr(part, name)))
+    return isinstance(part, Part) and (_worded(part, name) or type(part).is_stated_by_word(name, getattr(part, name)))
 
 
 def _worded(value: Body | Part, name: str) -> bool:
@@ -90,7 +92,7 @@ TRIES = 40  # draws for one scene
 NARROW = 8  # first draws, in which ports are closed by entities without bodies
 PATIENT = 24  # draws after which a scene without motion or questions is accepted
 SHORT = 0.05  # of the horizon: shortest certified motion
-STILL = 1e-6  # m, m/s or rad; smaller changes are no motion
+REST_TOLERANCE = 1e-6  # m, m/s or rad; smaller changes are no motion
 
 
 @dataclass(frozen=True)
@@ -116,9 +118,9 @@ class Specimen:
         return words_of(self.description)
 
     @cached_property
-    def study(self) -> Study:
+    def study(self) -> SimulatedScene:
         """Return its motion by the recorded engine; it raises the engine's errors."""
-        return Study.of(self.scene, np.linspace(0.0, self.scene.horizon, SAMPLES))
+        return SimulatedScene.of(self.scene, np.linspace(0.0, self.scene.horizon, SAMPLES))
 
     @cached_property
     def targets(self) -> Targets:
@@ -128,7 +130,7 @@ class Specimen:
     @cached_property
     def certified(self) -> tuple[Trace, Certificate]:
         """Return its motion up to the end of the engines' agreement, with the certificate."""
-        return witnessed(self.study.trace)
+        return certify_trace(self.study.trace)
 
     @cached_property
     def end(self) -> float:
@@ -144,7 +146,7 @@ class Specimen:
         if self.end <= SHORT * self.scene.horizon:
             return False
         state = self.study.trace.state
-        return bool(max(np.abs(state.q).max(initial=0.0), np.abs(state.v).max(initial=0.0)) > STILL)
+        return bool(max(np.abs(state.q).max(initial=0.0), np.abs(state.v).max(initial=0.0)) > REST_TOLERANCE)
 
     def finding(self, check: str, expected: str, found: str, remedy: str) -> Finding:
         """Return a finding about this scene."""
@@ -180,7 +182,7 @@ def specimen(cls: type[Entity], seed: int) -> Specimen:
         rng = np.random.default_rng([seed, attempt])
         try:
             entity = draw(cls, rng, choices(cls, rng))
-            found = Specimen(seed, closed(Named(name=IT, entity=entity), rng, widely=attempt >= NARROW))
+            found = Specimen(seed, close_ports(Named(name=IT, entity=entity), rng, widely=attempt >= NARROW))
             found.scene.check()
             _ = found.description  # also what can't be told is drawn again
             moves = found.moves  # and what an engine says can not be

@@ -13,7 +13,7 @@ from sim2reason.base.settings import first_fault, settings_in
 from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.exports import EXPORTS, Export, Place
 from sim2reason.datasets.generate import configured
-from sim2reason.datasets.lazy import MOST, LazyProblems
+from sim2reason.datasets.lazy import INDEX_STRIDE, LazyProblems
 from sim2reason.datasets.plan import ALL, MAKER, TRAIN
 from sim2reason.errors import DatasetError, EvaluationError, Sim2ReasonError
 from sim2reason.generation.item import Record
@@ -41,7 +41,7 @@ class Rows(Protocol):
 class LazySettings(Record):
     """A YAML file of settings for generation, named like the options of `generate`."""
 
-    items: Annotated[int, Ge(1), Le(MOST)]
+    items: Annotated[int, Ge(1), Le(INDEX_STRIDE)]
     """The number of rows, drawn and stored together."""
     share: Annotated[float, Gt(0.0), Le(1.0)] = 1.0
     """Of the rows that are drawn; the others are stored ones."""

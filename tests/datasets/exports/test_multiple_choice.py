@@ -12,7 +12,7 @@ from sim2reason import rewards
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.exports import EXPORTS, Place
 from sim2reason.generation.item import Answer, Distractor, Item
-from sim2reason.generation.options import FEWEST, OPTION_RTOL, options_of, values
+from sim2reason.generation.options import OPTION_RTOL, REQUIRED_DISTRACTORS, options_of, values
 from sim2reason.grading import number
 from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt, said
 
@@ -43,7 +43,7 @@ def test_each_row_has_one_right_letter_and_its_reasons(problems: Path) -> None:
     found = [row for item in Dataset(problems) if (row := CHOICE.row(item, HERE)) is not None]
     assert len(found) > 20
     for row in found:
-        assert FEWEST < len(row["choices"]) <= len(LETTERS)
+        assert REQUIRED_DISTRACTORS < len(row["choices"]) <= len(LETTERS)
         assert LETTERS[row["label"]] == row["answer"]
         assert [not reason for reason in row["reasons"]] == [n == row["label"] for n in range(len(row["choices"]))]
         for letter in LETTERS[: len(row["choices"])]:
@@ -57,7 +57,7 @@ def test_each_row_has_one_right_letter_and_its_reasons(problems: Path) -> None:
 
 def test_formulas_and_items_with_few_wrong_answers_are_left_out(problems: Path) -> None:
     for item in Dataset(problems):
-        if item.answer.formula is not None or len(item.distractors) < FEWEST:
+        if item.answer.formula is not None or len(item.distractors) < REQUIRED_DISTRACTORS:
             assert CHOICE.row(item, HERE) is None
 
 

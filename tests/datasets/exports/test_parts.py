@@ -13,7 +13,7 @@ from sim2reason.datasets.build import build
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.exports.parts.export import export
 from sim2reason.datasets.plan import Config
-from sim2reason.datasets.separate import separated
+from sim2reason.datasets.separate import split_parts
 from sim2reason.errors import DatasetError
 from sim2reason.questions.choice_prompts import MINUS
 
@@ -60,7 +60,7 @@ def test_the_reward_reads_the_rows_of_either_form(parted: Path, tmp_path: Path) 
 def test_a_later_part_is_given_the_numbers_that_its_solution_starts_from(parted: Path) -> None:
     """To five digits: from three, the later answer would differ in the third."""
     (item,) = (item for item in Dataset(parted) if item.parts)
-    for number, part in enumerate(separated(item)):
+    for number, part in enumerate(split_parts(item)):
         told = re.findall(r"Answer: (\S+)", part.prompt)
         assert [float(said.replace(MINUS, "-")) for said in told] == pytest.approx(
             [answer.value for answer in item.answer.parts[:number]], rel=5e-5

@@ -166,7 +166,7 @@ def test_our_suite_is_a_dataset_or_drawn(tmp_path: Path) -> None:
     assert len(found) == 6
     assert found[0].tags["recipe"] == ("pulley",)
     assert found[0].scoring == "sim2reason"
-    assert "N" in found[0].told
+    assert "N" in found[0].answer_text
     drawn = {"kind": "synthetic", "name": "ours", "seed": 99, "items": 2, "recipe": "projectile", "difficulty": "easy"}
     first, second = items_of(benchmark_from(drawn)), items_of(benchmark_from(drawn))
     assert first == second

@@ -12,7 +12,7 @@ from pydantic import PrivateAttr
 from sim2reason.errors import EvaluationError, PolicyError
 from sim2reason.evaluation.policies import Completion, Policy, SampleRequest
 from sim2reason.evaluation.policies.samples import NoAnswerError
-from sim2reason.evaluation.policies.samples.ask import IN_A_ROW, ask, requests_for, sample_seed
+from sim2reason.evaluation.policies.samples.ask import MAX_FAILURES, ask, requests_for, sample_seed
 from sim2reason.evaluation.policies.samples.journal import SampleJournal, finished
 
 
@@ -131,7 +131,7 @@ def test_an_endpoint_that_is_down_or_refuses_ends_the_run_with_all_that_was_fini
     down = Parrot(name="p", fails=tuple(name for name, _ in prompts(90)[3:]))
     with SampleJournal(tmp_path / "a.jsonl") as journal, pytest.raises(PolicyError, match="in a row"):
         ask(down, requests_for(prompts(90), 1, 0), journal)
-    assert len(down._seen) == 3 + IN_A_ROW
+    assert len(down._seen) == 3 + MAX_FAILURES
     with SampleJournal(tmp_path / "b.jsonl") as journal, pytest.raises(PolicyError, match="no more"):
         ask(Parrot(name="p", stops=("item-3",), width=2), requests_for(prompts(90), 1, 0), journal)
     assert 3 <= len(list(finished(tmp_path / "b.jsonl"))) <= 6

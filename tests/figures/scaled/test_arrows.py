@@ -6,7 +6,7 @@ import pytest
 
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.labels import HEAD
-from sim2reason.figures.scaled.arrows import APART, SHORTEST
+from sim2reason.figures.scaled.arrows import ARROW_GAP, SHORTEST
 from sim2reason.figures.shapes import LineShape
 from sim2reason.figures.vectors import length_inside, unit
 from sim2reason.generation.random_scenes import sample
@@ -24,4 +24,4 @@ def test_heads_are_free(seed: int, index: int, numbers: bool) -> None:
         assert abs(tip - tail) > SHORTEST - 1e-9 > 2.0 * HEAD
         head = tip - HEAD * unit(tip - tail)
         assert not any(length_inside(head, tip, label.box) for label in drawn.labels)
-    assert all(abs(one[1] - other[1]) > APART for one, other in combinations(arrows, 2))
+    assert all(abs(one[1] - other[1]) > ARROW_GAP for one, other in combinations(arrows, 2))

@@ -18,7 +18,7 @@ from sim2reason.figures.vectors import common
 from sim2reason.scenes.bodies.pendulums import Ball, LightRod
 from sim2reason.scenes.bodies.sliders import Block
 from sim2reason.scenes.dsl.body import BODIES, BodyLook
-from sim2reason.scenes.dsl.choices import choices, closed
+from sim2reason.scenes.dsl.choices import choices, close_ports
 from sim2reason.scenes.dsl.connection import CONNECTIONS, Connection, Link
 from sim2reason.scenes.dsl.entity import ENTITIES, Named, outer_ports
 from sim2reason.scenes.dsl.model import draw
@@ -35,7 +35,7 @@ def one(kind: str, seed: int) -> Scene:
         rng = np.random.default_rng([seed, attempt])
         try:
             entity = draw(ENTITIES[kind], rng, choices(ENTITIES[kind], rng))
-            scene = closed(Named(name="it", entity=entity), rng)
+            scene = close_ports(Named(name="it", entity=entity), rng)
             scene.check()
         except (SceneError, ValidationError):
             continue

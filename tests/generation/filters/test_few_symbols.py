@@ -5,14 +5,14 @@ import pytest
 
 from plain_scenes import atwood, ramp
 from sim2reason.generation.filters import FILTERS, Candidate
-from sim2reason.questions import Formula, Query, Question, Study, Target
+from sim2reason.questions import Formula, Query, Question, SimulatedScene, Target
 from sim2reason.questions.difficulty import Difficulty
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.scenes.dsl.scene import Scene
 
 
 def reason(scene: Scene, difficulty: Difficulty, within: tuple[str, ...], without: tuple[str, ...] = ()) -> str:
-    study = Study.of(scene, np.linspace(0.0, 1.0, 11))
+    study = SimulatedScene.of(scene, np.linspace(0.0, 1.0, 11))
     symbols = (*within, *without, "g")
     formula = Formula(
         " ".join(symbols), symbols, ("",) * len(symbols), ((1.0,) * len(symbols),), (1.0,), within, without

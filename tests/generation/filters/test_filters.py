@@ -8,10 +8,10 @@ import pytest
 
 from motions import rod_pendulum, spring_block
 from plain_scenes import G, arm, atwood, bight, half_atwood, massive, ramp, row, squeezed, table, three
-from sim2reason.generation.filters import FILTERS, Candidate, sift
+from sim2reason.generation.filters import FILTERS, Candidate, apply_filters
 from sim2reason.generation.filters.parts.effects import effects, effects_of
 from sim2reason.generation.question_search import QuestionSearch
-from sim2reason.questions import KINDS, MODES, Moment, Query, Question, Study, Target
+from sim2reason.questions import KINDS, MODES, Moment, Query, Question, SimulatedScene, Target
 from sim2reason.questions.difficulty import Difficulty
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.angles import TurnedThrough
@@ -19,7 +19,7 @@ from sim2reason.questions.moments.collisions import Collided
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import Stopped
-from sim2reason.questions.simplifications import SIMPLIFICATIONS
+from sim2reason.questions.simplifications import MISCONCEPTIONS
 from sim2reason.scenes.bodies.holed_bodies import BoredCylinder
 from sim2reason.scenes.bodies.planes import Incline, Plane, RoughTrack, Track
 from sim2reason.scenes.bodies.round_bodies import Sphere
@@ -35,7 +35,7 @@ from sim2reason.scenes.entities.rolling import RollingEntity
 from sim2reason.scenes.entities.slopes import TwoSideMassPlane
 from sim2reason.scenes.entities.spring_chains import SpringMassChain
 from sim2reason.scenes.entities.two_d_collision_plane import PairRestitution
-from sim2reason.simulation.certify import witnessed
+from sim2reason.simulation.certify import certify_trace
 from sim2reason.simulation.channels import Channel
 
 BLOCK, OTHER = "one.system.blocks.0", "other.system.blocks.0"
@@ -45,7 +45,7 @@ BOTH = "table.pucks.0 & table.pucks.1"
 
 def candidate(scene: Scene, moment: Moment, target: Target | None, answer: float | None = None) -> Candidate:
     """A question about a scene with its true answer, or another one."""
-    study = Study.of(scene, np.linspace(0.0, 2.0, 41))
+    study = SimulatedScene.of(scene, np.linspace(0.0, 2.0, 41))
     query = Query(moment.kind if target else "time_to_event", target, moment)
     found = KINDS[query.kind].answer(query, study) if answer is None else answer
     assert found is not None
@@ -92,7 +92,7 @@ def test_what_only_one_engine_vouches_for_goes() -> None:
     tension = Target("tension", "tendon_1")
     found = candidate(atwood(), AtTime(0.5), tension)
     assert reason("agreement", found), "no witness was heard"
-    certificate = witnessed(found.study.trace)[1]
+    certificate = certify_trace(found.study.trace)[1]
     assert not reason("agreement", replace(found, certificate=certificate))
     parted = replace(certificate, until={**certificate.until, Channel("tendon_1", "tension"): 0.4})
     assert "disagree" in reason("agreement", replace(found, certificate=parted))
@@ -102,7 +102,7 @@ def test_what_only_one_engine_vouches_for_goes() -> None:
 
 def test_a_distance_that_only_one_engine_sees_covered_goes() -> None:
     found = candidate(atwood(), Moved(BLOCK, 0.5), None)
-    certificate = witnessed(found.study.trace)[1]
+    certificate = certify_trace(found.study.trace)[1]
     assert not reason("agreement", replace(found, certificate=certificate))
     parted = replace(certificate, until={**certificate.until, Channel(BLOCK, "displacement"): 0.1})
     assert "displacement" in reason("agreement", replace(found, certificate=parted))
@@ -111,7 +111,7 @@ def test_a_distance_that_only_one_engine_sees_covered_goes() -> None:
 @pytest.mark.parametrize("after", [True, False])
 def test_what_happens_at_an_event_is_vouched_for_beyond_it(after: bool) -> None:
     found = candidate(table(), Collided(BOTH, after=after), Target("velocity", LEFT), 1.0)
-    certificate = witnessed(found.study.trace)[1]
+    certificate = certify_trace(found.study.trace)[1]
     assert not reason("agreement", replace(found, certificate=certificate))
     until = {**certificate.until, Channel(LEFT, "velocity"): 0.39}  # they meet at 0.40 s
     assert reason("agreement", replace(found, certificate=replace(certificate, until=until)))
@@ -137,7 +137,7 @@ def test_precision_drops_a_count_that_rounding_changes(speed: float, counts: set
     """A cart of 2.05 kg or of 2.15 kg turns back as often as one of 2.1 kg, but not after a harder blow on the next."""
     query = StretchQuery("count", None, AtTime(1.5), "number of reversals", "row.carts.0")
     scenes = (row([mass, 3.2], [73.0, 84.0], "left", strain=0.24, speed=speed) for mass in (2.1, 2.05, 2.15))
-    studies = [Study.of(scene, np.linspace(0.0, 3.0, 61)) for scene in scenes]
+    studies = [SimulatedScene.of(scene, np.linspace(0.0, 3.0, 61)) for scene in scenes]
     answers = [KINDS["count"].answer(query, study) for study in studies]
     assert set(answers) == counts
     assert answers[0] is not None
@@ -166,17 +166,17 @@ def test_too_many_words_go() -> None:
 def test_the_witness_is_heard_last_and_the_first_verdict_stands() -> None:
     speed = Target("velocity", "ramp.blocks.0")
     sliding = candidate(ramp(friction=0.2), AtTime(0.5), speed)
-    assert sift(replace(sliding, difficulty="easy"), witnessed=False).keep
+    assert apply_filters(replace(sliding, difficulty="easy"), witnessed=False).keep
     still = candidate(ramp(angle=10.0, friction=0.7), AtTime(0.5), speed)
-    assert sift(replace(still, prompt="word " * 900), witnessed=False).filter == "degenerate"
-    unheard = sift(candidate(ramp(), AtTime(0.5), speed), witnessed=True)
+    assert apply_filters(replace(still, prompt="word " * 900), witnessed=False).filter == "degenerate"
+    unheard = apply_filters(candidate(ramp(), AtTime(0.5), speed), witnessed=True)
     assert (unheard.keep, unheard.filter) == (False, "agreement")
 
 
 def test_a_body_that_stops_is_vouched_for() -> None:
     found = candidate(ramp(angle=20.0, friction=0.6, speed=2.0), Stopped("ramp.blocks.0"), None)
     assert found.question.answer == pytest.approx(2.0 / (G * (np.sin(np.pi / 9) + 0.6 * np.cos(np.pi / 9))), rel=1e-9)
-    assert not reason("agreement", replace(found, certificate=witnessed(found.study.trace)[1]))
+    assert not reason("agreement", replace(found, certificate=certify_trace(found.study.trace)[1]))
 
 
 @pytest.mark.parametrize(("difficulty", "said"), [("easy", "many: 7 collisions"), ("medium", "")])
@@ -275,8 +275,8 @@ def test_a_wrong_idea_about_nothing_but_a_marked_part_is_not_paid() -> None:
     special = PairRestitution(first=1, second=2, restitution=0.4)
     hit, velocity = Collided(BOTH, after=True), Target("velocity", RIGHT)
     found = candidate(scene.having("table.pairs", (special,)), hit, velocity)
-    assert {effect.subject for effect in effects(found, part=True) if effect.close} == {"table.pucks.2"}
-    assert {e.simplification.name for e in effects(found, part=False) if e.close} == {"elastic collisions"}
+    assert {effect.subject for effect in effects(found, part=True) if effect.is_accepted} == {"table.pucks.2"}
+    assert {e.simplification.name for e in effects(found, part=False) if e.is_accepted} == {"elastic collisions"}
     assert not reason("simplification", found)
     tilted = candidate(scene.having("table.table.angle", 5.0), hit, None)
     assert reason("simplification", tilted).startswith("gravity left out: "), "which is about all three"
@@ -287,9 +287,9 @@ def test_no_wrong_idea_is_an_approximation_that_holds() -> None:
     large = arm(90.0).having_all({"arm.pieces.0.body.radius": 0.5, "arm.pieces.0.distance": 0.6})
     passed = candidate(large, TurnedThrough("arm.arm", 40.0), Target("angular velocity", "arm.arm"))
     slips = {effect.simplification.name: effect for effect in effects(passed, part=False)}
-    assert slips["later root"].same
-    assert not slips["later root"].wrong
-    assert slips["small angle"].wrong
+    assert slips["later root"].is_unchanged
+    assert not slips["later root"].is_error
+    assert slips["small angle"].is_error
     assert not reason("simplification", passed)
 
 
@@ -373,7 +373,7 @@ def test_slips_that_are_about_the_whole_are_made_where_nothing_is_asked_of_a_par
     answer = KINDS["period"].answer(query, study)
     assert answer is not None
     found = Candidate(study, Question("numeric", query, "?", answer, "s"), "a b c")
-    assert list(effects_of(SIMPLIFICATIONS["length as extension"], found))
+    assert list(effects_of(MISCONCEPTIONS["length as extension"], found))
 
 
 def test_a_string_that_is_slack_at_once_is_not_called_taut() -> None:

@@ -16,7 +16,7 @@ from sim2reason.generation.request import Request
     ],
 )
 def test_numbers_come_with_the_verdict(recipe: str, mode: str, filters: tuple[str, ...]) -> None:
-    found = ItemSearch(Request(recipe, "easy", mode, 3, 0)).found()
+    found = ItemSearch(Request(recipe, "easy", mode, 3, 0)).find()
     assert found is not None
     for name in filters:
         told = list(FILTERS[name].findings(found.candidate))

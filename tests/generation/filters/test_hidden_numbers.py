@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from sim2reason.generation.filters import FILTERS, Candidate
-from sim2reason.questions import KINDS, Query, Question, Study, Target
+from sim2reason.questions import KINDS, Query, Question, SimulatedScene, Target
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.scenes.files import load
 
@@ -31,7 +31,7 @@ scene:
 def test_an_answer_that_small_errors_grow_in_hangs_on_no_length(time: float) -> None:
     """Close to where the block turns back its speed, 0.08 m/s after 1.3 s, errs by far more than a step does."""
     scene = load(DRAWN)
-    study = Study.of(scene, np.linspace(0.0, scene.horizon, 41))
+    study = SimulatedScene.of(scene, np.linspace(0.0, scene.horizon, 41))
     query = Query("state", Target("velocity", BLOCK), AtTime(time))
     answer = KINDS["state"].answer(query, study)
     assert answer is not None

@@ -3,7 +3,7 @@
 import pytest
 
 from sim2reason.generation.filters import FILTERS, Candidate
-from sim2reason.questions import Query, Question, Study, Target
+from sim2reason.questions import Query, Question, SimulatedScene, Target
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.scenes.bodies.pendulums import Ball, Cord
 from sim2reason.scenes.dsl.entity import Named
@@ -35,7 +35,7 @@ scene:
 
 
 def reason(scene: Scene, subject: str, time: float) -> str:
-    study = Study(scene, simulate(scene, duration=2.0))
+    study = SimulatedScene(scene, simulate(scene, duration=2.0))
     question = Question("numeric", Query("state", Target("velocity", subject), AtTime(time)), "?", 1.0, "m/s")
     return FILTERS["jerk"].reason(Candidate(study, question, "a b c"))
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from plain_scenes import atwood, ramp
-from sim2reason.generation.filters import FILTERS, Candidate, SceneFilter, sift
-from sim2reason.questions import KINDS, Moment, Query, Question, StatedResult, Study, Target
+from sim2reason.generation.filters import FILTERS, Candidate, SceneFilter, apply_filters
+from sim2reason.questions import KINDS, Moment, Query, Question, SimulatedScene, StatedResult, Target
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.scenes.bodies.sliders import Block
 from sim2reason.scenes.bodies.spring import Spring
@@ -19,7 +19,7 @@ BLOCK = "one.system.blocks.0"
 
 
 def candidate(scene: Scene, target: Target, moment: Moment) -> Candidate:
-    study = Study.of(scene, np.linspace(0.0, 2.0, 81))
+    study = SimulatedScene.of(scene, np.linspace(0.0, 2.0, 81))
     query = Query("state", target, moment)
     answer = KINDS["state"].answer(query, study)
     assert answer is not None
@@ -38,7 +38,7 @@ def test_a_scene_with_a_number_that_no_textbook_prints_goes() -> None:
     assert not FILTERS["magnitudes"].reason(candidate(ramp(), speed, AtTime(0.5)))
     heavy = candidate(ramp(mass=5000.0), speed, AtTime(0.5))
     assert FILTERS["magnitudes"].reason(heavy) == "ramp.blocks.0.mass is 5000 kg"
-    assert sift(heavy, witnessed=False).filter == "magnitudes"
+    assert apply_filters(heavy, witnessed=False).filter == "magnitudes"
     assert isinstance(FILTERS["magnitudes"], SceneFilter), "then no question about it is asked"
 
 

@@ -12,7 +12,7 @@ from sim2reason.generation.random_scenes import sample
 from sim2reason.questions import MODES
 from sim2reason.questions.need import EVERY, Need
 from sim2reason.solutions import Solution
-from sim2reason.solutions.shortest import shortest
+from sim2reason.solutions.shortest import shortest_solution
 
 SIMPLE = frozenset(need for need in Need if need <= Need.INVERSE_FUNCTION)
 
@@ -60,8 +60,8 @@ def test_a_limit_does_not_hide_what_is_within_it(swing: QuestionSearch) -> None:
         question = MODES["numeric"].ask(study, words, "", np.random.default_rng(seed))
         if question is None:
             continue
-        free = shortest(question.query, study, words)
-        limited = shortest(question.query, study, words, most=Need.INVERSE_FUNCTION)
+        free = shortest_solution(question.query, study, words)
+        limited = shortest_solution(question.query, study, words, most=Need.INVERSE_FUNCTION)
         if free.answer is not None and free.needs <= Need.INVERSE_FUNCTION:
             assert limited.answer == pytest.approx(free.answer, rel=1e-9)
         else:

@@ -9,7 +9,7 @@ from plain_scenes import atwood, ramp, row, swing
 from sim2reason.generation.filters import FILTERS, Candidate
 from sim2reason.generation.filters.parts.products import product_of
 from sim2reason.generation.filters.parts.sums import sum_of
-from sim2reason.questions import KINDS, Moment, Query, Question, StatedResult, Study, Target
+from sim2reason.questions import KINDS, Moment, Query, Question, SimulatedScene, StatedResult, Target
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.strings import NaturalLength
 from sim2reason.questions.moments.times import AtStart, AtTime
@@ -26,7 +26,7 @@ BLOCK, HANGING, BOB = "ramp.blocks.0", "one.system.blocks.0", "swing.bob"
 
 
 def candidate(scene: Scene, moment: Moment, target: Target | None) -> Candidate:
-    study = Study.of(scene, np.linspace(0.0, 2.0, 41))
+    study = SimulatedScene.of(scene, np.linspace(0.0, 2.0, 41))
     query = Query(moment.kind if target else "time_to_event", target, moment)
     answer = KINDS[query.kind].answer(query, study)
     assert answer is not None
@@ -111,7 +111,7 @@ def test_an_unknown_angle_whose_sine_is_a_product_is_one_line() -> None:
     (unknown,) = asked.reading.unknown
     angle = degrees(asin(1.98 / 2.2))
     scene = asked.study.scene.having(unknown, angle)
-    study = Study.of(scene, np.linspace(0.0, scene.horizon, 41))
+    study = SimulatedScene.of(scene, np.linspace(0.0, scene.horizon, 41))
     elasticity = radians(angle) / tan(radians(angle))  # of 2 ℓ sin θ
     given = StatedResult("1.98", "m")
     question = Question("reverse", asked.query, "", angle, "deg", "", unknown, given, elasticity)

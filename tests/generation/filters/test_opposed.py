@@ -5,7 +5,7 @@ import pytest
 from plain_scenes import atwood, half_atwood, ramp
 from sim2reason.generation.filters import FILTERS, Candidate
 from sim2reason.generation.random_scenes import sample
-from sim2reason.questions import Query, Question, Study, Target
+from sim2reason.questions import Query, Question, SimulatedScene, Target
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.scenes.bodies.planes import Plane
 from sim2reason.scenes.bodies.sliders import Slab
@@ -32,7 +32,7 @@ scene:
 
 
 def candidate(scene: Scene, subject: str, time: float = 0.3) -> Candidate:
-    study = Study(scene, simulate(scene, duration=time + 0.5))
+    study = SimulatedScene(scene, simulate(scene, duration=time + 0.5))
     question = Question("numeric", Query("state", Target("velocity", subject), AtTime(time)), "?", 1.0, "m/s")
     return Candidate(study, question, "a b c")
 

@@ -10,13 +10,13 @@ import pytest
 
 from plain_scenes import atwood, ramp, row, table
 from sim2reason.generation.make import make
-from sim2reason.generation.modes.reverse import _nearly_before, unfixed
+from sim2reason.generation.modes.reverse import _nearly_before, why_undetermined
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.generation.request import Request
-from sim2reason.questions import KINDS, MODES, Query, Question, StatedResult, Study, Target, Words
-from sim2reason.questions.conditions import Scan, asking_for
-from sim2reason.questions.dependence import Dependence, roots
+from sim2reason.questions import KINDS, MODES, Query, Question, SimulatedScene, StatedResult, Target, Words
+from sim2reason.questions.conditions import UniquenessScan, asking_for
+from sim2reason.questions.dependence import AnswerFunction, find_roots
 from sim2reason.questions.moments.bounces import Landed
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtTime
@@ -43,8 +43,8 @@ TAKES = Query("time_to_event", None, Moved("ramp.blocks.0", 0.8))
 RANGE = Query("event", Target("displacement", "throw.ball"), Landed("throw.ball"))
 
 
-def study(scene: Scene) -> Study:
-    return Study(scene, simulate(scene))
+def study(scene: Scene) -> SimulatedScene:
+    return SimulatedScene(scene, simulate(scene))
 
 
 def throw(angle: float, speed: float = 5.0, height: float = 1.0) -> Scene:
@@ -54,28 +54,28 @@ def throw(angle: float, speed: float = 5.0, height: float = 1.0) -> Scene:
 
 def test_the_slope_that_gives_a_speed() -> None:
     """v = g t sin θ, so θ = asin(v/g t)."""
-    dependence = Dependence(AFTER, study(ramp(angle=30.0)), "ramp.plane.angle")
-    assert dependence.solved(2.5, 30.0) == pytest.approx(degrees(asin(2.5 / (0.5 * G))), rel=1e-9)
+    dependence = AnswerFunction(AFTER, study(ramp(angle=30.0)), "ramp.plane.angle")
+    assert dependence.solve_from(2.5, 30.0) == pytest.approx(degrees(asin(2.5 / (0.5 * G))), rel=1e-9)
     assert dependence.rate(30.0) == pytest.approx(radians(1.0) * 0.5 * G * cos(radians(30.0)), rel=1e-3)
 
 
 @pytest.mark.parametrize("time", [0.5, 0.9])
 def test_the_friction_that_makes_it_take_so_long(time: float) -> None:
     """d = g (sin θ − µ cos θ) t²/2; from tan θ on it never arrives, and that is no root."""
-    dependence = Dependence(TAKES, study(ramp(angle=40.0, friction=0.1)), "ramp.plane.friction")
+    dependence = AnswerFunction(TAKES, study(ramp(angle=40.0, friction=0.1)), "ramp.plane.friction")
     expected = (sin(radians(40.0)) - 2.0 * 0.8 / (G * time**2)) / cos(radians(40.0))
     values = range_of(ramp(friction=0.1), "ramp.plane.friction")
-    found = roots(dependence, values, time)
+    found = find_roots(dependence, values, time)
     assert found == ([pytest.approx(expected, rel=1e-6)] if expected > values[0] else [])
     assert dependence(1.0) == np.inf
 
 
 def test_a_coarser_dependence_waits_as_long_as_the_finer_one_knows_to() -> None:
     """Else what goes wrong in a motion after the answer would hide it from one of the two."""
-    fine = Dependence(TAKES, study(ramp(angle=30.0)), "ramp.plane.angle")
+    fine = AnswerFunction(TAKES, study(ramp(angle=30.0)), "ramp.plane.angle")
     coarse, time, scene = fine.coarser(1e-6), fine(30.0), ramp(angle=31.0)
     assert time == pytest.approx(sqrt(2.0 * 0.8 / (G * 0.5)))
-    plans = coarse._plans(31.0, scene)
+    plans = coarse._simulation_times(31.0, scene)
     assert plans == [(pytest.approx(1.2 * time), scene.horizon, 2.0 * scene.horizon)]
     assert coarse(31.0) == pytest.approx(sqrt(2.0 * 0.8 / (G * sin(radians(31.0)))))
 
@@ -83,9 +83,9 @@ def test_a_coarser_dependence_waits_as_long_as_the_finer_one_knows_to() -> None:
 def test_beside_a_motion_in_which_nothing_came_one_is_followed_for_long_at_once() -> None:
     """And has the same answer: 0.8 m take √(2 s/g(sin θ − µ cos θ)), or for ever from µ = tan 40° = 0.84 on."""
     scene = ramp(angle=40.0, friction=0.1)
-    dependence = Dependence(TAKES, study(scene), "ramp.plane.friction")
+    dependence = AnswerFunction(TAKES, study(scene), "ramp.plane.friction")
     assert dependence(1.5) == np.inf
-    assert dependence._plans(0.1, scene)[0] == (2.0 * scene.horizon,)
+    assert dependence._simulation_times(0.1, scene)[0] == (2.0 * scene.horizon,)
     slope = radians(40.0)
     assert dependence(0.1) == pytest.approx(sqrt(1.6 / (G * (sin(slope) - 0.1 * cos(slope)))))
 
@@ -98,14 +98,14 @@ def test_what_comes_late_is_told_from_what_never_comes() -> None:
         return degrees(asin(2.0 * 0.8 / (G * (horizons * scene.horizon) ** 2)))
 
     speed = Query("event", SPEED, Moved("ramp.blocks.0", 0.8))
-    dependence = Dependence(speed, study(scene), "ramp.plane.angle")
+    dependence = AnswerFunction(speed, study(scene), "ramp.plane.angle")
     slow = slope(6.0)
     assert dependence(slow) == pytest.approx(sqrt(2.0 * G * 0.8 * sin(radians(slow))))
     assert not dependence.is_late(slow)
     assert dependence(slope(20.0)) is None
     assert dependence.is_late(slope(20.0))
     assert dependence.coarser(1e-6).is_late(slope(20.0))
-    stuck = Dependence(speed, study(ramp(angle=30.0, friction=0.1)), "ramp.plane.friction")
+    stuck = AnswerFunction(speed, study(ramp(angle=30.0, friction=0.1)), "ramp.plane.friction")
     assert stuck(1.0) is None
     assert not stuck.is_late(1.0)
 
@@ -115,15 +115,15 @@ def test_what_repeats_itself_or_takes_a_time_that_is_asked_for_is_not_late() -> 
     sprung = row([1.0], [40.0], "left", strain=0.1)
     name = "chain.carts.0"
     reach = Query("event", Target("velocity", name), Moved(name, 0.25))
-    assert not Dependence(reach, study(sprung), "chain.springs.0.stiffness").is_late(30.0)
-    takes = Dependence(TAKES, study(ramp(angle=30.0)), "ramp.plane.angle")
+    assert not AnswerFunction(reach, study(sprung), "chain.springs.0.stiffness").is_late(30.0)
+    takes = AnswerFunction(TAKES, study(ramp(angle=30.0)), "ramp.plane.angle")
     assert takes(1e-3) == np.inf
     assert not takes.is_late(1e-3)
 
 
 def test_what_is_known_of_the_scene_itself_is_not_worked_out_again() -> None:
-    dependence = Dependence(AFTER, study(ramp(angle=30.0)), "ramp.plane.angle")
-    dependence.know(30.0, 1.25)
+    dependence = AnswerFunction(AFTER, study(ramp(angle=30.0)), "ramp.plane.angle")
+    dependence.record_answer(30.0, 1.25)
     assert dependence(30.0) == 1.25
 
 
@@ -132,7 +132,7 @@ def test_two_elevations_of_one_range_are_told() -> None:
     scene = throw(25.0)
     found = KINDS["event"].answer(RANGE, study(scene))
     assert found is not None
-    scan = Scan(Dependence(RANGE, study(scene), "throw.angle"), 25.0, found, 1e-3 * found)
+    scan = UniquenessScan(AnswerFunction(RANGE, study(scene), "throw.angle"), 25.0, found, 1e-3 * found)
     other = scan.another(range_of(scene, "throw.angle"))
     assert other is not None
     assert other > 45.0
@@ -142,14 +142,14 @@ def test_one_speed_of_one_range_is_told() -> None:
     scene = throw(25.0)
     found = KINDS["event"].answer(RANGE, study(scene))
     assert found is not None
-    scan = Scan(Dependence(RANGE, study(scene), "throw.speed"), 5.0, found, 1e-3 * found)
+    scan = UniquenessScan(AnswerFunction(RANGE, study(scene), "throw.speed"), 5.0, found, 1e-3 * found)
     assert scan.another(range_of(scene, "throw.speed")) is None
 
 
 def test_a_dip_between_two_points_is_seen() -> None:
     """(x − 3)² + 10⁻⁴ never reaches zero, but to within a margin of 10⁻³; x = 20 is where it is 289."""
 
-    class Parabola(Dependence):
+    class Parabola(AnswerFunction):
         def __init__(self) -> None:
             self.asked: list[float] = []
 
@@ -169,8 +169,8 @@ def test_a_dip_between_two_points_is_seen() -> None:
 
     points = tuple(np.geomspace(0.1, 100.0, 64).tolist())
     dependence = Parabola()
-    assert Scan(dependence, 20.0, 289.0001, 1.0).another(points) is None
-    low = Scan(dependence, 40.0, 0.0, 1e-3)
+    assert UniquenessScan(dependence, 20.0, 289.0001, 1.0).another(points) is None
+    low = UniquenessScan(dependence, 40.0, 0.0, 1e-3)
     low._root = 200.0  # beyond all points, where the same result is looked for
     low._scale = -1e-3
     assert low.another(points) == pytest.approx(3.0, abs=0.02)
@@ -276,7 +276,7 @@ def test_an_unknown_that_fits_beyond_its_range_only_is_found() -> None:
     assert read.answer == pytest.approx(0.180246, rel=1e-5)
 
 
-def halved(known: Study, query: Query, path: str, about: float, given: float) -> float:
+def halved(known: SimulatedScene, query: Query, path: str, about: float, given: float) -> float:
     low, high = 0.98 * about, 1.02 * about
     below = excess(known, query, path, low, given) > 0.0
     for _ in range(25):
@@ -285,7 +285,7 @@ def halved(known: Study, query: Query, path: str, about: float, given: float) ->
     return low
 
 
-def excess(known: Study, query: Query, path: str, value: float, given: float) -> float:
+def excess(known: SimulatedScene, query: Query, path: str, value: float, given: float) -> float:
     found = KINDS[query.kind].answer(query, study(known.scene.having(path, value)))
     assert found is not None
     return found - given
@@ -344,9 +344,9 @@ def test_freely_falling_speed_fixes_the_height() -> None:
     """v² = v₀² + 2 g h, whatever the angle."""
     scene = throw(0.0, speed=3.0)
     query = Query("event", Target("velocity", "throw.ball"), Landed("throw.ball"))
-    dependence = Dependence(query, study(scene), "throw.height")
+    dependence = AnswerFunction(query, study(scene), "throw.height")
     given = sqrt(9.0 + 2.0 * G * 1.5)
-    found = roots(dependence, range_of(scene, "throw.height"), given)
+    found = find_roots(dependence, range_of(scene, "throw.height"), given)
     assert found == [pytest.approx(1.5, rel=1e-6)]
 
 
@@ -368,7 +368,7 @@ def test_a_root_is_seen_although_short_strings_would_end_the_motion_before() -> 
     query, study = asked.query, asked.study.scene.having(unknown, 7.713)
     given = StatedResult("2.86", "m/s")
     question = Question("reverse", query, "", 7.713, "kg", unknown=unknown, given=given)
-    found = unfixed(question, Study(study, simulate(study)), Words.of(study, {}))
+    found = why_undetermined(question, SimulatedScene(study, simulate(study)), Words.of(study, {}))
     assert found.endswith(" kg is not excluded")
     assert float(found.split()[1]) < 1.5
 
@@ -415,7 +415,7 @@ def test_narrow_stretches_of_other_values_are_seen(
     (unknown,) = asked.reading.unknown
     study = asked.study.scene.having(unknown, answer)
     question = Question("reverse", asked.query, "", answer, "m", unknown=unknown, given=given)
-    found = unfixed(question, Study(study, simulate(study)), Words.of(study, {}))
+    found = why_undetermined(question, SimulatedScene(study, simulate(study)), Words.of(study, {}))
     assert found.endswith(" m is not excluded")
     assert low < float(found.split()[1]) < high
 
@@ -477,4 +477,4 @@ def test_a_rod_that_goes_round_may_take_as_long_as_one_that_swings() -> None:
     swinging = read.study.scene.having(unknown, 0.636674)
     assert KINDS["period"].answer(read.query, study(swinging)) == pytest.approx(1.77, rel=1e-5)
     question = Question("reverse", read.query, "", 0.636674, "m", "", unknown, read.asked.given, 1.0)
-    assert unfixed(question, study(swinging), Words.of(swinging, {})).startswith("another: 0.11")
+    assert why_undetermined(question, study(swinging), Words.of(swinging, {})).startswith("another: 0.11")

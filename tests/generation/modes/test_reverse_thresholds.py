@@ -9,16 +9,16 @@ from plain_scenes import half_atwood
 from sim2reason.errors import TextError
 from sim2reason.generation.make import make
 from sim2reason.generation.modes.parts.likely_answers import likely_answers
-from sim2reason.generation.modes.reverse import unfixed
+from sim2reason.generation.modes.reverse import why_undetermined
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.request import Request
 from sim2reason.questions import MODES, Question
-from sim2reason.questions.dependence import Dependence
+from sim2reason.questions.dependence import AnswerFunction
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes import OUTCOMES
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import prompt
-from sim2reason.questions.study import COARSE
+from sim2reason.questions.study import COARSE_STEP_ERROR
 from sim2reason.scenes.bodies.pendulums import Ball, LightRod
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
@@ -68,15 +68,15 @@ def test_an_angle_follows_from_the_speed_that_goes_right_round() -> None:
         assert cos(radians(question.answer)) == pytest.approx(question.given.value**2 / (2.0 * 9.8 * 1.2) - 1.0)
 
 
-@pytest.mark.parametrize("error", [COARSE, 0.0])
+@pytest.mark.parametrize("error", [COARSE_STEP_ERROR, 0.0])
 def test_a_formula_only_says_where_to_look(error: float) -> None:
     """Where it is right two motions are enough; where it is wrong, the limit is found all the same."""
     search = QuestionSearch(half_atwood(), 0)
     likely = likely_answers(HEAVIEST, search.study, search.words, SLOPING)
     assert likely is not None
     assert likely(5.0) == pytest.approx(2.5)
-    wrong = Dependence(HEAVIEST, search.study, SLOPING, error or 1e-8, likely=lambda value: 1.1 * likely(value))
-    right = Dependence(HEAVIEST, search.study, SLOPING, error or 1e-8, likely=likely)
+    wrong = AnswerFunction(HEAVIEST, search.study, SLOPING, error or 1e-8, likely=lambda value: 1.1 * likely(value))
+    right = AnswerFunction(HEAVIEST, search.study, SLOPING, error or 1e-8, likely=likely)
     for dependence in (right, wrong):
         assert dependence(5.0) == pytest.approx(2.5, rel=1e-5 if error else 1e-8)
 
@@ -86,7 +86,7 @@ def test_two_slopes_that_hold_as_much_are_told_apart_from_one() -> None:
     scene = half_atwood()
     search = QuestionSearch(scene, 0)
     question = next(q for q in asked(scene, "rises", HANGING) if q.unknown == ANGLE)
-    assert unfixed(question, REVERSE.study(question, search.study), search.words) == ""
+    assert why_undetermined(question, REVERSE.study(question, search.study), search.words) == ""
 
 
 def test_a_prompt_leaves_two_numbers_open() -> None:

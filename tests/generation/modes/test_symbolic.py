@@ -22,7 +22,7 @@ from sim2reason.generation.question_search import NOTHING, QuestionSearch
 from sim2reason.generation.random_scenes import sample
 from sim2reason.generation.request import Request
 from sim2reason.grading import formula
-from sim2reason.questions import MODES, Query, Question, Study, Target
+from sim2reason.questions import MODES, Query, Question, SimulatedScene, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.angles import Deflected
 from sim2reason.questions.moments.collisions import Collided
@@ -50,7 +50,7 @@ from sim2reason.scenes.entities.spring_chains import SpringMassChain
 from sim2reason.scenes.files import loads
 from sim2reason.simulation.quantities.subjects.rods import SwingingLines
 from sim2reason.solutions.algebra.expressions import Symbol
-from sim2reason.text.prose.symbol_names import counted_in, said_in
+from sim2reason.text.prose.symbol_names import formula_unit, stated_value
 
 SYMBOLIC = MODES["symbolic"]
 BLOCK = "ramp.blocks.0"
@@ -144,7 +144,7 @@ def test_what_begins_otherwise_and_then_has_no_answer_is_excluded() -> None:
 
 def test_motions_without_an_answer_are_kept_apart() -> None:
     """What is steeper than its angle of friction slides; all else has no answer."""
-    unanswered: list[Study] = []
+    unanswered: list[SimulatedScene] = []
     seen = QuestionSearch(ramp(friction=0.5), 0).study
     symbols = [ProblemSymbol(r"\mu", "", 0.5, "ramp.plane.friction"), ProblemSymbol("d", "m", 0.5)]
     varied = Variations(seen, Query("time_to_event", None, Moved(BLOCK, 0.5)), symbols)
@@ -221,7 +221,7 @@ def test_the_bindings_are_the_engines() -> None:
 def test_variations_keep_the_query_in_step_with_its_numbers() -> None:
     """v = g t (sin θ − µ cos θ) in every scene, whose slope has a direction of its own."""
     scene = ramp(angle=40.0, friction=0.2)
-    study = Study.of(scene, np.linspace(0.0, scene.horizon, 5))
+    study = SimulatedScene.of(scene, np.linspace(0.0, scene.horizon, 5))
     symbols = [
         ProblemSymbol(r"\theta", "deg", 40.0, "ramp.plane.angle"),
         ProblemSymbol(r"\mu", "", 0.2, "ramp.plane.friction"),
@@ -256,7 +256,7 @@ def test_a_prompt_is_read_back_with_the_numbers_of_a_binding(kind: str) -> None:
     assert held is not None
     for number in (0, 3):
         pairs = zip(held.symbols, held.units, held.points[number], strict=True)
-        given = {symbol: said_in(value, counted_in(unit)) for symbol, unit, value in pairs}
+        given = {symbol: stated_value(value, formula_unit(unit)) for symbol, unit, value in pairs}
         read = parse_prompt(found.prompt, given=given)
         assert read.asked.mode == "symbolic"
         assert read.answer == pytest.approx(held.values[number], rel=1e-6)
@@ -335,7 +335,9 @@ def test_a_prompt_that_speaks_of_radians_is_read_back(recipe: str, difficulty: s
     held = item.answer.formula
     assert held is not None
     pairs = zip(held.points[0].items(), held.units, strict=True)
-    found = parse_prompt(item.prompt, given={symbol: said_in(value, unit) for (symbol, value), unit in pairs}).answer
+    found = parse_prompt(
+        item.prompt, given={symbol: stated_value(value, unit) for (symbol, value), unit in pairs}
+    ).answer
     assert found is not None
     counted = radians(found) if item.answer.unit == "deg" else found
     assert counted == pytest.approx(held.bindings[0].answer, rel=1e-6)
@@ -384,7 +386,7 @@ def test_numbers_that_turn_a_sum_are_found_by_the_formula_alone() -> None:
     symbols = [ProblemSymbol(name, "kg", p.value, p.path) for name, p in zip("ab", masses, strict=False)]
     symbols.append(ProblemSymbol("d", "m", 0.5))
     varied = Variations(search.study, query, symbols)
-    rng, unanswered = np.random.default_rng(0), list[Study]()
+    rng, unanswered = np.random.default_rng(0), list[SimulatedScene]()
     never, somewhere = Symbol("a") + Symbol("b"), Symbol("a") - Symbol("b")
     assert list(varied.turned(rng, (never,), 1.1, unanswered)) == []
     turned = list(varied.turned(rng, (never, somewhere), 1.1, unanswered))

@@ -11,13 +11,13 @@ from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.random_scenes import sample
 from sim2reason.generation.request import Request
 from sim2reason.grading import formula
-from sim2reason.questions import MODES, Question, Study
+from sim2reason.questions import MODES, Question, SimulatedScene
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes import OUTCOMES
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import prompt
 from sim2reason.questions.regimes.directions import SideOfCenterOfMass
-from sim2reason.questions.trial import Trial
+from sim2reason.questions.trial import ThresholdSearch
 from sim2reason.scenes.bodies.pendulums import Ball, Cord, FixedBall, LightRod
 from sim2reason.scenes.bodies.planes import Plane
 from sim2reason.scenes.bodies.sliders import Block
@@ -27,8 +27,8 @@ from sim2reason.scenes.entities.parts.pieces import FIRST, OTHER, BallPiece
 from sim2reason.scenes.entities.pendulums import Pendulum, RotationEntity
 from sim2reason.scenes.entities.slopes import TwoSideMassPlane
 from sim2reason.simulation.scenes import simulate
-from sim2reason.solutions import Setting, solve
-from sim2reason.text.prose.symbol_names import said_in
+from sim2reason.solutions import ProblemContext, solve
+from sim2reason.text.prose.symbol_names import stated_value
 
 SYMBOLIC = MODES["symbolic"]
 
@@ -121,14 +121,14 @@ def test_a_limit_of_an_arm_says_on_which_side_its_centre_of_mass_is(
     side = "on the same side of the axle as" if same else "on the side of the axle opposite to"
     assert f"Assume that the centre of mass of the bodies on the arm is {side} ball A." in found.text
     study = search.study
-    text = solve(Setting.of(found, study, search.words, search.description)).text
+    text = solve(ProblemContext.of(found, study, search.words, search.description)).text
     assert f"By assumption, the centre of mass is on {'this' if same else 'the opposite'} side, so $S" in text
     assert "The arm goes right round if $K$ is positive." in text
 
 
 def test_a_limit_of_a_mass_assumes_nothing_of_the_centre_of_mass_that_hangs_on_it() -> None:
     scene = arm(1.0, 2.0)
-    study, held = Study(scene, simulate(scene)), SideOfCenterOfMass("arm.pieces.0.body", same=False)
+    study, held = SimulatedScene(scene, simulate(scene)), SideOfCenterOfMass("arm.pieces.0.body", same=False)
     assert held.regardless_of(study, "arm.angle")
     assert held.regardless_of(study, "arm.rate")
     assert not held.regardless_of(study, "arm.pieces.1.body.mass")
@@ -149,9 +149,9 @@ def test_an_angle_is_asked_for_in_radians() -> None:
 def test_a_limit_on_the_other_side_is_none(greatest: bool) -> None:
     """Of the masses that friction holds there is a greatest and a least, of which each question means one."""
     scene = rough(0.4)
-    study = Study(scene, simulate(scene))
+    study = SimulatedScene(scene, simulate(scene))
     held = [2.0 * (sin(radians(30.0)) + side * 0.4 * cos(radians(30.0))) for side in (1.0, -1.0)]
-    trial = Trial(study, OUTCOMES["slides"]("ramp.blocks.0"), "other.system.blocks.0.mass")
+    trial = ThresholdSearch(study, OUTCOMES["slides"]("ramp.blocks.0"), "other.system.blocks.0.mass")
     assert [trial.changes_at(value, above=greatest) for value in held] == [greatest, not greatest]
 
 
@@ -173,7 +173,7 @@ def test_prompts_lead_back_to_the_limit_at_every_binding(recipe: str, index: int
     held = item.answer.formula
     assert held is not None
     for binding in held.bindings:
-        given = {s: said_in(v, u) for s, v, u in zip(held.symbols, binding.numbers, held.units, strict=True)}
+        given = {s: stated_value(v, u) for s, v, u in zip(held.symbols, binding.numbers, held.units, strict=True)}
         found = parse_prompt(item.prompt, given=given).answer
         assert found is not None
         assert (radians(found) if item.answer.unit == "deg" else found) == pytest.approx(binding.answer, rel=1e-6)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.generation.recipes.parts.ideas import LEAST, idle
+from sim2reason.generation.recipes.parts.ideas import MIN_RESPONSE_CHANGE, idle_numbers
 from sim2reason.scenes.bodies.round_bodies import Sphere
 from sim2reason.scenes.entities.parts.pieces import RoundPiece
 
@@ -16,5 +16,5 @@ def inertia(piece: RoundPiece) -> tuple[float]:
 def test_a_radius_bears_where_doubling_it_counts(radius: float) -> None:
     """Doubled, it adds 1.2 r² to 0.4 r² + d²; a mass that cancels never bears, a distance does."""
     piece = RoundPiece(body=Sphere(mass=2.0, radius=radius), distance=0.6)
-    bears = 1.2 * radius**2 > LEAST * (0.4 * radius**2 + 0.36)
-    assert set(idle(piece, inertia)) == {"body.mass", *([] if bears else ["body.radius"])}
+    bears = 1.2 * radius**2 > MIN_RESPONSE_CHANGE * (0.4 * radius**2 + 0.36)
+    assert set(idle_numbers(piece, inertia)) == {"body.mass", *([] if bears else ["body.radius"])}

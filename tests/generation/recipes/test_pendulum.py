@@ -5,8 +5,8 @@ import pytest
 
 from sim2reason.generation.recipes.parts.ideas import one_of
 from sim2reason.generation.recipes.pendulum import IDEAS
-from sim2reason.questions import Study
-from sim2reason.questions.choices import bears_from
+from sim2reason.questions import SimulatedScene
+from sim2reason.questions.choices import data_relevant_from
 
 SAMPLES = 41
 
@@ -14,7 +14,7 @@ SAMPLES = 41
 @pytest.mark.parametrize("seed", range(8))
 def test_every_hard_string_goes_slack_and_what_comes_before_is_no_problem(seed: int) -> None:
     scene = one_of(IDEAS["hard"], np.random.default_rng(seed), "pendulum")
-    trace = Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES)).trace
+    trace = SimulatedScene.of(scene, np.linspace(0.0, scene.horizon, SAMPLES)).trace
     slack = [event.time for event in trace.events if event.kind == "slack"]
     assert slack
-    assert bears_from(trace) == slack[0]
+    assert data_relevant_from(trace) == slack[0]

@@ -4,8 +4,8 @@ from math import cos, hypot, radians, sin, sqrt
 
 import pytest
 
-from sim2reason.questions import KINDS, Study, Words
-from sim2reason.questions.following import motion_of
+from sim2reason.questions import KINDS, SimulatedScene, Words
+from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.times import WholeMotion
@@ -17,7 +17,7 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.em_entity import EmEntity
 from sim2reason.scenes.entities.parts.fields.linear import LinearElectric
 from sim2reason.scenes.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
-from sim2reason.solutions import Setting, solve
+from sim2reason.solutions import ProblemContext, solve
 from sim2reason.text.prose.description import describe
 
 BEAD = "fields.particle"
@@ -32,12 +32,12 @@ X_AXIS, Y_AXIS = "greatest distance from the x axis", "greatest distance from th
 LAUNCHED, REST = Launched(speed=SPEED, angle=40.0), Released()
 
 
-def told(**acting: object) -> tuple[Study, Words]:
+def told(**acting: object) -> tuple[SimulatedScene, Words]:
     """A positive bead in fields, and its words."""
     particle = ChargedBead(mass=MASS, charge=CHARGE, sign="positive")
     made = EmEntity(particle=particle, **{"start": LAUNCHED, **acting})  # type: ignore[arg-type]
     scene = Scene(entities=(Named(name="fields", entity=made),))
-    return motion_of(scene).study, words_of(describe(scene))
+    return simulate_scene(scene).study, words_of(describe(scene))
 
 
 def checked(functional: str, moment: WholeMotion, **acting: object) -> float:
@@ -48,7 +48,7 @@ def checked(functional: str, moment: WholeMotion, **acting: object) -> float:
     assert value is not None
     text = KINDS["extremum"].shapes(query, words, None)[0]
     assert parse_question(text[0].upper() + text[1:], study, words) == query
-    found = solve(Setting(study.scene, words, describe(study.scene).symbols, study, query))
+    found = solve(ProblemContext(study.scene, words, describe(study.scene).symbols, study, query))
     assert found.strategy == "motion in fields", found.reason
     assert found.answer == pytest.approx(value, rel=1e-6)
     return value
@@ -100,6 +100,6 @@ def test_a_magnetic_field_makes_such_an_oscillation_faster() -> None:
 
 def test_along_a_drift_no_distance_is_greatest() -> None:
     _, words = told(electric=ELECTRIC, magnetic=MAGNETIC)
-    assert BEAD in FUNCTIONALS[X_AXIS].asked(words)
-    assert BEAD not in FUNCTIONALS[Y_AXIS].asked(words)
+    assert BEAD in FUNCTIONALS[X_AXIS].noun_phrases(words)
+    assert BEAD not in FUNCTIONALS[Y_AXIS].noun_phrases(words)
     assert not FUNCTIONALS["greatest displacement"].when(WholeMotion(drifts=True), words, BEAD)

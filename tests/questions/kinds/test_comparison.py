@@ -11,7 +11,7 @@ import pytest
 from motions import orbit
 from plain_scenes import G, atwood, half_atwood, ramp
 from sim2reason.generation.question_search import QuestionSearch
-from sim2reason.questions import KINDS, MODES, Query, Study, Target, Words
+from sim2reason.questions import KINDS, MODES, Query, SimulatedScene, Target, Words
 from sim2reason.questions.kinds.comparison import ComparisonQuery
 from sim2reason.questions.kinds.parts.nested import stripped
 from sim2reason.questions.moments.times import AllAlong, AtTime
@@ -21,15 +21,15 @@ from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import targets
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.simulation.certify import witnessed
+from sim2reason.simulation.certify import certify_trace
 from sim2reason.simulation.scenes import simulate
 from sim2reason.text.prose.description import describe
 
 KIND = KINDS["comparison"]
 
 
-def told(scene: Scene) -> tuple[Study, Words]:
-    return Study(scene, simulate(scene)), words_of(describe(scene))
+def told(scene: Scene) -> tuple[SimulatedScene, Words]:
+    return SimulatedScene(scene, simulate(scene)), words_of(describe(scene))
 
 
 def comparing(inner: Query, path: str, factor: float = 2.0) -> ComparisonQuery:
@@ -80,10 +80,10 @@ def test_both_motions_are_vouched_for_and_the_second_one_may_be_refused() -> Non
     offered = targets(words)
     queries = (KIND.draw(study, words, offered, np.random.default_rng(seed)) for seed in range(40))
     query = next(query for query in queries if isinstance(query, ComparisonQuery) and query.inner.kind == "event")
-    seen, certificate = witnessed(study.trace)
-    assert not KIND.doubt(query, Study(study.scene, seen), certificate)
+    seen, certificate = certify_trace(study.trace)
+    assert not KIND.doubt(query, SimulatedScene(study.scene, seen), certificate)
     nowhere = replace(query, factor=1e9)
-    assert KIND.doubt(nowhere, Study(study.scene, seen), certificate)
+    assert KIND.doubt(nowhere, SimulatedScene(study.scene, seen), certificate)
 
 
 def test_every_sentence_is_unambiguous_and_leads_back() -> None:

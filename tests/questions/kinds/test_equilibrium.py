@@ -13,7 +13,7 @@ from plain_scenes import atwood
 from sim2reason.errors import SceneError
 from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.recipes import RECIPES
-from sim2reason.questions import KINDS, Query, Study, Target, Words
+from sim2reason.questions import KINDS, Query, SimulatedScene, Target, Words
 from sim2reason.questions.kinds.equilibrium import EquilibriumQuery
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
@@ -35,7 +35,7 @@ SEEDS = range(30)
 TABLE = "table"
 
 
-def drawn(study: Study, words: Words) -> set[Query]:
+def drawn(study: SimulatedScene, words: Words) -> set[Query]:
     """All that it asks, by many seeds."""
     found = (KIND.draw(study, words, targets(words), np.random.default_rng(seed)) for seed in SEEDS)
     return {query for query in found if query is not None}
@@ -57,7 +57,7 @@ def test_a_spring_that_a_load_stretches() -> None:
     mentions = {"bench.block": "block A", "bench.load": "block B", "bench.spring": "the spring", "bench.string": "it"}
     mechanism = held()
     said = frozenset({"bench.spring.stiffness", "bench.spring.length", "bench.block.mass", "bench.load.mass"})
-    study = Study(atwood(), simulate(mechanism, np.linspace(0.0, 1.0, 11)))
+    study = SimulatedScene(atwood(), simulate(mechanism, np.linspace(0.0, 1.0, 11)))
     words = Words(mechanism, mentions, released=True, said=said)
     extension = 1.0 * G / 80.0
     expected = {
@@ -85,7 +85,7 @@ def test_of_what_hangs_below_its_point_nothing_is_asked(made: Callable[[], Motio
 
 def test_what_has_no_equilibrium_has_no_answer() -> None:
     scene = atwood()
-    study, words = Study(scene, simulate_scene(scene)), words_of(describe(scene))
+    study, words = SimulatedScene(scene, simulate_scene(scene)), words_of(describe(scene))
     assert drawn(study, words) == set()
     query = EquilibriumQuery("equilibrium", Target("displacement", "one.system.blocks.0"))
     assert KIND.answer(query, study) is None
@@ -107,7 +107,7 @@ def test_every_sentence_leads_back_and_forces_balance(of: str) -> None:
     """Of random scenes: the text leads back to the query, and the springs of a crate on a table pull it nowhere."""
     seen = 0
     for scene in scenes(of):
-        study, words = Study(scene, simulate_scene(scene)), words_of(describe(scene))
+        study, words = SimulatedScene(scene, simulate_scene(scene)), words_of(describe(scene))
         offered = targets(words)
         for query in drawn(study, words):
             assert query.target is not None

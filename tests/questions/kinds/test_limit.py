@@ -11,7 +11,7 @@ from motions import orbit
 from plain_scenes import G, atwood, half_atwood
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.random_scenes import sample
-from sim2reason.questions import KINDS, MODES, Query, Study, Target, Words
+from sim2reason.questions import KINDS, MODES, Query, SimulatedScene, Target, Words
 from sim2reason.questions.kinds.limit import LimitQuery
 from sim2reason.questions.moments.times import AllAlong
 from sim2reason.questions.parse_question import parse_question
@@ -19,7 +19,7 @@ from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import targets
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.simulation.certify import witnessed
+from sim2reason.simulation.certify import certify_trace
 from sim2reason.simulation.scenes import simulate
 from sim2reason.solutions import solve
 from sim2reason.solutions.closed_forms import closed_form
@@ -31,8 +31,8 @@ from worked import asked
 KIND = KINDS["limit"]
 
 
-def told(scene: Scene) -> tuple[Study, Words]:
-    return Study(scene, simulate(scene)), words_of(describe(scene))
+def told(scene: Scene) -> tuple[SimulatedScene, Words]:
+    return SimulatedScene(scene, simulate(scene)), words_of(describe(scene))
 
 
 def of_mass(scene: Scene, target: Target, mass: float) -> LimitQuery:
@@ -102,10 +102,10 @@ def test_both_engines_vouch_for_it_and_every_sentence_leads_back() -> None:
         shapes = KIND.shapes(query, words, offered[query.target] if query.target is not None else None)
         assert len(set(shapes)) >= 3
         assert {parse_question(sentence(shape), study, words) for shape in shapes} == {query}
-    trace, certificate = witnessed(study.trace)
-    assert any(not KIND.doubt(query, Study(study.scene, trace), certificate) for query in seen)
+    trace, certificate = certify_trace(study.trace)
+    assert any(not KIND.doubt(query, SimulatedScene(study.scene, trace), certificate) for query in seen)
     query = next(iter(seen))
-    assert KIND.doubt(replace(query, large=False), Study(study.scene, trace), None)  # type: ignore[call-arg]
+    assert KIND.doubt(replace(query, large=False), SimulatedScene(study.scene, trace), None)  # type: ignore[call-arg]
 
 
 @pytest.mark.parametrize("mode", ["numeric", "symbolic"])

@@ -10,8 +10,8 @@ import pytest
 from motions import orbit
 from plain_scenes import arm
 from sim2reason.generation.question_search import QuestionSearch
-from sim2reason.questions import KINDS, MODES, Query, Study, Target, Words
-from sim2reason.questions.following import motion_of
+from sim2reason.questions import KINDS, MODES, Query, SimulatedScene, Target, Words
+from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.kinds.optimum import OptimumQuery
 from sim2reason.questions.moments.bounces import Landed
 from sim2reason.questions.parse_prompt import parse_prompt
@@ -41,8 +41,8 @@ def thrown(angle: float = 25.0) -> Scene:
     return Scene(entities=(Named(name="throw", entity=entity),))
 
 
-def told(scene: Scene) -> tuple[Study, Words]:
-    return motion_of(scene).study, words_of(describe(scene))
+def told(scene: Scene) -> tuple[SimulatedScene, Words]:
+    return simulate_scene(scene).study, words_of(describe(scene))
 
 
 def farthest(*, place: bool) -> OptimumQuery:
@@ -81,7 +81,7 @@ def test_both_engines_vouch_for_it_and_nothing_is_beyond_it() -> None:
     query = farthest(place=True)
     about = KIND.answer(query, study)
     assert about is not None
-    known = KIND.expecting(query, about)
+    known = KIND.with_likely_answer(query, about)
     assert not KIND.doubt(known, study, None)
     assert KIND.doubt(replace(known, greatest=False, about=0.0), study, None)
 

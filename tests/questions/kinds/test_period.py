@@ -9,7 +9,7 @@ from motions import light_rod, orbit, rod_pendulum, spring_block
 from plain_scenes import atwood
 from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.recipes import RECIPES
-from sim2reason.questions import KINDS, Study, Words
+from sim2reason.questions import KINDS, SimulatedScene, Words
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.questions.phrasing import sentence
@@ -23,22 +23,22 @@ from sim2reason.text.prose.description import describe
 G = 9.8
 KIND = KINDS["period"]
 SEEDS = range(12)
-Told = tuple[Study, Words]
+Told = tuple[SimulatedScene, Words]
 
 
 def told(mechanism: Mechanism, mentions: dict[str, str], duration: float = 4.0, *, released: bool = True) -> Told:
     """A mechanism and how a text calls its bodies."""
     trace = simulate(mechanism, np.linspace(0.0, duration, 21))
-    return Study(atwood(), trace), Words(mechanism, mentions, released)  # no one looks at the scene
+    return SimulatedScene(atwood(), trace), Words(mechanism, mentions, released)  # no one looks at the scene
 
 
-def drawn(study: Study, words: Words) -> set[PeriodQuery]:
+def drawn(study: SimulatedScene, words: Words) -> set[PeriodQuery]:
     """All that it asks, by many seeds."""
     found = (KIND.draw(study, words, {}, np.random.default_rng(seed)) for seed in SEEDS)
     return {query for query in found if isinstance(query, PeriodQuery)}
 
 
-def answers(study: Study, words: Words) -> dict[str, set[float]]:
+def answers(study: SimulatedScene, words: Words) -> dict[str, set[float]]:
     """Rounded answers by measure."""
     found: dict[str, set[float]] = {}
     for query in drawn(study, words):
@@ -123,7 +123,7 @@ def test_a_planet_goes_round_its_star() -> None:
 
 def test_what_falls_has_no_period() -> None:
     scene = atwood()
-    study, words = Study(scene, simulate_scene(scene)), words_of(describe(scene))
+    study, words = SimulatedScene(scene, simulate_scene(scene)), words_of(describe(scene))
     assert drawn(study, words) == set()
     query = PeriodQuery("period", small=True)
     assert KIND.answer(query, study) is None
@@ -138,7 +138,7 @@ def test_every_sentence_leads_back_and_is_vouched_for(recipe: str) -> None:
     for difficulty in ("easy", "medium"):
         for index in range(20):
             scene = RECIPES[recipe](difficulty, generator(recipe, difficulty, "numeric", 11, index, 0))
-            study, words = Study(scene, simulate_scene(scene)), words_of(describe(scene))
+            study, words = SimulatedScene(scene, simulate_scene(scene)), words_of(describe(scene))
             for query in drawn(study, words):
                 shapes = KIND.shapes(query, words, None)
                 assert len(set(shapes)) >= 3
@@ -165,7 +165,7 @@ def test_an_equilibrium_is_called_stable_where_there_may_be_another(recipe: str,
     seen = 0
     for index in range(5):
         scene = RECIPES[recipe]("medium", generator(recipe, "medium", "numeric", 11, index, 0))
-        study, words = Study(scene, simulate_scene(scene)), words_of(describe(scene))
+        study, words = SimulatedScene(scene, simulate_scene(scene)), words_of(describe(scene))
         for query in filter(lambda query: query.small, drawn(study, words)):
             assert all(("stable equilibrium" in shape) is stable for shape in KIND.shapes(query, words, None))
             seen += 1

@@ -6,8 +6,8 @@ import pytest
 
 from plain_scenes import G, atwood, ramp, row
 from sim2reason.errors import TextError
-from sim2reason.questions.following import motion_of
-from sim2reason.questions.posing import posed
+from sim2reason.questions.following import simulate_scene
+from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.scenes.bodies.pendulums import Ball
@@ -24,8 +24,8 @@ BEST = 15.0 / sqrt(15.0**2 + 2.0 * G * 20.0)
 
 def answer(scene: Scene, **parts: str) -> float | None:
     """Return the answer to a question in parts."""
-    motion, words = motion_of(scene), words_of(describe(scene))
-    return posed(StructuredQuestion.read(parts), motion, words).followed(motion).answer
+    motion, words = simulate_scene(scene), words_of(describe(scene))
+    return pose_question(StructuredQuestion.read(parts), motion, words).followed(motion).answer
 
 
 @pytest.mark.parametrize(

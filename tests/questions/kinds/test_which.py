@@ -18,10 +18,10 @@ from sim2reason.generation.random_scenes import sample
 from sim2reason.grading import Outcome
 from sim2reason.questions import KINDS, MODES
 from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt, parse_choice
-from sim2reason.questions.following import motion_of
+from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.kinds.parts.which import CLEARLY, WhichKind, WhichQuery
 from sim2reason.questions.parse_prompt import parse_prompt
-from sim2reason.questions.posing import posed
+from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import targets
 from sim2reason.questions.structured import StructuredQuestion
@@ -80,7 +80,7 @@ def test_which_is_the_first_and_how_much_earlier(pair: str) -> None:
 def test_only_options_ask_for_one_of_two() -> None:
     asking = {name for name, mode in MODES.items() if not mode.kinds.isdisjoint(NAMES)}
     assert asking == {"choice"}
-    study = motion_of(atwood()).study
+    study = simulate_scene(atwood()).study
     words = words_of(describe(atwood()))
     draws = (MODES["numeric"].ask(study, words, "", np.random.default_rng(seed)) for seed in range(40))
     assert not {question.query.kind for question in draws if question is not None} & {*NAMES}
@@ -166,8 +166,8 @@ def test_a_wrong_number_that_is_near_or_none_makes_no_choice() -> None:
 
 def answered(scene: Scene, **parts: str) -> tuple[str, float | None]:
     """Return the subject that a question in parts is answered by, and the number."""
-    motion = motion_of(scene)
-    question = posed(StructuredQuestion.read(parts), motion, words_of(describe(scene)))
+    motion = simulate_scene(scene)
+    question = pose_question(StructuredQuestion.read(parts), motion, words_of(describe(scene)))
     return question.query.subject, question.followed(motion).answer
 
 

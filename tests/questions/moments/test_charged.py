@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from sim2reason.questions import Moment
-from sim2reason.questions.following import motion_of
+from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.moments.distances import Away
 from sim2reason.questions.moments.fields import AcrossField, VelocityReturned, VelocityTurned
 from sim2reason.questions.prompt import words_of
@@ -37,7 +37,7 @@ def scene(angle: float = 0.0, **acting: object) -> Scene:
 
 def when(moment: Moment, angle: float = 0.0, **acting: object) -> float | None:
     """Return the time of the moment, s."""
-    study = motion_of(scene(angle, **acting), 12.0).study
+    study = simulate_scene(scene(angle, **acting), 12.0).study
     return moment.time(study.trace)
 
 
@@ -91,7 +91,7 @@ def test_a_question_calls_the_velocity_by_a_pronoun_only_after_the_body() -> Non
 
 
 def test_recipes_seldom_ask_when_a_charge_is_so_far_away() -> None:
-    study = motion_of(scene(magnetic=MAGNETIC)).study
+    study = simulate_scene(scene(magnetic=MAGNETIC)).study
     words, rng = words_of(describe(study.scene)), np.random.default_rng(2)
     found = sum(bool(Away.found(study, words, rng)) for _ in range(200))
     assert 0 < found < 40
@@ -99,7 +99,7 @@ def test_recipes_seldom_ask_when_a_charge_is_so_far_away() -> None:
 
 def test_a_turned_velocity_tells_how_the_force_has_turned() -> None:
     moment = VelocityTurned(BEAD, 60.0)
-    assert {told.quantity for told in moment.tells} == {"acceleration", "net force"}
+    assert {told.quantity for told in moment.revealed_channels} == {"acceleration", "net force"}
     assert replace(moment, value=45.0).stated == ((45.0, "deg"),)
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from sim2reason.questions.following import motion_of
+from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.moments.contacts import StoppedSlipping
 from sim2reason.questions.prompt import words_of
 from sim2reason.scenes.bodies.planes import Plane
@@ -27,7 +27,7 @@ def test_a_body_that_turned_back_before_is_not_asked_about(angle: float, *, offe
         speed=4.0,
     )
     scene = Scene(entities=(Named(name="stack", entity=slabs),))
-    study = motion_of(scene, 20.0).study
+    study = simulate_scene(scene, 20.0).study
     moment = StoppedSlipping("stack.upper")
     assert moment.time(study.trace) is not None
     assert moment.turned_back(study.trace) is not offered

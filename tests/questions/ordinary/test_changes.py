@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from sim2reason.errors import TextError
-from sim2reason.questions.following import motion_of
+from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.ordinary.asides import without_asides
 from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.prompt import words_of
@@ -19,7 +19,7 @@ DATA = Path(__file__).parents[2] / "data"
 def answer(name: str, question: str) -> float | None:
     """Return the answer to a question in ordinary English."""
     path = next(DATA.glob(f"*_scenes/{name}.yaml"))
-    motion, words = motion_of(load(path)), words_of(describe(load(path)))
+    motion, words = simulate_scene(load(path)), words_of(describe(load(path)))
     found = understood(question, motion, words)
     return found.followed.answer if found is not None else None
 

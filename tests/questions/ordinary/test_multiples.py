@@ -5,9 +5,9 @@ from pathlib import Path
 import pytest
 
 from sim2reason.errors import TextError
-from sim2reason.questions.following import motion_of
+from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.ordinary.multiples import LONG, in_numbers
-from sim2reason.questions.posing import posed
+from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.scenes.files import load
@@ -19,8 +19,8 @@ SCENES = Path(__file__).parents[2] / "data" / "ordinary_scenes"
 def answer(scene: str, asked: StructuredQuestion) -> float | None:
     """Return the answer to a question about a stored scene."""
     read = load(SCENES / f"{scene}.yaml")
-    motion, words = motion_of(read), words_of(describe(read))
-    return posed(in_numbers(asked, motion, words), motion, words).followed(motion).answer
+    motion, words = simulate_scene(read), words_of(describe(read))
+    return pose_question(in_numbers(asked, motion, words), motion, words).followed(motion).answer
 
 
 def test_a_medium_stops_a_body_after_a_long_time() -> None:

@@ -2,14 +2,14 @@
 
 import pytest
 
-from sim2reason.questions.ordinary.base_forms import based
 from sim2reason.questions.ordinary.base_forms import paraphrased as plain_clauses
+from sim2reason.questions.ordinary.base_forms import with_base_forms
 from sim2reason.questions.ordinary.paraphrased_mains import paraphrased as plain_mains
 
 
 def test_words_are_in_base_forms_and_auxiliaries_left_out() -> None:
     """Adverbs that change neither the moment nor the value are left out as well."""
-    assert based("@0@ has just been sliding and exactly then hits wall") == "@0@ slide and hit wall"
+    assert with_base_forms("@0@ has just been sliding and exactly then hits wall") == "@0@ slide and hit wall"
 
 
 @pytest.mark.parametrize(

@@ -11,9 +11,9 @@ import pytest
 
 from sim2reason.errors import TextError
 from sim2reason.questions import Words
-from sim2reason.questions.following import FollowedMotion, motion_of
-from sim2reason.questions.ordinary.hearing import hear
-from sim2reason.questions.ordinary.nearest import nearest_said
+from sim2reason.questions.following import FollowedMotion, simulate_scene
+from sim2reason.questions.ordinary.hearing import tokenize
+from sim2reason.questions.ordinary.nearest import suggestion
 from sim2reason.questions.ordinary.reading import readings
 from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.prompt import words_of
@@ -55,7 +55,7 @@ def scene(name: str) -> tuple[FollowedMotion, Words]:
     """A scene's motion, and its words."""
     own = DATA / "ordinary_scenes" / f"{name}.yaml"
     read = load(own if own.exists() else DATA / "textbook_scenes" / f"{name}.yaml")
-    return motion_of(read), words_of(describe(read))
+    return simulate_scene(read), words_of(describe(read))
 
 
 def outcome(asked: Asked) -> str:
@@ -102,7 +102,7 @@ def test_most_questions_are_understood() -> None:
 def test_the_nearest_questions_are_offered(name: str, question: str, told: str) -> None:
     """Each question that an error offers is understood."""
     motion, words = scene(name)
-    said = nearest_said(question, motion, words)
+    said = suggestion(question, motion, words)
     assert "did you mean: " in said
     assert told in said
 
@@ -123,7 +123,7 @@ def test_what_has_no_question_is_refused_with_the_reason(name: str, question: st
     """Beside the nearest questions."""
     motion, words = scene(name)
     assert understood(question, motion, words) is None
-    assert why in nearest_said(question, motion, words)
+    assert why in suggestion(question, motion, words)
 
 
 @pytest.mark.parametrize(
@@ -163,7 +163,7 @@ def test_what_is_not_so_is_said(name: str, question: str, told: str) -> None:
 )
 def test_subjects_numbers_and_pronouns_are_heard(question: str, text: str) -> None:
     """A noun that fits one body alone is heard as that body."""
-    assert hear(question, scene("atwood")[1]).text == text
+    assert tokenize(question, scene("atwood")[1]).text == text
 
 
 @pytest.mark.parametrize(
@@ -179,7 +179,7 @@ def test_subjects_numbers_and_pronouns_are_heard(question: str, text: str) -> No
 )
 def test_strings_are_told_by_their_ends_and_turns_of_phrase_reworded(name: str, question: str, text: str) -> None:
     """A string is named by one of its ends only if no other string ends there."""
-    assert hear(question, scene(name)[1]).text == text
+    assert tokenize(question, scene(name)[1]).text == text
 
 
 @pytest.mark.parametrize(
@@ -195,7 +195,7 @@ def test_strings_are_told_by_their_ends_and_turns_of_phrase_reworded(name: str, 
 def test_a_hostile_question_is_read_at_once(question: str) -> None:
     """And not understood; what is too long is not read in part."""
     _, words = scene("plank")
-    readings(hear("How fast is board A?", words))  # makes the tables
+    readings(tokenize("How fast is board A?", words))  # makes the tables
     began = perf_counter()
-    assert readings(hear(question, words)) == ()
+    assert readings(tokenize(question, words)) == ()
     assert perf_counter() - began < 2.0

@@ -7,10 +7,10 @@ from time import perf_counter
 import pytest
 
 from sim2reason.errors import TextError
-from sim2reason.questions.following import FollowedMotion, motion_of
-from sim2reason.questions.ordinary.hearing import hear
+from sim2reason.questions.following import FollowedMotion, simulate_scene
+from sim2reason.questions.ordinary.hearing import tokenize
 from sim2reason.questions.ordinary.understanding import understood
-from sim2reason.questions.posing import posed
+from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.words import Words
@@ -24,7 +24,7 @@ SCENES = Path(__file__).parents[2] / "data" / "ordinary_scenes"
 def scene(name: str) -> tuple[FollowedMotion, Words]:
     """Return the motion of a scene, and its words."""
     held = load(SCENES / f"{name}.yaml")
-    return motion_of(held), words_of(describe(held))
+    return simulate_scene(held), words_of(describe(held))
 
 
 @pytest.mark.parametrize(
@@ -46,7 +46,9 @@ def test_the_parts_of_what_is_understood_have_its_answer(name: str, question: st
     found = understood(question, motion, words)
     assert found is not None
     assert found.followed.answer is not None
-    assert posed(found.asked, motion, words).followed(motion).answer == pytest.approx(found.followed.answer, rel=1e-9)
+    assert pose_question(found.asked, motion, words).followed(motion).answer == pytest.approx(
+        found.followed.answer, rel=1e-9
+    )
 
 
 @pytest.mark.parametrize(
@@ -155,7 +157,7 @@ def test_what_is_to_move_meanwhile_does() -> None:
 
 def test_a_number_is_no_name_of_a_spring() -> None:
     """The digit 2 of *2.5 m/s* does not name spring 2."""
-    heard = hear("If A were started at 2.5 m/s, how fast would B be?", scene("two_springs")[1])
+    heard = tokenize("If A were started at 2.5 m/s, how fast would B be?", scene("two_springs")[1])
     assert heard.numbers == ("2.5 m/s",)
 
 
@@ -163,7 +165,7 @@ def test_a_result_names_a_quantity_whose_name_has_an_of() -> None:
     """A structured question may name the radius of the path, too."""
     motion, words = scene("field_circle")
     parts = {"find": "fields.start.speed", "given": "radius of the path of the bead = 5.0 m"}
-    found = posed(StructuredQuestion.read(parts), motion, words).followed(motion).answer
+    found = pose_question(StructuredQuestion.read(parts), motion, words).followed(motion).answer
     assert found == pytest.approx(1.25, rel=1e-9)
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from plain_scenes import atwood, massive, ramp, squeezed
 from sim2reason.generation.recipes import RECIPES
-from sim2reason.questions import KINDS, MODES, Query, Question, Study, Target
+from sim2reason.questions import KINDS, MODES, Query, Question, SimulatedScene, Target
 from sim2reason.questions.moments.times import AtTime, WholeMotion
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.prompt import words_of
@@ -33,8 +33,8 @@ from sim2reason.scenes.files import loads
 from sim2reason.text.prose.description import describe
 
 
-def study(scene: Scene, until: float = 1.0) -> Study:
-    return Study.of(scene, np.linspace(0.0, until, 11))
+def study(scene: Scene, until: float = 1.0) -> SimulatedScene:
+    return SimulatedScene.of(scene, np.linspace(0.0, until, 11))
 
 
 def sprung() -> Scene:
@@ -101,7 +101,7 @@ def test_several_strings_stay_taut_together() -> None:
     several = [scene for scene in draws if len({line.name.partition("/")[0] for line in scene.mechanism.strings}) > 1]
     assert several
     for scene in several:
-        tensions = Study.of(scene, np.linspace(0.0, 0.2, 5)).trace.scan.tension
+        tensions = SimulatedScene.of(scene, np.linspace(0.0, 0.2, 5)).trace.scan.tension
         pull = all((tensions[line.name] > 1e-9).all() for line in scene.mechanism.strings)
         assert ("all strings stay taut" in said(scene, 0.2)) is pull
 
@@ -197,7 +197,7 @@ def test_whether_fuel_is_left_is_always_told(until: float, clause: str) -> None:
     found = [held for held in regimes(motion, words, until) if isinstance(held, BurntOut)]
     assert [held.clause(words) for held in found if clause not in held.clause(words)] == []
     assert len(found) == bool(clause)
-    assert all(held.always_told(motion) for held in found)
+    assert all(held.must_be_stated(motion) for held in found)
 
 
 def test_at_burn_out_itself_nothing_need_be_said_of_fuel() -> None:

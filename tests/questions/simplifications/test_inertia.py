@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from plain_scenes import G, arm, massive, ramp
-from sim2reason.questions import Query, Study, Target
-from sim2reason.questions.simplifications import SIMPLIFICATIONS
+from sim2reason.questions import Query, SimulatedScene, Target
+from sim2reason.questions.simplifications import MISCONCEPTIONS
 from sim2reason.scenes.bodies.caps import Hemisphere
 from sim2reason.scenes.bodies.holed_bodies import BoredCylinder, SphereWithHole
 from sim2reason.scenes.bodies.pendulums import Bar
@@ -29,7 +29,7 @@ R, HOLE, OFFSET = 0.2, 0.1, 0.06  # m
 
 def at_once(name: str, scene: Scene, quantity: str, subject: str, about: str | None = None) -> float:
     """The size of a quantity just after the start, as a slip has it."""
-    study, slip = Study.of(scene, np.linspace(0.0, 0.1, 11)), SIMPLIFICATIONS[name]
+    study, slip = SimulatedScene.of(scene, np.linspace(0.0, 0.1, 11)), MISCONCEPTIONS[name]
     subjects = list(slip.subjects(Query("state", Target(quantity, subject)), study))
     assert about is None or about in subjects
     found = slip.simplified(study, about if about is not None else subjects[0], 0.1)
@@ -38,8 +38,8 @@ def at_once(name: str, scene: Scene, quantity: str, subject: str, about: str | N
 
 
 def subjects(name: str, scene: Scene) -> list[str]:
-    study = Study.of(scene, np.linspace(0.0, 0.1, 3))
-    return list(SIMPLIFICATIONS[name].subjects(Query("state", None), study))
+    study = SimulatedScene.of(scene, np.linspace(0.0, 0.1, 3))
+    return list(MISCONCEPTIONS[name].subjects(Query("state", None), study))
 
 
 def rolling(body: Shape, angle: float = 0.0, hole: Hole | None = None) -> Scene:

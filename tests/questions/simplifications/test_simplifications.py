@@ -11,11 +11,11 @@ from plain_scenes import G, atwood, half_atwood, massive, ramp, table
 from sim2reason.errors import SceneError
 from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.recipes import RECIPES
-from sim2reason.questions import Query, Study, Target
+from sim2reason.questions import Query, SimulatedScene, Target
 from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
 from sim2reason.questions.moments.distances import Away
 from sim2reason.questions.moments.times import AtTime
-from sim2reason.questions.simplifications import SIMPLIFICATIONS
+from sim2reason.questions.simplifications import MISCONCEPTIONS
 from sim2reason.scenes.bodies.space import HeavyPlanet, Star
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
@@ -25,13 +25,13 @@ BLOCK, OTHER = "one.system.blocks.0", "other.system.blocks.0"
 ASKED = Query("state", Target("acceleration", BLOCK))  # at no moment: of all the motion
 
 
-def studied(scene: Scene, until: float = 1.0) -> Study:
-    return Study.of(scene, np.linspace(0.0, until, 41))
+def studied(scene: Scene, until: float = 1.0) -> SimulatedScene:
+    return SimulatedScene.of(scene, np.linspace(0.0, until, 41))
 
 
 def size(name: str, scene: Scene, quantity: str, body: str, time: float = 0.0, about: str | None = None) -> float:
     """The size of a quantity after the first slip of a name, or the one about some subject."""
-    study, slip = studied(scene), SIMPLIFICATIONS[name]
+    study, slip = studied(scene), MISCONCEPTIONS[name]
     subjects = list(slip.subjects(ASKED, study))
     assert about is None or about in subjects
     found = slip.simplified(study, about if about is not None else subjects[0], 1.0)
@@ -83,7 +83,7 @@ def test_the_later_root() -> None:
     """Up a smooth slope and back: s = v²/4a is passed at v/a·(1 ∓ √½)."""
     study = studied(ramp(speed=3.0), 2.0)
     moment = Away("ramp.blocks.0", 3.0**2 / (4 * 4.9))
-    later = SIMPLIFICATIONS["later root"]
+    later = MISCONCEPTIONS["later root"]
     assert list(later.subjects(Query("time_to_event", None, moment), study)) == [""]
     assert not list(later.subjects(Query("state", None, AtTime(1.0)), study))
     found = later.simplified(study, "", 2.0)
@@ -94,17 +94,17 @@ def test_the_later_root() -> None:
 
 def first_of(
     recipe: str, difficulties: Iterable[Difficulty], name: str, quantity: str = "acceleration"
-) -> tuple[Study, str]:
+) -> tuple[SimulatedScene, str]:
     """The first drawn scene of a recipe to which a slip applies, and what it is about."""
     for index in range(100):
         for difficulty in difficulties:
             try:
                 scene = RECIPES[recipe](difficulty, generator("slips", recipe, difficulty, index))
-                study = Study.of(scene, np.linspace(0.0, scene.horizon, 11))
+                study = SimulatedScene.of(scene, np.linspace(0.0, scene.horizon, 11))
             except SceneError:
                 continue
             asked = Query("state", Target(quantity, BLOCK))
-            if subjects := list(SIMPLIFICATIONS[name].subjects(asked, study)):
+            if subjects := list(MISCONCEPTIONS[name].subjects(asked, study)):
                 return study, subjects[0]
     raise AssertionError(f"{name} applies to nothing that {recipe} draws")
 
@@ -114,7 +114,7 @@ def test_a_rocket_that_keeps_its_mass() -> None:
     study, subject = first_of("rocket", ["easy"], "constant mass")
     burn, time = study.mechanism.burns[0], 0.5 * study.mechanism.burns[0].until
     mass = study.mechanism.body[burn.body].mass
-    found = SIMPLIFICATIONS["constant mass"].simplified(study, subject, time)
+    found = MISCONCEPTIONS["constant mass"].simplified(study, subject, time)
     assert found is not None
     speed = Target("velocity", burn.body)
     assert speed.value(found.trace.sample(np.array([time]))) == pytest.approx(
@@ -141,7 +141,7 @@ def test_slips_about_rockets(name: str, difficulty: Difficulty, expected: Callab
     study, subject = first_of("rocket", [difficulty], name)
     burn = study.mechanism.burns[0]
     mass, end = study.mechanism.body[burn.body].mass, burn.until
-    found = SIMPLIFICATIONS[name].simplified(study, subject, 1.01 * end)
+    found = MISCONCEPTIONS[name].simplified(study, subject, 1.01 * end)
     assert found is not None
     speed = Target("velocity", burn.body).value(found.trace.sample(np.array([end])))
     ratio, weight = 1.0 - burn.rate * end / mass, G * end / burn.exhaust
@@ -161,7 +161,7 @@ MADE = {"no friction": ramp(friction=0.2), "no mutual attraction": two_planets()
 """Scenes for what applies to none that is drawn, or to the whole of it."""
 
 
-@pytest.mark.parametrize("name", SIMPLIFICATIONS)
+@pytest.mark.parametrize("name", MISCONCEPTIONS)
 def test_each_applies_to_something_and_can_be_solved(name: str) -> None:
     where = {
         "constant mass": "rocket",
@@ -213,7 +213,7 @@ def test_each_applies_to_something_and_can_be_solved(name: str) -> None:
     else:
         quantity = "velocity" if "speed" in name else "acceleration"
         study, subject = first_of(where.get(name, "pulley"), DIFFICULTIES, name, quantity)
-    slip = SIMPLIFICATIONS[name]
+    slip = MISCONCEPTIONS[name]
     slip.reason.format(subject="the block")
     found = slip.simplified(study, subject, study.scene.horizon)
     assert found is None or found.trace.mechanism.coordinates
@@ -222,7 +222,7 @@ def test_each_applies_to_something_and_can_be_solved(name: str) -> None:
 def test_gravity_that_is_the_same_everywhere() -> None:
     """Then it is what it is at the start: g on the surface of the planet."""
     study, subject = first_of("rocket", ["hard"], "uniform gravity")
-    found = SIMPLIFICATIONS["uniform gravity"].simplified(study, subject, study.scene.horizon)
+    found = MISCONCEPTIONS["uniform gravity"].simplified(study, subject, study.scene.horizon)
     assert found is not None
     planet = study.scene.entities[0].entity
     given = next(p.value for p in study.scene.parameters if p.measure.unit == "m/s^2" and p.path.startswith("rocket"))
@@ -233,7 +233,7 @@ def test_gravity_that_is_the_same_everywhere() -> None:
 def test_a_wide_swing_taken_as_small() -> None:
     """Released at θ₀, a uniform rod that hangs from its end then swings as θ₀ cos ωt with ω² = 3g/2ℓ."""
     study, _ = rod_pendulum(60.0).told()
-    slip = SIMPLIFICATIONS["small angle"]
+    slip = MISCONCEPTIONS["small angle"]
     assert list(slip.subjects(ASKED, study)) == [""]
     found = slip.simplified(study, "", 1.0)
     assert found is not None
@@ -244,7 +244,7 @@ def test_a_wide_swing_taken_as_small() -> None:
 
 def test_a_motion_is_read_differently_once() -> None:
     """Filters and the item ask for the same reading, whose equilibrium and modes are not looked for again."""
-    study, slip = studied(rod_pendulum()), SIMPLIFICATIONS["small angle"]
+    study, slip = studied(rod_pendulum()), MISCONCEPTIONS["small angle"]
     assert list(slip.subjects(ASKED, study)) == [""]
     first = slip.simplified(study, "", 1.0)
     assert first is not None

@@ -7,8 +7,8 @@ import pytest
 
 from motions import Motion, orbit
 from plain_scenes import G, atwood, bight, half_atwood, ramp
-from sim2reason.questions import Query, Study, Target
-from sim2reason.questions.simplifications import SIMPLIFICATIONS
+from sim2reason.questions import Query, SimulatedScene, Target
+from sim2reason.questions.simplifications import MISCONCEPTIONS
 from sim2reason.scenes.bodies.pulleys import FixedPulley, MovablePulley
 from sim2reason.scenes.bodies.sliders import Block
 from sim2reason.scenes.connections.string import String
@@ -24,9 +24,9 @@ PLANET = "sky.planet"
 END = 1.0  # s
 
 
-def slipped(name: str, study: Study, quantity: str, about: str | None = None) -> Trace:
+def slipped(name: str, study: SimulatedScene, quantity: str, about: str | None = None) -> Trace:
     """The motion after a slip where a quantity is asked for."""
-    slip = SIMPLIFICATIONS[name]
+    slip = MISCONCEPTIONS[name]
     subjects = list(slip.subjects(Query("state", Target(quantity, "")), study))
     assert about is None or about in subjects
     found = slip.simplified(study, about if about is not None else subjects[0], END)
@@ -36,7 +36,7 @@ def slipped(name: str, study: Study, quantity: str, about: str | None = None) ->
 
 def size(name: str, scene: Scene, quantity: str, subject: str, about: str | None = None) -> float:
     """The size of a quantity at the end of it."""
-    trace = slipped(name, Study.of(scene, np.linspace(0.0, END, 41)), quantity, about)
+    trace = slipped(name, SimulatedScene.of(scene, np.linspace(0.0, END, 41)), quantity, about)
     return Target(quantity, subject).value(trace.at(END))
 
 
@@ -78,8 +78,8 @@ def test_the_string_of_a_movable_pulley_carries_both_weights() -> None:
 
 
 def test_a_body_on_a_slope_is_not_held_by_its_weight() -> None:
-    slip = SIMPLIFICATIONS["weight as tension"]
-    study = Study.of(half_atwood(), np.linspace(0.0, END, 11))
+    slip = MISCONCEPTIONS["weight as tension"]
+    study = SimulatedScene.of(half_atwood(), np.linspace(0.0, END, 11))
     assert list(slip.subjects(Query("state", Target("acceleration", BLOCK)), study)) == [OTHER]
 
 
@@ -103,8 +103,8 @@ def test_the_mean_velocity() -> None:
 
 @pytest.mark.parametrize("name", ["half forgotten", "mean velocity"])
 def test_what_is_sent_off_has_no_such_distance(name: str) -> None:
-    study = Study.of(ramp(speed=3.0), np.linspace(0.0, END, 11))
-    assert not list(SIMPLIFICATIONS[name].subjects(Query("state", Target("velocity", BLOCK)), study))
+    study = SimulatedScene.of(ramp(speed=3.0), np.linspace(0.0, END, 11))
+    assert not list(MISCONCEPTIONS[name].subjects(Query("state", Target("velocity", BLOCK)), study))
 
 
 def test_friction_by_the_whole_weight() -> None:
@@ -183,5 +183,7 @@ def test_a_movable_disc_whose_rotation_is_forgotten() -> None:
     scene = bight(4.0, 5.0, 2.0)
     found = size("pulley rotation left out", scene, "acceleration", "loaded.load")
     assert found == pytest.approx((4.0 - 3.5) * G / (8.0 + 3.5), rel=1e-5)
-    right = Target("acceleration", "loaded.load").value(Study.of(scene, np.linspace(0.0, END, 5)).trace.at(0.5))
+    right = Target("acceleration", "loaded.load").value(
+        SimulatedScene.of(scene, np.linspace(0.0, END, 5)).trace.at(0.5)
+    )
     assert right == pytest.approx((4.0 - 3.5) * G / (8.0 + 3.5 + 0.5))

@@ -6,7 +6,7 @@ import pytest
 from plain_scenes import massive
 from sim2reason.errors import SceneError, SimulationError
 from sim2reason.generation.random_scenes import sample
-from sim2reason.scenes.dsl.ablation import held
+from sim2reason.scenes.dsl.ablation import fix_body
 from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.simulation.trace import ENGINES
 
@@ -27,7 +27,7 @@ def test_what_is_held_is_what_the_builder_glues(recipe: str, index: int) -> None
             glued = scene.gluing(name).mechanism
         except SceneError:  # nothing is left that could move, or a welded body was told to move
             continue
-        assert held(mechanism, name) == glued
+        assert fix_body(mechanism, name) == glued
         try:
             trace = ENGINES["exact"](glued, np.array([0.0, 0.1]))
         except SimulationError:
@@ -41,7 +41,7 @@ def test_strings_slide_over_a_glued_pulley_and_stand_still_on_one_that_is_held()
     name = next(wheel for wheel in scene.bodies if wheel.endswith("pulley") and scene.bodies[wheel].mass)  # type: ignore[attr-defined]
     block = "one.system.blocks.0"
     moved = []
-    for mechanism in (scene.gluing(name).mechanism, held(scene.mechanism, name)):
+    for mechanism in (scene.gluing(name).mechanism, fix_body(scene.mechanism, name)):
         state = ENGINES["exact"](mechanism, np.array([0.0, 0.1])).state
         moved.append(abs(float(Velocity.evaluate(state, block)[-1, 2])))
     assert moved == [pytest.approx(0.1 * 9.8 / 5.0), pytest.approx(0.0, abs=1e-9)]

@@ -6,7 +6,7 @@ import pytest
 from pydantic import ValidationError, model_validator
 
 from sim2reason.errors import SceneError
-from sim2reason.scenes.dsl.addresses import changed, lookup
+from sim2reason.scenes.dsl.addresses import lookup, with_values
 from sim2reason.scenes.dsl.measures import Mass
 from sim2reason.scenes.dsl.model import Model
 
@@ -36,20 +36,20 @@ HEAP = Heap(stones=(Stone(mass=1.0), Stone(mass=2.0, heat=1.5)), top=Stone(mass=
 
 
 def test_a_changed_value_is_another_value() -> None:
-    new = changed(HEAP, {"stones.1.mass": 7.0})
+    new = with_values(HEAP, {"stones.1.mass": 7.0})
     assert (new.stones[1].mass, HEAP.stones[1].mass) == (7.0, 2.0)
-    assert len(changed(HEAP, {"stones.0": None}).stones) == 1
+    assert len(with_values(HEAP, {"stones.0": None}).stones) == 1
     with pytest.raises(ValidationError):
-        changed(HEAP, {"stones.0.mass": -1.0})
+        with_values(HEAP, {"stones.0.mass": -1.0})
 
 
 def test_changes_are_validated_together() -> None:
     """Only as a whole: what lies between is no value that anybody asked for."""
     span = Span(low=1.0, high=2.0)
-    assert changed(span, {"low": 3.0, "high": 4.0}) == Span(low=3.0, high=4.0)
+    assert with_values(span, {"low": 3.0, "high": 4.0}) == Span(low=3.0, high=4.0)
     with pytest.raises(ValidationError):
-        changed(span, {"low": 3.0})
-    assert changed(HEAP, {"stones.0": None, "stones.1.mass": 7.0}).stones == (Stone(mass=7.0, heat=1.5),)
+        with_values(span, {"low": 3.0})
+    assert with_values(HEAP, {"stones.0": None, "stones.1.mass": 7.0}).stones == (Stone(mass=7.0, heat=1.5),)
 
 
 @pytest.mark.parametrize("path", ["nothing", "stones.9.mass", "stones.x", "top.mass.more", "model_fields"])
@@ -57,4 +57,4 @@ def test_an_address_that_leads_nowhere_is_named(path: str) -> None:
     with pytest.raises(SceneError, match=r"there is no such thing"):
         lookup(HEAP, path)
     with pytest.raises(SceneError, match=r"there is no such thing"):
-        changed(HEAP, {path: 1.0})
+        with_values(HEAP, {path: 1.0})

@@ -13,7 +13,7 @@ from sim2reason.errors import Sim2ReasonError
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.constancy import changing, steady
 from sim2reason.scenes.dsl.fields import Profile, Push, Resistance
-from sim2reason.scenes.dsl.frames import Frames, start
+from sim2reason.scenes.dsl.frames import Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import ZERO, ConstantTension, Elastic, Inextensible, Mechanism, Prop, X, Y, Z
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.system import System
@@ -49,7 +49,7 @@ def test_what_is_claimed_constant_is_constant(family: str) -> None:
         mechanism = MAKERS[family](seed)
         try:
             System(mechanism)
-            if changing(mechanism, start(mechanism)):
+            if changing(mechanism, initial_frames(mechanism)):
                 continue
         except (Sim2ReasonError, ZeroDivisionError):
             continue
@@ -63,7 +63,7 @@ def test_what_is_claimed_constant_is_constant(family: str) -> None:
 
 
 def _shortest(mechanism: Mechanism) -> float:
-    frames = start(mechanism)
+    frames = initial_frames(mechanism)
     found = [
         frames.distance(a, b).value
         for line in mechanism.lines
@@ -107,7 +107,7 @@ def test_what_changes_is_named(name: str) -> None:
     builder = _block()
     CHANGES[name](builder)
     mechanism = builder.finish()
-    assert changing(mechanism, start(mechanism))
+    assert changing(mechanism, initial_frames(mechanism))
 
 
 @pytest.mark.parametrize("name", STAYS)
@@ -115,7 +115,7 @@ def test_what_stays_is_known_to_stay(name: str) -> None:
     builder = _block()
     STAYS[name](builder)
     mechanism = builder.finish()
-    assert changing(mechanism, start(mechanism)) == ""
+    assert changing(mechanism, initial_frames(mechanism)) == ""
     assert all(isinstance(line.law, Inextensible | ConstantTension | Prop) for line in mechanism.lines)
 
 

@@ -9,7 +9,7 @@ from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.displaced import displaced
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import X, Y, Z
 from sim2reason.simulation.engines.exact import simulate
 from sim2reason.simulation.rest.equilibrium import steady
@@ -51,7 +51,7 @@ def test_slack_and_wound_strings_keep_their_length() -> None:
     room.string("string", "nail", "hook", slack=0.3)
     mechanism = displaced(builder.finish(), [0.2], [0.0])
     assert mechanism.line["string"].law.slack == pytest.approx(0.5)
-    assert start(mechanism).length(mechanism.line["string"]) == pytest.approx(0.8)
+    assert initial_frames(mechanism).length(mechanism.line["string"]) == pytest.approx(0.8)
     (coordinate,) = mechanism.coordinates
     assert (coordinate.lower, coordinate.upper) == pytest.approx((-0.5, 0.7))
 

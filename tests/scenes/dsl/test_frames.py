@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from sim2reason.scenes.dsl.builder import Builder
-from sim2reason.scenes.dsl.frames import Frames, start
+from sim2reason.scenes.dsl.frames import Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import Mechanism, X, Y, Z
 
 UPHILL = (0.8, 0.0, 0.6)
@@ -32,11 +32,11 @@ def walk(mechanism: Mechanism, q: np.ndarray, v: np.ndarray) -> Frames:
 
 
 def test_a_chain_of_slides(cart: Mechanism) -> None:
-    point = start(cart).center("r.block")
+    point = initial_frames(cart).center("r.block")
     assert dict(point.gradient) == {0: X, 1: UPHILL, 2: Y}
     assert point.place == (2.0, 0.5, 0.0)
     assert dict(point.lift) == {0: Z, 1: (-0.6, 0.0, 0.8)}
-    assert dict(start(cart)["r.wheel"].turning.gradient) == {3: Y}
+    assert dict(initial_frames(cart)["r.wheel"].turning.gradient) == {3: Y}
 
 
 @pytest.mark.parametrize("seed", range(5))

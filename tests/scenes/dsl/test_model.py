@@ -11,7 +11,7 @@ from pydantic import ValidationError, model_validator
 from sim2reason.errors import SceneError
 from sim2reason.scenes.dsl.addresses import lookup
 from sim2reason.scenes.dsl.measures import Chance, Count, Hidden, Mass, Measure, Member, Range, Sized
-from sim2reason.scenes.dsl.model import Model, draw, field_types, parameters, rebuilt
+from sim2reason.scenes.dsl.model import Model, draw, field_types, parameters, replace_validated
 
 
 class Stone(Model):
@@ -54,9 +54,9 @@ def test_parameters_are_found_by_address() -> None:
 
 
 def test_a_rebuilt_value_has_some_other_fields() -> None:
-    assert rebuilt(HEAP, slope=3.0).slope == 3.0
+    assert replace_validated(HEAP, slope=3.0).slope == 3.0
     with pytest.raises(ValidationError):
-        rebuilt(HEAP, slope=91.0)
+        replace_validated(HEAP, slope=91.0)
 
 
 @pytest.mark.parametrize("field", [{"mass": "1"}, {"mass": float("nan")}, {"mass": True}, {"mass": 1.0, "size": 2}])

@@ -32,8 +32,8 @@ def test_what_is_no_template_is_refused(template: str) -> None:
 def test_a_word_tells_special_values() -> None:
     word = Word("friction", {0.0: "smooth"}, "rough")
     assert (word.text(0.0), word.text(0.3), word.text(None)) == ("smooth", "rough", "rough")
-    assert Plane(angle=0.0, friction=0.0).told_by_word("friction")
-    assert not Plane(angle=0.0, friction=0.2).told_by_word("friction")
+    assert Plane(angle=0.0, friction=0.0).is_stated_by_word("friction")
+    assert not Plane(angle=0.0, friction=0.2).is_stated_by_word("friction")
 
 
 TAIL = End(sites=("hook",), arrives="ends at {block}", tied="{block}", leaves="runs up")

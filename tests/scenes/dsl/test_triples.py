@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim2reason.scenes.dsl.vectors import Tensor, Vector, applied, cross, minus, plus, product, times
+from sim2reason.scenes.dsl.vectors import Tensor, Vector, applied, cross, dot, minus, plus, times
 
 NUMBER = st.floats(-1e3, 1e3)
 VECTOR = st.tuples(NUMBER, NUMBER, NUMBER)
@@ -13,7 +13,7 @@ VECTOR = st.tuples(NUMBER, NUMBER, NUMBER)
 
 @given(a=VECTOR, b=VECTOR, factor=NUMBER)
 def test_they_are_what_numpy_says(a: Vector, b: Vector, factor: float) -> None:
-    assert product(a, b) == pytest.approx(float(np.dot(a, b)), abs=1e-6)
+    assert dot(a, b) == pytest.approx(float(np.dot(a, b)), abs=1e-6)
     assert cross(a, b) == pytest.approx(np.cross(a, b), abs=1e-6)
     assert plus(a, b) == pytest.approx(np.add(a, b))
     assert minus(a, b) == pytest.approx(np.subtract(a, b))

@@ -8,14 +8,14 @@ from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.fields import Central, Profile, Push
 from sim2reason.scenes.dsl.mechanism import (
     Attraction,
-    Burn,
+    CollisionPair,
     Elastic,
-    Face,
-    Foot,
     Inextensible,
-    Meeting,
+    MassEjection,
+    PlaneContact,
     Prop,
     Rigid,
+    SurfaceContact,
     X,
     Y,
     Z,
@@ -35,7 +35,7 @@ def test_swing_lays_a_body_on_a_round_face(builder: Builder) -> None:
         Y, (0.0, 0.0, 2.0), 0.5, friction=0.3, speed=2.0, guided=True
     )
     found = builder.finish()
-    assert found.faces == (Face("e.b", Z, (("e.b.hinge", 0.5),), 0.3, turning=True, guided=True),)
+    assert found.faces == (SurfaceContact("e.b", Z, (("e.b.hinge", 0.5),), 0.3, turning=True, guided=True),)
     assert [(c.name, c.kind, c.axis, c.speed) for c in found.coordinates] == [("e.b.hinge", "hinge", Y, 2.0)]
 
 
@@ -44,7 +44,7 @@ def test_roll_slides_and_turns_and_rolls_by_default(builder: Builder, spin: floa
     builder.room().body("b", 1.0).roll((2.0, 0.0, 0.0), Z, 0.25, speed=1.0, spin=spin)
     found = builder.finish()
     assert [(c.kind, c.axis, c.speed) for c in found.coordinates] == [("slide", X, 1.0), ("hinge", Y, wanted)]
-    assert found.faces == (Face("b", Z, (("b.slide", 1.0), ("b.hinge", -0.25)), inf),)
+    assert found.faces == (SurfaceContact("b", Z, (("b.slide", 1.0), ("b.hinge", -0.25)), inf),)
 
 
 def test_lines_know_their_laws(builder: Builder) -> None:
@@ -70,7 +70,7 @@ def test_a_foot_stands_where_it_is_or_on_a_plane_that_is_given(builder: Builder)
     body.stand("heel", (0.2, 0.0, -0.5), X, Z)
     body.stand("toe", (0.4, 0.0, -0.3), X, Z, on=(0.0, 0.0, -1.0))
     found = builder.finish().feet
-    assert found == (Foot("e.heel", "e.heel", Z, X, 3.0), Foot("e.toe", "e.toe", Z, X, 2.5))
+    assert found == (PlaneContact("e.heel", "e.heel", Z, X, 3.0), PlaneContact("e.toe", "e.toe", Z, X, 2.5))
 
 
 def test_forces_count_places_from_their_entity(builder: Builder) -> None:
@@ -92,11 +92,11 @@ def test_bodies_meet_attract_and_burn(builder: Builder) -> None:
     a.attract(b, 6.0)
     b.burn(0.1, 20.0, 3.0, (2.0, 0.0, 0.0))
     found = builder.finish()
-    assert found.meetings[0] == Meeting("a", "b", 0.2, 0.5, None, True)
+    assert found.meetings[0] == CollisionPair("a", "b", 0.2, 0.5, None, True)
     assert found.meetings[1].names == ("b",)
     assert found.meetings[1].normal == Z
     assert found.attractions == (Attraction("a", "b", 6.0),)
-    assert found.burns == (Burn("b", 0.1, 20.0, 3.0, X),)
+    assert found.burns == (MassEjection("b", 0.1, 20.0, 3.0, X),)
 
 
 def test_the_room_does_nothing_by_itself(builder: Builder) -> None:

@@ -16,7 +16,7 @@ from sim2reason.scenes.dsl.entity import ENTITIES, outer_ports, ports_of
 from sim2reason.scenes.dsl.ports import Pass
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import dump, load, loads
-from sim2reason.scenes.files.tendons import directions, told_end
+from sim2reason.scenes.files.tendons import directions, end_to_plain
 
 BIGHT = """\
 scene:
@@ -202,7 +202,11 @@ def test_sides_whose_names_are_used_twice_are_told_by_their_pulley(monkeypatch: 
     forget_ports()
     try:
         assert ("left", "") not in directions(entity)
-        assert told_end("q", entity, "under", 0) == {"entity": "q", "direction": "under", "connecting_point": "left"}
+        assert end_to_plain("q", entity, "under", 0) == {
+            "entity": "q",
+            "direction": "under",
+            "connecting_point": "left",
+        }
     finally:
         monkeypatch.undo()
         forget_ports()
@@ -212,7 +216,7 @@ def test_sides_whose_names_are_used_twice_are_told_by_their_pulley(monkeypatch: 
 def test_every_outer_port_of_every_entity_has_directions(name: str) -> None:
     assert {port for port, _ in directions(ENTITIES[name]).values()} == set(outer_ports(ENTITIES[name]))
     for port, side in directions(ENTITIES[name]).values():
-        told = told_end("x", ENTITIES[name], port, side)
+        told = end_to_plain("x", ENTITIES[name], port, side)
         assert directions(ENTITIES[name])[told["direction"], told.get("connecting_point", "")] == (port, side)
 
 

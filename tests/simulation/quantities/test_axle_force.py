@@ -5,8 +5,8 @@ from math import cos, hypot, radians, sin, sqrt
 
 import pytest
 
-from sim2reason.questions.following import motion_of
-from sim2reason.questions.posing import posed
+from sim2reason.questions.following import simulate_scene
+from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.scenes.bodies.pendulums import Ball, FixedBall, LightRod, UniformRod
@@ -31,9 +31,9 @@ def armed(pieces: Sequence[WeldedPiece], angle: float, rate: float | None = None
 
 def found(scene: Scene, when: str, along: str = "", find: str = "axle force") -> float:
     """Return the force in N, or its component along a direction."""
-    motion, words = motion_of(scene), words_of(describe(scene))
+    motion, words = simulate_scene(scene), words_of(describe(scene))
     of = "the arm" if find != "force on the axle" else "arm.arm"
-    answer = posed(StructuredQuestion(find, of, when, along), motion, words).followed(motion).answer
+    answer = pose_question(StructuredQuestion(find, of, when, along), motion, words).followed(motion).answer
     assert answer is not None
     return answer
 

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from sim2reason.errors import TextError
-from sim2reason.questions.following import motion_of
-from sim2reason.questions.posing import posed
+from sim2reason.questions.following import simulate_scene
+from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.scenes.dsl.displaced import displaced
@@ -25,8 +25,8 @@ ROLLED = (2.3 * 0.01 - 0.5 * 5.0 / 7.0 * G * sin(radians(42.0)) * 0.01**2) / (2.
 def found(name: str, find: str, of: str, when: str) -> float:
     """Return the answer to a question in parts, in the units of the scene."""
     scene = load(SCENES / f"{name}.yaml")
-    motion, words = motion_of(scene), words_of(describe(scene))
-    answer = posed(StructuredQuestion(find, of, when), motion, words).followed(motion).answer
+    motion, words = simulate_scene(scene), words_of(describe(scene))
+    answer = pose_question(StructuredQuestion(find, of, when), motion, words).followed(motion).answer
     assert answer is not None
     return answer
 
@@ -144,36 +144,38 @@ def test_bodies_that_do_not_attract_have_a_distance_where_both_move_freely_in_a_
 def test_an_energy_has_no_direction() -> None:
     """The force and the extension of a spring have a sign, *along stretched*; its energy has none."""
     scene = load(SCENES / "compressed_trolley.yaml")
-    motion, words = motion_of(scene), words_of(describe(scene))
+    motion, words = simulate_scene(scene), words_of(describe(scene))
     with pytest.raises(TextError, match="no components"):
-        posed(StructuredQuestion("spring energy", "", "at 0.1 s", "stretched"), motion, words)
-    pushes = posed(StructuredQuestion("spring force", "", "at start", "stretched"), motion, words).followed(motion)
+        pose_question(StructuredQuestion("spring energy", "", "at 0.1 s", "stretched"), motion, words)
+    pushes = pose_question(StructuredQuestion("spring force", "", "at start", "stretched"), motion, words).followed(
+        motion
+    )
     assert pushes.answer == pytest.approx(-133.0 * 0.14)
 
 
 def test_a_subject_stands_after_of() -> None:
     """Otherwise it would be taken for a part of the quantity's name."""
     scene = load(SCENES / "lob.yaml")
-    motion, words = motion_of(scene), words_of(describe(scene))
+    motion, words = simulate_scene(scene), words_of(describe(scene))
     with pytest.raises(TextError, match="height above the start the ball"):
-        posed(StructuredQuestion("time", "", "height above the start the ball = 0.5 m"), motion, words)
+        pose_question(StructuredQuestion("time", "", "height above the start the ball = 0.5 m"), motion, words)
 
 
 def test_the_force_on_a_pulley_needs_the_directions_of_the_strings_parts() -> None:
     """Of two separate planes nothing is said of the sides to which they rise."""
     scene = load(SCENES / "two_facing_planes.yaml")
-    motion, words = motion_of(scene), words_of(describe(scene))
+    motion, words = simulate_scene(scene), words_of(describe(scene))
     with pytest.raises(TextError, match="directions of the string's parts"):
-        posed(StructuredQuestion("force on a pulley", "the pulley", "at start"), motion, words)
+        pose_question(StructuredQuestion("force on a pulley", "the pulley", "at start"), motion, words)
 
 
 def test_only_stated_axes_have_coordinates() -> None:
     """A thrown ball has no coordinates, as the text states no origin; a cart on a track has no y coordinate."""
     for name, of, find in (("lob", "the ball", "x coordinate"), ("dull_carts", "cart A", "y coordinate")):
         scene = load(SCENES / f"{name}.yaml")
-        motion, words = motion_of(scene), words_of(describe(scene))
+        motion, words = simulate_scene(scene), words_of(describe(scene))
         with pytest.raises(TextError):
-            posed(StructuredQuestion(find, of, "at start"), motion, words)
+            pose_question(StructuredQuestion(find, of, "at start"), motion, words)
 
 
 def test_coordinates_go_on_where_a_motion_is_begun_again() -> None:
@@ -190,6 +192,6 @@ def test_coordinates_go_on_where_a_motion_is_begun_again() -> None:
 def test_a_field_in_a_region_acts_there_and_on_its_border_alone(time: float, force: float) -> None:
     """An electron crosses the field between two plates of 5 cm in 2.5 ns, beginning at their edge."""
     scene = load(SCENES / "crt.yaml")
-    motion, words = motion_of(scene), words_of(describe(scene))
-    asked = posed(StructuredQuestion("electric force", when=f"at {time} s"), motion, words)
+    motion, words = simulate_scene(scene), words_of(describe(scene))
+    asked = pose_question(StructuredQuestion("electric force", when=f"at {time} s"), motion, words)
     assert asked.followed(motion).answer == pytest.approx(force * 1e6, rel=1e-9)  # in the text's µN

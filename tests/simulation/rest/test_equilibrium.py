@@ -16,7 +16,7 @@ from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.fields import Profile, Push
 from sim2reason.scenes.dsl.mechanism import GRAVITY, ZERO, Mechanism, X, Y, Z
-from sim2reason.simulation.rest.equilibrium import equilibrium, lone_equilibrium, neighbour
+from sim2reason.simulation.rest.equilibrium import equilibrium, neighbour, unique_equilibrium
 from spring_slopes import spring_slope
 
 G = GRAVITY
@@ -45,7 +45,7 @@ def test_a_slider_between_two_loads(seed: int) -> None:
     assert isclose(first * (x + 1.0) / hypot(x + 1.0, 1.0), second * (1.0 - x) / hypot(1.0 - x, 1.0), rel_tol=1e-8)
     assert rest.state.tension["left.string"][0] == pytest.approx(first * G)
     assert rest.state.tension["right.string"][0] == pytest.approx(second * G)
-    assert lone_equilibrium(rest.mechanism) is rest
+    assert unique_equilibrium(rest.mechanism) is rest
     assert not rest.linear
 
 
@@ -79,7 +79,7 @@ def test_a_roller_with_its_weight_on_one_side_rests_on_a_slope() -> None:
     assert rest.coordinates[0] == pytest.approx(radius * rest.coordinates[1])
     assert rest.state.friction["roller"][0] == pytest.approx(3.0 * G * sin(slope))
     assert rest.state.normal["roller"][0] == pytest.approx(3.0 * G * cos(slope))
-    assert lone_equilibrium(rest.mechanism) is rest
+    assert unique_equilibrium(rest.mechanism) is rest
 
 
 def test_a_charge_that_a_field_deflects() -> None:
@@ -129,7 +129,7 @@ def test_a_pendulum_comes_to_rest_below_from_anywhere(angle: float) -> None:
     rest = equilibrium(rod_pendulum(angle).mechanism)
     assert rest is not None
     assert abs(rest.coordinates[0]) == pytest.approx(radians(angle))
-    assert lone_equilibrium(rest.mechanism) is rest
+    assert unique_equilibrium(rest.mechanism) is rest
 
 
 def test_a_bead_between_two_pressed_springs_has_two_places() -> None:
@@ -142,7 +142,7 @@ def test_a_bead_between_two_pressed_springs_has_two_places() -> None:
     rest = equilibrium(builder.finish())
     assert rest is not None
     assert 0.1 + rest.coordinates[0] == pytest.approx(sqrt(0.5**2 - 0.3**2))
-    assert lone_equilibrium(rest.mechanism) is None
+    assert unique_equilibrium(rest.mechanism) is None
 
 
 def test_a_second_place_to_which_few_ways_lead_is_found() -> None:
@@ -159,7 +159,7 @@ def test_a_second_place_to_which_few_ways_lead_is_found() -> None:
     assert rest is not None
     assert rest.coordinates - (0.3, 0.0) == pytest.approx((0.30194, 0.22519), abs=1e-5)
     assert sum(other.stable for other in equilibria(mechanism)) == 2
-    assert lone_equilibrium(mechanism) is None
+    assert unique_equilibrium(mechanism) is None
 
 
 def _balanced() -> Mechanism:
@@ -228,7 +228,7 @@ def _lifted() -> Mechanism:
 )
 def test_what_has_no_place_of_rest_to_name(mechanism: Callable[[], Mechanism]) -> None:
     assert equilibrium(mechanism()) is None
-    assert lone_equilibrium(mechanism()) is None
+    assert unique_equilibrium(mechanism()) is None
 
 
 @pytest.mark.parametrize(("recipe", "count"), [("chain", 4), ("mixed", 4), ("pendulum", 4), ("springs", 16)])
@@ -253,7 +253,7 @@ def test_it_is_one_of_all(recipe: str, count: int) -> None:
             for other in stable
         ]
         assert min(apart) < 1e-6
-        if lone_equilibrium(mechanism) is not None and not rest.linear:
+        if unique_equilibrium(mechanism) is not None and not rest.linear:
             assert len(stable) == 1
         seen += 1
     assert seen

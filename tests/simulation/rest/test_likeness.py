@@ -7,7 +7,7 @@ import pytest
 
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.mechanism import Mechanism
-from sim2reason.simulation.rest.oscillation import alike_at_rest
+from sim2reason.simulation.rest.oscillation import agree_at_rest
 
 PLAIN = {"mass": 2.0, "stiffness": 80.0, "natural": 0.5, "start": 0.7, "speed": 0.0, "slope": 0.3}
 EVERYTHING = ("lengths", "forces", "inertia", "stiffness")
@@ -40,8 +40,8 @@ def on_a_slope(numbers: Mapping[str, float]) -> Mechanism:
 def test_one_number_at_a_time(name: str, value: float, alike: tuple[str, ...]) -> None:
     """x = mg sin θ/k, T = 2π √(m/k): what changes neither is the same."""
     one, other = on_a_slope(PLAIN), on_a_slope({**PLAIN, name: value})
-    assert {aspect for aspect in EVERYTHING if alike_at_rest(one, other, (aspect,))} == set(alike)
-    assert alike_at_rest(one, other, alike)
+    assert {aspect for aspect in EVERYTHING if agree_at_rest(one, other, (aspect,))} == set(alike)
+    assert agree_at_rest(one, other, alike)
 
 
 def test_what_never_rests_is_like_itself_alone() -> None:
@@ -50,5 +50,5 @@ def test_what_never_rests_is_like_itself_alone() -> None:
         builder.room().body("ball", mass).slide((0.0, 0.0, 1.0), speed)
         return builder.finish()
 
-    assert alike_at_rest(falling(1.0, 0.0), falling(1.0, 2.0), EVERYTHING)
-    assert not alike_at_rest(falling(1.0, 0.0), falling(2.0, 0.0), ("stiffness",))
+    assert agree_at_rest(falling(1.0, 0.0), falling(1.0, 2.0), EVERYTHING)
+    assert not agree_at_rest(falling(1.0, 0.0), falling(2.0, 0.0), ("stiffness",))

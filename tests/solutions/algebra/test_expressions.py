@@ -9,10 +9,10 @@ from hypothesis import strategies as st
 from sim2reason.grading import arithmetic
 from sim2reason.grading.parser import parse
 from sim2reason.grading.tokens import tokenize
-from sim2reason.solutions.algebra.digits import rounded, shortened
-from sim2reason.solutions.algebra.evaluated import NumericRoot, Worked, gradient
+from sim2reason.solutions.algebra.digits import round_to_digits, rounded_latex
+from sim2reason.solutions.algebra.evaluated import NumericFormula, NumericRoot, gradient
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, added, multiplied, ratio
-from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.algebra.fractions import reduced_quotient
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 
@@ -66,13 +66,13 @@ def test_a_root_is_refined_and_follows_its_coefficients() -> None:
 
 
 def test_numbers_have_five_digits() -> None:
-    assert [rounded(x) for x in (34.8, 0.0, 1.0 / 3.0, -1234567.0)] == [
+    assert [rounded_latex(x) for x in (34.8, 0.0, 1.0 / 3.0, -1234567.0)] == [
         "34.800",
         "0",
         "0.33333",
         r"-1.2346 \times 10^{6}",
     ]
-    assert Worked(Number(1.0 / 3.0), 1.0 / 3.0).value({}, 5) == shortened(1.0 / 3.0) == 0.33333
+    assert NumericFormula(Number(1.0 / 3.0), 1.0 / 3.0).value({}, 5) == round_to_digits(1.0 / 3.0) == 0.33333
 
 
 def test_sines_and_cosines_of_one_angle_make_one() -> None:
@@ -101,7 +101,10 @@ def test_what_all_terms_share_stands_in_front(angle: float) -> None:
 def test_no_minus_sign_stands_below_a_fraction_or_under_a_square() -> None:
     x, y = Symbol("x"), Symbol("y")
     assert ((x - y) / -(x + y)).latex() == r"\frac{y - x}{x + y}"
-    assert over(Polynomial.of(x), (Polynomial.of(x) + Polynomial.of(y)).scaled(-1.0)).latex() == r"-\frac{x}{x + y}"
+    assert (
+        reduced_quotient(Polynomial.of(x), (Polynomial.of(x) + Polynomial.of(y)).scaled(-1.0)).latex()
+        == r"-\frac{x}{x + y}"
+    )
     assert Power(-x, 2).latex() == "x^{2}"
     assert Power(-x, 3).latex() == r"\left(-x\right)^{3}"
 
@@ -111,7 +114,7 @@ def test_half_is_no_denominator() -> None:
 
 
 def test_a_number_with_a_power_of_ten_is_raised_in_parentheses() -> None:
-    small = Worked(M, 8.3673e-5)
+    small = NumericFormula(M, 8.3673e-5)
     assert Power(small, 2).latex() == r"\left(8.3673 \times 10^{-5}\right)^{2}"
 
 

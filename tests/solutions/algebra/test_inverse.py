@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
-from sim2reason.solutions.algebra.inverse import settled, solved_for
+from sim2reason.solutions.algebra.inverse import evaluate_known_parts, solved_for
 
 A, B, C, X, Y = (Symbol(name) for name in "abcxy")
 SINE, COSINE, HALF = Call("sin", X), Call("cos", X), Number(0.5)
@@ -56,7 +56,7 @@ def test_what_has_none_is_found_numerically(formula: Expression) -> None:
 def test_a_long_formula_is_settled_to_numbers_of_what_is_known() -> None:
     formula = A * B * X + (A + B) * Power(X, 2) + C
     at = {"a": 2.0, "b": 3.0, "c": 5.0}
-    short = settled(formula, frozenset({"x"}), lambda held: Number(float(held.value(at).real)))
+    short = evaluate_known_parts(formula, frozenset({"x"}), lambda held: Number(float(held.value(at).real)))
     assert set(short.symbols()) <= {"x", "c"}
     assert short.value(at | {"x": 0.4}) == pytest.approx(formula.value(at | {"x": 0.4}))
 

@@ -15,9 +15,9 @@ from sim2reason.solutions.algebra.evaluated import (
     ClosedRoot,
     CompleteElliptic,
     ImplicitRoot,
+    NumericFormula,
     NumericRoot,
     QuadraticRoot,
-    Worked,
 )
 from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Quotient, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
@@ -56,7 +56,7 @@ def test_every_class_of_expressions_has_a_need() -> None:
         (Call("arccos", Root(X)), Need.INVERSE_FUNCTION),
         (Call("ln", X), Need.INVERSE_FUNCTION),
         (Call("exp", X) + ONE, Need.INVERSE_FUNCTION),
-        (Worked(Root(X), 2.0), Need.QUADRATIC),
+        (NumericFormula(Root(X), 2.0), Need.QUADRATIC),
         (Chain((("a", Call("arcsin", X)), ("b", Symbol("a") + ONE))), Need.INVERSE_FUNCTION),
         (NumericRoot(KEPLER, "x", 1.5), Need.ROOT),
         (ImplicitRoot(KEPLER, "x", 1.5), Need.ROOT),

@@ -7,16 +7,16 @@ import pytest
 from sim2reason.solutions.algebra.evaluated import Chain
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.algebra.functions import Call
-from sim2reason.solutions.algebra.reached import told_range, values_with
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.algebra.reached import range_text, values_with
+from sim2reason.solutions.writing.steps import SolutionBuilder
 from sim2reason.solutions.writing.unit_latex import DEGREES
 
 X = Symbol("x")
 
 
-def book(value: float, name: str = "x", unit: str = "") -> Book:
-    found = Book()
-    found.know(name, value, unit)
+def book(value: float, name: str = "x", unit: str = "") -> SolutionBuilder:
+    found = SolutionBuilder()
+    found.set_value(name, value, unit)
     return found
 
 
@@ -25,7 +25,7 @@ def test_both_values_with_which_a_sum_of_two_powers_is_zero_are_found() -> None:
     chain = Chain((("y", Number(1.0) / X), ("z", Symbol("y") + X)))
     assert values_with(chain, 2.5, "x", book(2.0)) == pytest.approx([0.5, 2.0])
     assert values_with(chain, -2.5, "x", book(2.0)) == []
-    assert told_range("x", book(2.0)) == "positive $x$"
+    assert range_text("x", book(2.0)) == "positive $x$"
 
 
 def test_a_pole_is_no_value() -> None:
@@ -38,7 +38,7 @@ def test_angles_and_coefficients_of_restitution_have_bounds() -> None:
     found = values_with(Chain((("y", Number(2.0) * Call("sin", X)),)), 1.0, "x", book(0.3, unit=DEGREES))
     assert found == pytest.approx([radians(30.0)])
     assert sin(found[0]) < sin(0.5 * pi)
-    assert told_range("x", book(0.3, unit=DEGREES)) == "$x$ between $0^\\circ$ and $90^\\circ$"
+    assert range_text("x", book(0.3, unit=DEGREES)) == "$x$ between $0^\\circ$ and $90^\\circ$"
     e = Symbol("e")
     assert values_with(Chain((("y", e * e),)), 2.25, "e", book(0.5, "e")) == []
-    assert told_range("e", book(0.5, "e")) == "$e$ between 0 and 1"
+    assert range_text("e", book(0.5, "e")) == "$e$ between 0 and 1"

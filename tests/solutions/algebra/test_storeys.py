@@ -13,7 +13,7 @@ from sim2reason.scenes.dsl.model import field_types
 from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.factors import factors_of, has_fraction, never_negative
 from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Power, Root
-from sim2reason.solutions.algebra.plain_latex import is_storeyed, one_storey, plain_latex
+from sim2reason.solutions.algebra.plain_latex import has_nested_fraction, plain_latex, without_nested_fractions
 
 M, K, V, G, R, X, Y, D = (Symbol(name) for name in ("m", "k", "v", "g", "R", "x", "y", "d"))
 MU, HEAVY = Symbol(r"\mu"), Symbol("M")
@@ -42,7 +42,7 @@ AT = {"m": 1.3, "k": 2.1, "v": 0.7, "g": 9.8, "R": 0.3, "x": 0.4, "y": -1.2, "d"
     ],
 )
 def test_a_formula_is_written_as_one_fraction(held: Expression, written: str) -> None:
-    found = one_storey(held)
+    found = without_nested_fractions(held)
     assert found.latex() == written
     try:
         value = held.value(AT)
@@ -83,7 +83,7 @@ def test_any_formula_keeps_its_value(held: Expression) -> None:
         return
     assert isinstance(value, float)
     if 1e-3 < abs(value) < 1e6:  # not what rounding has left of a difference
-        found = one_storey(held)
+        found = without_nested_fractions(held)
         assert isclose(found.value(AT).real, value, rel_tol=1e-6)
 
 
@@ -93,8 +93,8 @@ def test_no_fraction_stands_in_a_fraction_but_for_roots_in_a_sum_below(held: Exp
         held.value(AT)
     except (ValueError, ArithmeticError):
         return  # over a difference of equal terms there is nothing to write
-    found = one_storey(held)
-    assert not is_storeyed(found) or _has_sum_of_roots(found)
+    found = without_nested_fractions(held)
+    assert not has_nested_fraction(found) or _has_sum_of_roots(found)
 
 
 def _has_sum_of_roots(held: Expression) -> bool:

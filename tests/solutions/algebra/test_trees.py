@@ -13,9 +13,9 @@ from sim2reason.solutions.algebra.evaluated import (
     CompleteElliptic,
     ImplicitRoot,
     IncompleteElliptic,
+    NumericFormula,
     NumericRoot,
     QuadraticRoot,
-    Worked,
 )
 from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Power, Root
@@ -39,7 +39,7 @@ FORMULAS = [
     IncompleteElliptic(Y, X),
     IncompleteElliptic(Product((Number(5.0), Y)), X),
     Amplitude(Y, X),
-    Product((Worked(Product((Number(2.0), Y)), 3.4), X)),
+    Product((NumericFormula(Product((Number(2.0), Y)), 3.4), X)),
     NumericRoot(Sum((Power(Symbol("z"), 2), -Y)), "z", 1.3038),
     ImplicitRoot(Sum((Power(Symbol("z"), 2), -Y)), "z", 1.3038),
     QuadraticRoot(Sum((Power(Symbol("z"), 2), -Y)), "z", 1.3038),

@@ -18,9 +18,9 @@ from sim2reason.solutions.algebra.expressions import (
     ratio,
 )
 from sim2reason.solutions.algebra.functions import Call, Power, Root
-from sim2reason.solutions.closed_forms.gathering import gathered, with_factors_in_front
-from sim2reason.solutions.closed_forms.rewriting import length
-from sim2reason.solutions.closed_forms.tidying import tidied
+from sim2reason.solutions.closed_forms.gathering import factor_terms, with_factors_in_front
+from sim2reason.solutions.closed_forms.rewriting import latex_length
+from sim2reason.solutions.closed_forms.tidying import tidy
 
 A, B, C, D, G, MU = (Symbol(name) for name in ("m_A", "m_B", "m_C", "m_D", "g", r"\mu"))
 SIN, COS = (Call(name, Symbol(r"\theta")) for name in ("sin", "cos"))
@@ -53,7 +53,7 @@ SLOPE = A * G * SIN + B * G * SIN - MU * A * G * COS - MU * B * G * COS
     ],
 )
 def test_what_terms_share_stands_before_them(held: Expression, latex: str) -> None:
-    assert gathered(held).latex() == latex
+    assert factor_terms(held).latex() == latex
 
 
 @pytest.mark.parametrize(
@@ -92,18 +92,18 @@ def formulas() -> st.SearchStrategy[Expression]:
 def test_gathered_and_tidied_formulas_keep_their_value(held: Expression) -> None:
     value = held.value(AT).real
     near = {"rel_tol": 1e-9, "abs_tol": 1e-9 * (1.0 + sum(abs(part.value(AT)) for part in held.parts))}
-    assert isclose(gathered(held).value(AT).real, value, **near)
-    assert isclose(tidied(held).value(AT).real, value, **near)
+    assert isclose(factor_terms(held).value(AT).real, value, **near)
+    assert isclose(tidy(held).value(AT).real, value, **near)
     assert isclose(with_factors_in_front(held).value(AT).real, value, **near)
-    assert length(gathered(held)) <= length(held)
+    assert latex_length(factor_terms(held)) <= latex_length(held)
 
 
 def test_signs_leave_sums_of_negative_terms() -> None:
     held = Product((Quotient(-A - B, C), Sum((-A, -B)), D))
-    assert tidied(held).latex() == r"\frac{m_D \left(m_A + m_B\right) \left(m_A + m_B\right)}{m_C}"
-    assert tidied(Quotient(-A - B, C)).latex() == r"-\frac{m_A + m_B}{m_C}"
-    assert tidied(Quotient(A, Quotient(B, C))).latex() == r"\frac{m_A m_C}{m_B}"
-    assert tidied(Power(A * Root(B + C), 2)).latex() == r"m_A^{2} \left(m_B + m_C\right)"
+    assert tidy(held).latex() == r"\frac{m_D \left(m_A + m_B\right) \left(m_A + m_B\right)}{m_C}"
+    assert tidy(Quotient(-A - B, C)).latex() == r"-\frac{m_A + m_B}{m_C}"
+    assert tidy(Quotient(A, Quotient(B, C))).latex() == r"\frac{m_A m_C}{m_B}"
+    assert tidy(Power(A * Root(B + C), 2)).latex() == r"m_A^{2} \left(m_B + m_C\right)"
 
 
 @pytest.mark.parametrize(
@@ -116,6 +116,6 @@ def test_signs_leave_sums_of_negative_terms() -> None:
     ],
 )
 def test_a_product_of_two_sums_is_not_left_multiplied_out(held: Expression, written: str) -> None:
-    found = gathered(held)
+    found = factor_terms(held)
     assert isclose(found.value(AT).real, held.value(AT).real)
     assert found.latex() == written

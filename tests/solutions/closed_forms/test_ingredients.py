@@ -7,7 +7,7 @@ import pytest
 from sim2reason.solutions.algebra.expressions import Expression, Number, Quotient, Symbol
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root
 from sim2reason.solutions.closed_forms.closed_form import closed_form
-from sim2reason.solutions.closed_forms.ingredients import with_ingredients
+from sim2reason.solutions.closed_forms.ingredients import with_final_algebra
 from sim2reason.solutions.solution import Relation, Solution, Step
 
 M, V, G, H = map(Symbol, ("m", "v", "g", "h"))
@@ -28,7 +28,7 @@ def solution(goal: str, **formulas: Expression) -> Solution:
 def test_what_an_answer_is_made_of_is_told() -> None:
     """Of Q = Q1 + Q2 each, with the speed put in, where it cancels."""
     square = Power(V, 2) + 2.0 * G * H
-    found = with_ingredients(
+    found = with_final_algebra(
         solution("Q", w=square, one=M * Symbol("w"), two=0.5 * M * Symbol("w"), Q=Symbol("one") + Symbol("two"))
     )
     last = found.steps[-1]
@@ -40,7 +40,7 @@ def test_what_an_answer_is_made_of_is_told() -> None:
 
 def test_one_quantity_alone_is_looked_through() -> None:
     """Of U = |s| what s is made of."""
-    found = with_ingredients(
+    found = with_final_algebra(
         solution(
             "U", a=G * H, b=V * Symbol("a"), c=M * Symbol("a"), s=Symbol("b") + Symbol("c"), U=Absolute(Symbol("s"))
         )
@@ -50,7 +50,7 @@ def test_one_quantity_alone_is_looked_through() -> None:
 
 def test_of_a_sum_below_a_fraction_the_sum_is_told() -> None:
     one, other = Quotient(M * Symbol("c"), H), Quotient(G * Symbol("c"), H)
-    found = with_ingredients(solution("t", c=V * H, a=one, b=other, t=Quotient(V, Symbol("a") + Symbol("b"))))
+    found = with_final_algebra(solution("t", c=V * H, a=one, b=other, t=Quotient(V, Symbol("a") + Symbol("b"))))
     relation, *_ = found.steps[-1].relations
     assert relation.left.latex() == "a + b"
     at = {"m": 0.3, "v": 1.7, "g": 2.2, "h": 0.9}
@@ -59,18 +59,18 @@ def test_of_a_sum_below_a_fraction_the_sum_is_told() -> None:
 
 def test_nothing_is_repeated_that_one_formula_gives() -> None:
     plain = solution("K", w=V * G, K=M * Symbol("w"))
-    assert with_ingredients(plain) == plain
+    assert with_final_algebra(plain) == plain
 
 
 def test_what_the_text_has_is_not_repeated() -> None:
     """A comparison puts all steps together itself before it changes a number."""
     w, p = Symbol("w"), Symbol("p")
     held = solution("Q", w=Power(V, 2) + 2.0 * G * H, p=M * w, Q=Quotient(p, H * w))
-    told = with_ingredients(held).steps[-1]
+    told = with_final_algebra(held).steps[-1]
     assert "p" in [relation.left.latex() for relation in told.relations]
     whole = next(relation for relation in told.relations if relation.left == p)
     combined = Step(len(held.steps), "combine", f"Combined, these equations give {whole.latex()}.", (), (), ())
-    again = with_ingredients(replace(held, steps=(*held.steps, combined)))
+    again = with_final_algebra(replace(held, steps=(*held.steps, combined)))
     assert whole.latex() not in " ".join(step.text for step in again.steps if step.kind == "ingredients")
 
 
@@ -79,7 +79,7 @@ def test_it_is_said_what_is_inserted_into_what_and_what_that_gives() -> None:
     x = Symbol("x")
     energy = M * G * x + H * (Power(V, 2) - Power(V + x, 2))
     held = solution("E", x=Quotient(M * G - V * H, H), E=energy)
-    last = with_ingredients(held).steps[-1]
+    last = with_final_algebra(held).steps[-1]
     assert "Inserting $x$ into the formula for $E$ gives $E = " in last.text
     assert last.text.endswith("which simplifies to the result.")
     (relation,) = last.relations
@@ -93,10 +93,10 @@ def test_a_quantity_between_the_start_and_the_last_formula_is_told() -> None:
     s, w, u = map(Symbol, ("s", "w", "u"))
     root = Power(V, 2) + G * H
     held = solution("K", s=Root(root), w=V * s, u=H * w, K=M * Power(u, 2) + M * root)
-    told = [relation.left.latex() for relation in with_ingredients(held).steps[-1].relations]
+    told = [relation.left.latex() for relation in with_final_algebra(held).steps[-1].relations]
     assert told[:2] == ["w", "u"]
 
 
 def test_a_product_in_another_order_is_no_simplification() -> None:
     held = solution("p", a=G * (M + H), p=Symbol("a") * V)
-    assert with_ingredients(held) == held
+    assert with_final_algebra(held) == held

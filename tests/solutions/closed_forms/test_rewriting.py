@@ -5,13 +5,13 @@ from math import acos, asin, atan, cos, isclose, pi, sin, tan
 
 import pytest
 
-from sim2reason.solutions.algebra.evaluated import NumericRoot, Worked
+from sim2reason.solutions.algebra.evaluated import NumericFormula, NumericRoot
 from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Function, Power, Root
-from sim2reason.solutions.closed_forms import ClosedFormError, closed_form, put_together
+from sim2reason.solutions.closed_forms import ClosedFormError, closed_form, combined_formula
 from sim2reason.solutions.closed_forms.closed_form import hopeless
-from sim2reason.solutions.closed_forms.rewriting import length, shortest
-from sim2reason.solutions.closed_forms.tidying import tidied
+from sim2reason.solutions.closed_forms.rewriting import latex_length, shortest_form
+from sim2reason.solutions.closed_forms.tidying import tidy
 from sim2reason.solutions.solution import Relation, Solution, Step
 
 a, b, c, t = (Symbol(name) for name in ("p", "q", "s", r"\theta"))
@@ -33,25 +33,25 @@ FORMULAS: list[Expression] = [
 
 @pytest.mark.parametrize("held", FORMULAS, ids=lambda held: held.latex())
 def test_what_is_rewritten_has_the_same_value_and_is_no_longer(held: Expression) -> None:
-    found = shortest(held)
+    found = shortest_form(held)
     assert isclose(found.value(AT).real, held.value(AT).real, rel_tol=1e-12)
-    assert length(found) <= length(held)
+    assert latex_length(found) <= latex_length(held)
 
 
 def test_what_cancels_is_gone() -> None:
-    assert shortest(Quotient(a * b + a * c, a * b)).latex() == r"\frac{q + s}{q}"
-    assert shortest(Root(a + b) * Root(a + b)).latex() == "p + q"
-    assert shortest(Quotient(a * a - b * b, a - b)).latex() == "p + q"
+    assert shortest_form(Quotient(a * b + a * c, a * b)).latex() == r"\frac{q + s}{q}"
+    assert shortest_form(Root(a + b) * Root(a + b)).latex() == "p + q"
+    assert shortest_form(Quotient(a * a - b * b, a - b)).latex() == "p + q"
 
 
 def test_squares_of_sine_and_cosine_add_up() -> None:
     squares = Power(Product((a, Call("sin", t))), 2) + Power(Product((a, Call("cos", t))), 2)
-    assert shortest(Quotient(squares + b, c)).latex() == r"\frac{p^{2} + q}{s}"
-    assert shortest(Root(squares)).latex() in (r"\sqrt{p^{2}}", "p")
+    assert shortest_form(Quotient(squares + b, c)).latex() == r"\frac{p^{2} + q}{s}"
+    assert shortest_form(Root(squares)).latex() in (r"\sqrt{p^{2}}", "p")
 
 
 def test_pi_and_constants_of_nature_stay_as_they_are() -> None:
-    assert shortest(Quotient(Product((Number(2.0), PI, a, b)), b)).latex() == r"2\,\pi p"
+    assert shortest_form(Quotient(Product((Number(2.0), PI, a, b)), b)).latex() == r"2\,\pi p"
     found = closed_form(
         replace(solution(("x", Symbol("G") * a)), constants={"G": Product((Number(4.0), Power(PI, 2)))})
     )
@@ -82,8 +82,8 @@ def solution(*definitions: tuple[str, Expression]) -> Solution:
     ],
 )
 def test_signs_and_fractions_stand_where_one_would_write_them(held: Expression, latex: str) -> None:
-    assert tidied(held).latex() == latex
-    assert isclose(tidied(held).value(AT).real, held.value(AT).real, rel_tol=1e-12)
+    assert tidy(held).latex() == latex
+    assert isclose(tidy(held).value(AT).real, held.value(AT).real, rel_tol=1e-12)
 
 
 def test_names_are_put_in_until_only_what_is_given_stays() -> None:
@@ -95,7 +95,7 @@ def test_names_are_put_in_until_only_what_is_given_stays() -> None:
 
 
 def test_a_number_that_was_worked_out_stands_for_its_formula() -> None:
-    assert closed_form(solution(("x", Worked(a + b, 2.0) * c)), ["c"]).symbols == ("c", "p", "q")
+    assert closed_form(solution(("x", NumericFormula(a + b, 2.0) * c)), ["c"]).symbols == ("c", "p", "q")
 
 
 @pytest.mark.parametrize(
@@ -124,7 +124,7 @@ def test_what_has_many_roots_is_given_up_before_it_is_made_shorter() -> None:
     assert hopeless(three * (three + c))
     assert not hopeless(Sum(tuple(Power(a, n) for n in range(200))))
     with pytest.raises(ClosedFormError, match="too many roots"):
-        put_together(solution(("x", three * (three + c))))
+        combined_formula(solution(("x", three * (three + c))))
 
 
 def test_a_formula_that_grows_from_step_to_step_is_given_up() -> None:
@@ -151,7 +151,7 @@ def test_factors_are_found_without_a_general_method() -> None:
     """(p + q)² (s + θ), multiplied out, is linear in s."""
     whole = (a * a + 2.0 * a * b + b * b) * Number(1.0)
     held = Sum(tuple(term * other for term in whole.parts for other in (c, t)))
-    assert shortest(held).latex() == r"\left(p + q\right)^{2} \left(\theta + s\right)"
+    assert shortest_form(held).latex() == r"\left(p + q\right)^{2} \left(\theta + s\right)"
 
 
 def test_sizes_stand_where_something_is_negative_elsewhere() -> None:

@@ -3,13 +3,13 @@ import pytest
 from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Quotient, Symbol
 from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Pi, Power, Root
 from sim2reason.solutions.closed_forms import ClosedForm
-from sim2reason.solutions.closed_forms.tidying import tidied
+from sim2reason.solutions.closed_forms.tidying import tidy
 
 
 def test_no_square_of_a_number_is_left_of_that_of_a_product_with_a_root() -> None:
     """(-ℓ √(k/m))² = ℓ² k/m."""
     length, stiffness, mass = map(Symbol, ("l", "k", "m"))
-    found = tidied(Power(Number(-1.0) * length * Root(stiffness / mass), 2))
+    found = tidy(Power(Number(-1.0) * length * Root(stiffness / mass), 2))
     assert found.latex() == (Power(length, 2) * (stiffness / mass)).latex()
 
 
@@ -17,11 +17,9 @@ def test_what_stands_above_and_below_goes() -> None:
     """½ m a² k/m = ½ a² k, and m (k/(m b)) = k/b."""
     mass, stiffness, way, other = map(Symbol, ("m", "k", "a", "b"))
     half = Number(0.5)
-    assert (
-        tidied(half * mass * Power(way, 2) * (stiffness / mass)).latex() == (half * Power(way, 2) * stiffness).latex()
-    )
-    assert tidied(mass * (stiffness / (mass * other))).latex() == (stiffness / other).latex()
-    assert tidied(mass * (stiffness / other)).latex() == ((mass * stiffness) / other).latex()
+    assert tidy(half * mass * Power(way, 2) * (stiffness / mass)).latex() == (half * Power(way, 2) * stiffness).latex()
+    assert tidy(mass * (stiffness / (mass * other))).latex() == (stiffness / other).latex()
+    assert tidy(mass * (stiffness / other)).latex() == ((mass * stiffness) / other).latex()
 
 
 def test_a_power_of_an_exponential_is_one_of_a_multiple() -> None:
@@ -29,7 +27,7 @@ def test_a_power_of_an_exponential_is_one_of_a_multiple() -> None:
     drag, time, mass = map(Symbol, ("b", "t", "m"))
     squared = Power(Call("exp", -(drag * time) / mass), 2)
     assert "exp^" not in squared.latex()
-    found = tidied(squared)
+    found = tidy(squared)
     assert found.latex() == Call("exp", (-2.0 * drag * time) / mass).latex()
     at = {"b": 0.3, "t": 2.0, "m": 1.5}
     assert found.value(at) == pytest.approx(squared.value(at))
@@ -55,7 +53,7 @@ A, B, C, M = map(Symbol, ("a", "b", "c", "M"))
 def test_no_number_stands_before_a_root_nor_a_sign_before_a_difference_that_takes_it(
     held: Expression, written: str
 ) -> None:
-    found = tidied(held)
+    found = tidy(held)
     assert found.latex() == written
     at = {"a": 0.7, "b": 0.4, "c": 1.3, "M": 2.1}
     assert found.value(at) == pytest.approx(held.value(at))
@@ -74,6 +72,6 @@ def test_two_sums_that_are_negative_are_reversed_together() -> None:
 
 def test_multiples_of_pi_are_no_part_of_the_argument_of_a_cosine() -> None:
     angle = Symbol("a") * Symbol("t")
-    assert tidied(Absolute(Call("cos", angle - PI))).latex() == r"\left|\cos\left(a t\right)\right|"
-    assert tidied(Call("cos", angle - 2.0 * PI)).latex() == r"\cos\left(a t\right)"
-    assert tidied(Call("sin", angle + PI)).latex() == r"-\sin\left(a t\right)"
+    assert tidy(Absolute(Call("cos", angle - PI))).latex() == r"\left|\cos\left(a t\right)\right|"
+    assert tidy(Call("cos", angle - 2.0 * PI)).latex() == r"\cos\left(a t\right)"
+    assert tidy(Call("sin", angle + PI)).latex() == r"-\sin\left(a t\right)"

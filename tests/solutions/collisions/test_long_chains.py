@@ -6,7 +6,7 @@ import pytest
 
 from sim2reason.solutions import solve
 from sim2reason.solutions.algebra.expressions import Number, Symbol
-from sim2reason.solutions.collisions.long_chains import LONG, ROWS, TIME, VELOCITY, in_rows
+from sim2reason.solutions.collisions.long_chains import MIN_NAMES_FOR_ROWS, ROWS, TIME, VELOCITY, group_steps
 from sim2reason.solutions.solution import Relation, Step
 from sim2reason.solutions.writing.merging import merged
 from sim2reason.testing.solutions.faults import WORDS, faults, words
@@ -22,19 +22,24 @@ def velocity(number: int, *needs: int) -> Step:
 
 
 def test_few_sentences_stay_as_they_are() -> None:
-    steps = [velocity(number) for number in range(LONG - 1)]
-    assert in_rows(steps) == steps
+    steps = [velocity(number) for number in range(MIN_NAMES_FOR_ROWS - 1)]
+    assert group_steps(steps) == steps
 
 
 def test_a_row_holds_what_follows_from_what_was_told() -> None:
     """The eleventh rests on a law between, so that it comes later."""
-    law = Step(LONG, "law", "A law.", (), ("x",), (0,))
-    steps = [*(velocity(number) for number in range(LONG)), law, velocity(LONG + 1, LONG), velocity(LONG + 2, 3)]
-    row, between, last = in_rows(steps)
+    law = Step(MIN_NAMES_FOR_ROWS, "law", "A law.", (), ("x",), (0,))
+    steps = [
+        *(velocity(number) for number in range(MIN_NAMES_FOR_ROWS)),
+        law,
+        velocity(MIN_NAMES_FOR_ROWS + 1, MIN_NAMES_FOR_ROWS),
+        velocity(MIN_NAMES_FOR_ROWS + 2, 3),
+    ]
+    row, between, last = group_steps(steps)
     assert row.text.startswith("The velocities are $v_0 = 2$, ")
-    assert row.gives == (*(f"v_{number}" for number in range(LONG)), f"v_{LONG + 2}")
-    assert len(row.relations) == LONG + 1
-    assert (row.needs, between.needs, last.needs) == ((), (0,), (LONG,))
+    assert row.gives == (*(f"v_{number}" for number in range(MIN_NAMES_FOR_ROWS)), f"v_{MIN_NAMES_FOR_ROWS + 2}")
+    assert len(row.relations) == MIN_NAMES_FOR_ROWS + 1
+    assert (row.needs, between.needs, last.needs) == ((), (0,), (MIN_NAMES_FOR_ROWS,))
     assert last.text == "Then the velocity of ball A is $v_7 = 2$."
 
 
@@ -42,9 +47,9 @@ def test_a_row_says_when_its_displacements_are_so() -> None:
     """At two instants, two clauses."""
     steps = [
         replace(velocity(number), text=f"At $t_{number % 2}$ the velocity of ball A is $v_{number} = 2$.")
-        for number in range(LONG)
+        for number in range(MIN_NAMES_FOR_ROWS)
     ]
-    (row,) = in_rows(steps)
+    (row,) = group_steps(steps)
     assert row.text == (
         "At $t_0$ the velocities are $v_0 = 2$, $v_2 = 2$ and $v_4 = 2$; "
         "at $t_1$ the velocities are $v_1 = 2$, $v_3 = 2$ and $v_5 = 2$."
@@ -52,9 +57,9 @@ def test_a_row_says_when_its_displacements_are_so() -> None:
 
 
 def test_each_row_has_steps_of_its_own_kind_only() -> None:
-    steps = [velocity(number) for number in range(LONG)]
-    other = Step(LONG, TIME, "That is at $t = 1$.", (), ("t",), ())
-    assert [step.kind for step in in_rows([*steps, other])] == [VELOCITY, TIME]
+    steps = [velocity(number) for number in range(MIN_NAMES_FOR_ROWS)]
+    other = Step(MIN_NAMES_FOR_ROWS, TIME, "That is at $t = 1$.", (), ("t",), ())
+    assert [step.kind for step in group_steps([*steps, other])] == [VELOCITY, TIME]
 
 
 def test_sentences_that_rest_on_one_step_are_one_sentence_and_so_are_those_that_rest_on_it() -> None:

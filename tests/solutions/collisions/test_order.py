@@ -18,8 +18,8 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.scenes.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.simulation.quantities.subjects import Sense
-from sim2reason.simulation.quantities.subjects.pairs import AND
-from sim2reason.solutions import Setting, Solution, solve
+from sim2reason.simulation.quantities.subjects.pairs import PAIR_SEPARATOR
+from sim2reason.solutions import ProblemContext, Solution, solve
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data
 from sim2reason.testing.solutions.faults import faults
@@ -37,7 +37,7 @@ def scene(*pucks: tuple[float, float, float, float], restitution: float = 0.5, m
     return Scene(entities=(Named(name="table", entity=entity),))
 
 
-def solved(setting: Setting) -> Solution:
+def solved(setting: ProblemContext) -> Solution:
     found = solve(setting)
     assert found.answer is not None, found.reason
     assert setting.answer is not None
@@ -113,7 +113,7 @@ def test_where_a_number_is_unknown_the_arguments_follow_its_value() -> None:
     plain = asked(place, query)
     path = next(held.path for held in place.parameters if held.path.endswith("restitution"))
     stated = StatedResult(f"{plain.answer!r}", "m/s")
-    found = solved(Setting(place, plain.words, plain.symbols, plain.study, query, path, stated))
+    found = solved(ProblemContext(place, plain.words, plain.symbols, plain.study, query, path, stated))
     assert found.answer == pytest.approx(0.5, rel=1e-6)
     assert found.text.index("the given $") < found.text.index("After the collision of pucks A and B, ")
     supposed = "This supposes that there is no further collision before $t$, which is verified below."
@@ -234,7 +234,7 @@ def test_on_which_side_a_distance_is_reached_is_said() -> None:
 def test_who_collides_after_a_rebound_is_shown_by_how_fast_they_approach() -> None:
     place = carts((3.1, -1.96, -1.69), (1.2, -1.59, 0.10), left=-2.11, restitution=0.34)
     first, second = (f"track.gliders.{n}" for n in range(2))
-    moment = Collided(AND.join((first, second)), after=True)
+    moment = Collided(PAIR_SEPARATOR.join((first, second)), after=True)
     found = solved(asked(place, Query("event", Target("velocity", first), moment)))
     assert "approach each other at $u_{AB,1} = v'_A - v_B = 0.47460" in found.text
     assert "; nothing else collides before they do." in found.text

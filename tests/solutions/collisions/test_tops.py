@@ -10,7 +10,7 @@ from sim2reason.scenes.bodies.pendulums import Ball
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.projectile import Projectile
-from sim2reason.solutions import STRATEGIES, Solution, by
+from sim2reason.solutions import STRATEGIES, Solution, solve_with
 from worked import asked, derived, solution_text
 
 BALL, G, SPEED, ANGLE = "field.ball", 9.8, 5.2, radians(34)
@@ -47,13 +47,13 @@ def test_one_body_has_no_motion_relative_to_itself() -> None:
     scene, lands = thrown(None)
     setting = asked(scene, StretchQuery("extremum", None, lands, "greatest height", BALL))
     assert STRATEGIES["momentum"].unfit(scene.mechanism)
-    assert by(STRATEGIES["momentum"], setting).answer is None
+    assert solve_with(STRATEGIES["momentum"], setting).answer is None
 
 
 def test_what_has_a_closed_form_is_not_said_to_be_integrated() -> None:
     scene, lands = thrown(0.5)
     setting = asked(scene, StretchQuery("extremum", None, lands, "greatest height", BALL))
-    found = by(STRATEGIES["integration"], setting)
+    found = solve_with(STRATEGIES["integration"], setting)
     assert found.answer is not None, found.reason
     assert "numerical" not in found.text
     assert "accelerations are constant" in found.text

@@ -16,7 +16,7 @@ from sim2reason.scenes.entities.parts.fields.linear import LinearElectric
 from sim2reason.scenes.entities.parts.fields.time_dependent import GrowingElectric, OscillatingElectric
 from sim2reason.scenes.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
 from sim2reason.simulation.quantities.subjects import Sense
-from sim2reason.solutions import STRATEGIES, Solution, by, solve
+from sim2reason.solutions import STRATEGIES, Solution, solve, solve_with
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read
 from worked import asked, solution_text
@@ -131,7 +131,7 @@ def test_two_cases_name_their_velocities_apart() -> None:
         "comparison", force, AtTime(1.3), base=Query("state", None, None), path="fields.magnetic.strength", factor=2.0
     )
     setting = asked(scene, compared)
-    solution = by(STRATEGIES["comparison of two cases"], setting)
+    solution = solve_with(STRATEGIES["comparison of two cases"], setting)
     assert solution.answer is not None, solution.reason
     assert r"\dot{v}_{y,1}" in solution.text
     assert not read(solution.text).broken

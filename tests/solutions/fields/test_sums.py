@@ -21,7 +21,7 @@ from sim2reason.scenes.entities.parts.fields.time_dependent import GrowingElectr
 from sim2reason.scenes.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
 from sim2reason.scenes.entities.solar_system import SolarSystem
 from sim2reason.simulation.quantities.subjects import Sense
-from sim2reason.solutions import Setting, Solution, solve
+from sim2reason.solutions import ProblemContext, Solution, solve
 from sim2reason.solutions.reverse import forward
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read
@@ -83,7 +83,7 @@ def test_the_impulse_is_the_chord_of_the_velocities() -> None:
 # ---- roots that hang on what is unknown
 
 
-def found_back(setting: Setting) -> Solution:
+def found_back(setting: ProblemContext) -> Solution:
     solution = solve(setting)
     assert setting.answer is not None
     assert solution.derived, solution.reason

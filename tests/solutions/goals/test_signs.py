@@ -8,12 +8,12 @@ from plain_scenes import ramp, row, squeezed
 from sim2reason.questions import Formula, Query, Target
 from sim2reason.questions.moments.strings import MostCompressed, MostStretched
 from sim2reason.questions.moments.times import AtTime
-from sim2reason.simulation.quantities.subjects.pairs import AND
+from sim2reason.simulation.quantities.subjects.pairs import PAIR_SEPARATOR
 from sim2reason.solutions import solve
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.functions import Absolute
 from sim2reason.solutions.goals import modulus
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.steps import SolutionBuilder
 from worked import asked
 
 
@@ -29,23 +29,23 @@ def test_a_compression_is_not_called_an_extension(moment: type, noun: str) -> No
 def test_a_distance_is_that_of_a_position_relative_to_the_other_body() -> None:
     scene = squeezed()
     one, other = (body.name for body in scene.mechanism.bodies if body.mass)
-    found = solve(asked(scene, Query("state", Target("distance", f"{one}{AND}{other}"), AtTime(0.5))))
+    found = solve(asked(scene, Query("state", Target("distance", f"{one}{PAIR_SEPARATOR}{other}"), AtTime(0.5))))
     assert found.answer == pytest.approx(0.5)
     assert "relative to the ground" not in found.text
 
 
 @pytest.mark.parametrize(("value", "either", "barred"), [(2.0, False, False), (2.0, True, True), (-2.0, False, True)])
 def test_in_symbols_what_may_have_either_sign_stands_between_bars(value: float, either: bool, barred: bool) -> None:
-    book = Book(called={})
-    book.know("w", value)
+    book = SolutionBuilder(called={})
+    book.set_value("w", value)
     found = modulus(Symbol("w"), book, of_either_sign=either)
     assert found == (Absolute(Symbol("w")) if barred else Symbol("w"))
     assert found.value(book.values) == abs(value)
 
 
 def test_what_hangs_on_an_unknown_changes_its_sign_instead() -> None:
-    book = Book()
-    book.know("w", -2.0)
+    book = SolutionBuilder()
+    book.set_value("w", -2.0)
     book.hidden.add("w")
     assert modulus(Symbol("w"), book) == -Symbol("w")
 

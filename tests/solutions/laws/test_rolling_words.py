@@ -14,7 +14,7 @@ from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.parts.rolling import Rolling, Rough, Spinning, Start
 from sim2reason.scenes.entities.rolling import RollingEntity
-from sim2reason.solutions import STRATEGIES, Solution, by, solve
+from sim2reason.solutions import STRATEGIES, Solution, solve, solve_with
 from sim2reason.solutions.solve import solve_prompt
 from sim2reason.testing.solutions.faults import faults
 from worked import asked, derived, solution_text
@@ -113,7 +113,7 @@ def test_in_a_later_phase_no_pronoun_stands_for_the_accelerations_of_the_one_bef
     """What has begun to roll on level ground has no acceleration any more."""
     scene = pipe(0.0, 0.4, Spinning(spin=8.0, way="to the right"))
     setting = asked(scene, Query("state", Target("angle rolled", body(scene)), AtTime(0.8)))
-    found = by(STRATEGIES["phase by phase"], setting)
+    found = solve_with(STRATEGIES["phase by phase"], setting)
     assert setting.answer is not None
     assert not faults(found, setting.answer), found.text
     assert "They remain" not in found.text

@@ -17,7 +17,7 @@ from sim2reason.scenes.entities.parts.rolling import Rough
 from sim2reason.scenes.entities.rolling import RollingEntity
 from sim2reason.scenes.entities.slopes import MassPrismPlane
 from sim2reason.scenes.entities.stacked_mass_plane import StackedMassPlane
-from sim2reason.solutions import Setting, Solution, solve
+from sim2reason.solutions import ProblemContext, Solution, solve
 from sim2reason.solutions.solve import solve_prompt
 from sim2reason.testing.solutions.faults import faults
 from worked import asked, solution_text
@@ -25,7 +25,7 @@ from worked import asked, solution_text
 G = 9.8
 
 
-def solved(setting: Setting) -> Solution:
+def solved(setting: ProblemContext) -> Solution:
     found = solve(setting)
     assert found.answer is not None, found.reason
     assert setting.answer is not None
@@ -37,7 +37,7 @@ def scene(entity: Entity) -> Scene:
     return Scene(entities=(Named(name="e", entity=entity),))
 
 
-def speed(place: Scene, body: int, time: float) -> Setting:
+def speed(place: Scene, body: int, time: float) -> ProblemContext:
     return asked(place, Query("state", Target("velocity", place.mechanism.bodies[body].name), AtTime(time)))
 
 
@@ -95,7 +95,7 @@ def test_an_unknown_coefficient_is_compared_when_it_is_known() -> None:
     plain = speed(place, 0, 1.0)
     path = next(held.path for held in place.parameters if held.path.endswith("friction"))
     stated = StatedResult(f"{plain.answer!r}", "m/s")
-    found = solved(Setting(place, plain.words, plain.symbols, plain.study, plain.query, path, stated))
+    found = solved(ProblemContext(place, plain.words, plain.symbols, plain.study, plain.query, path, stated))
     assert found.text.index("With the given") < found.text.index("To stay at rest, the block would need")
 
 

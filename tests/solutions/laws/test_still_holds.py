@@ -4,27 +4,27 @@ import pytest
 
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, added, multiplied
 from sim2reason.solutions.laws.second_case import verify_again
-from sim2reason.solutions.writing.comparing import exceeds
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.comparing import record_inequality
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 
 STEPS = 60  # names, each of which has the one before it twice: 2⁶⁰ symbols if all are inserted
 
 
-def doubled(limit: float) -> Book:
+def doubled(limit: float) -> SolutionBuilder:
     """A book in which the last of many names, each equal to half of twice the one before, exceeds a limit."""
-    book = Book()
-    book.say_given("x", 1.0, "")
+    book = SolutionBuilder()
+    book.state_given("x", 1.0, "")
     last: Expression = Symbol("x")
-    step = book.open("doubling")
+    step = book.begin_step("doubling")
     for number in range(STEPS):
         name = Symbol(f"a_{{{number}}}")
         half = multiplied(Number(0.5), added(last, last))
-        step.say(step.result(name, half, "", law=True))
+        step.add_text(step.result(name, half, "", law=True))
         last = name
     step.close()
-    step = book.open("compare")
-    exceeds(book, step, last, Number(limit))
-    step.say("It exceeds the limit.")
+    step = book.begin_step("compare")
+    record_inequality(book, step, last, Number(limit))
+    step.add_text("It exceeds the limit.")
     step.close()
     return book
 

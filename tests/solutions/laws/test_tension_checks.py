@@ -4,7 +4,7 @@ import re
 
 from sim2reason.questions.part_prompts import parse_parts
 from sim2reason.solutions import solve, solve_prompt
-from sim2reason.solutions.multipart.in_sequence import in_sequence
+from sim2reason.solutions.multipart.in_sequence import sequential_solutions
 from sim2reason.solutions.solve import setting_of
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read
@@ -67,7 +67,7 @@ def test_a_later_part_does_not_say_again_that_strings_stay_taut() -> None:
     """The same motion is asked about in all parts; whoever reads one part alone is told."""
     settings = [*map(setting_of, parse_parts(PARTS))]
     alone = [solve(setting) for setting in settings]
-    whole = in_sequence(settings, alone, whole=True)
+    whole = sequential_solutions(settings, alone, whole=True)
     assert ["tension check" in [step.kind for step in found.steps] for found in alone] == [True, True]
     assert ["tension check" in [step.kind for step in found.steps] for found in whole] == [True, False]
     assert all(found.answer is not None for found in whole)

@@ -6,8 +6,8 @@ from dataclasses import replace
 import pytest
 
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
-from sim2reason.solutions.multipart.in_sequence import consistent, naming_fault
-from sim2reason.solutions.multipart.recall import EARLIER, starting_from
+from sim2reason.solutions.multipart.in_sequence import naming_fault, unify_names
+from sim2reason.solutions.multipart.recall import EARLIER, recall_results
 from sim2reason.solutions.solution import Relation, Solution, Step
 
 MASS = Symbol("m")
@@ -48,8 +48,8 @@ def part(
 def told(*parts: Solution, whole: bool = True) -> list[Solution]:
     """The parts with names of their own, each from the results of those before it."""
     earlier: list[tuple[str, Solution]] = []
-    for label, held in zip("abcd", consistent(parts, {"m"}), strict=False):
-        earlier.append((label, starting_from(held, earlier, whole=whole)))
+    for label, held in zip("abcd", unify_names(parts, {"m"}), strict=False):
+        earlier.append((label, recall_results(held, earlier, whole=whole)))
     return [held for _, held in earlier]
 
 

@@ -3,8 +3,8 @@
 import re
 from collections import Counter
 
-from sim2reason.solutions.multipart.quoting import quoting
-from sim2reason.solutions.multipart.renaming import times_in_sequence
+from sim2reason.solutions.multipart.quoting import quote_earlier_parts
+from sim2reason.solutions.multipart.renaming import renumber_times
 from sim2reason.solutions.solution import Solution, Step
 from worked import solution_text
 
@@ -19,7 +19,7 @@ def test_equations_about_one_moment_of_inertia_have_numbers_of_their_own() -> No
         "(3) + (4): $F = 2 m a_2$.",
     ]
     part = Solution("", tuple(Step(n, "newton", text, (), (), ()) for n, text in enumerate(texts)))
-    found = "\n".join(step.text for step in quoting([part])[0].steps)
+    found = "\n".join(step.text for step in quote_earlier_parts([part])[0].steps)
     numbers = Counter(re.findall(r"(?:^|\. )\((\d)\) [A-Z]", found, re.MULTILINE))
     assert numbers == {"1": 1, "2": 1, "3": 1, "4": 1}
     assert "(3) + (4)" in found
@@ -27,7 +27,7 @@ def test_equations_about_one_moment_of_inertia_have_numbers_of_their_own() -> No
 
 def test_times_are_numbered_as_they_are_introduced() -> None:
     steps = [Step(n, "time", f"${name} = 1$", (), (name,), ()) for n, name in enumerate(("t_3", "t_1", "t_2"))]
-    found = times_in_sequence(Solution("", tuple(steps), {"t_1": 1.0, "t_2": 2.0, "t_3": 3.0}, "t_2", 2.0))
+    found = renumber_times(Solution("", tuple(steps), {"t_1": 1.0, "t_2": 2.0, "t_3": 3.0}, "t_2", 2.0))
     assert [step.gives for step in found.steps] == [("t_1",), ("t_2",), ("t_3",)]
     assert found.values == {"t_2": 1.0, "t_3": 2.0, "t_1": 3.0}
     assert found.goal == "t_3"

@@ -3,9 +3,9 @@
 from plain_scenes import row
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.turning_points import Halted
-from sim2reason.solutions.multipart.in_sequence import consistent
-from sim2reason.solutions.multipart.quoting import quoting
-from sim2reason.solutions.multipart.recall import starting_from
+from sim2reason.solutions.multipart.in_sequence import unify_names
+from sim2reason.solutions.multipart.quoting import quote_earlier_parts
+from sim2reason.solutions.multipart.recall import recall_results
 from worked import derived, solution_text
 
 
@@ -15,9 +15,9 @@ def test_a_time_refers_to_the_turning_points_of_an_earlier_part() -> None:
     trolley = next(body.name for body in scene.mechanism.bodies if body.mass)
     place = derived(scene, Query("event", Target("displacement", trolley), Halted(trolley)))
     time = derived(scene, Query("time_to_event", None, Halted(trolley)))
-    first, second = consistent([place, time])
-    later = starting_from(second, [("a", first)], whole=True)
-    _, told = quoting([first, later])
+    first, second = unify_names([place, time])
+    later = recall_results(second, [("a", first)], whole=True)
+    _, told = quote_earlier_parts([first, later])
     assert "What was verified of this motion in part (a) holds here, too." in told.text
     assert "Let $x$ be the displacement" not in told.text
     assert "next comes to rest at" not in told.text

@@ -3,7 +3,7 @@
 from plain_scenes import nested_atwood
 from sim2reason.solutions import Solution, solve
 from sim2reason.solutions.algebra.expressions import Symbol
-from sim2reason.solutions.multipart.in_sequence import in_sequence
+from sim2reason.solutions.multipart.in_sequence import sequential_solutions
 from sim2reason.solutions.multipart.quoting import without_unused
 from sim2reason.solutions.solution import Relation, Step
 from worked import asked
@@ -38,7 +38,7 @@ def test_a_tension_from_an_acceleration_needs_two_equations_alone() -> None:
         "What is the tension in the string between block A and block B after release?",
     )
     settings = [asked(nested_atwood(0.55, 0.65, 0.82), question) for question in questions]
-    first, second = in_sequence(settings, [solve(setting) for setting in settings])
+    first, second = sequential_solutions(settings, [solve(setting) for setting in settings])
     assert "(4) Block B" in first.text
     laws = [relation for step in second.steps for relation in step.relations if relation.role == "law"]
     assert len(laws) == 2

@@ -9,18 +9,18 @@ from plain_scenes import row
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.solutions import STRATEGIES, Setting, Solution, by
+from sim2reason.solutions import STRATEGIES, ProblemContext, Solution, solve_with
 from sim2reason.testing.solutions.reading import read
 from worked import asked
 
 TIME, STEP = 0.3, 1e-4  # s
 
 
-def by_modes(scene: Scene, quantity: str) -> tuple[Solution, Setting]:
+def by_modes(scene: Scene, quantity: str) -> tuple[Solution, ProblemContext]:
     """The solution by normal modes of the state of the last cart at a time."""
     cart = [body.name for body in scene.mechanism.bodies if body.mass][-1]
     setting = asked(scene, Query("state", Target(quantity, cart), AtTime(TIME)))
-    solution = by(STRATEGIES["normal modes"], setting)
+    solution = solve_with(STRATEGIES["normal modes"], setting)
     assert solution.answer is not None, solution.reason
     return solution, setting
 
@@ -40,7 +40,7 @@ def test_the_equations_of_motion_are_those_of_the_engine(masses: tuple[float, ..
     known = {name: value for name, value in solution.values.items() if name[0] in "mkg"}
     before, now, after = (setting.motion.state(np.array([0.5 * TIME + d])) for d in (-STEP, 0.0, STEP))
     for k, coordinate in enumerate(scene.mechanism.coordinates):
-        mark = setting.mark(coordinate.body)
+        mark = setting.subscript_of(coordinate.body)
         acceleration = (after.v[0, k] - before.v[0, k]) / (2.0 * STEP)
         known |= {f"x_{mark}": float(now.q[0, k]), f"a_{mark}": float(acceleration)}
     equations = re.sub(r"\\ddot\{x\}", "a", sentence)

@@ -15,14 +15,14 @@ from sim2reason.scenes.dsl.entity import Entity, Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.slopes import MassPrismPlane
 from sim2reason.scenes.entities.spring_chains import SpringMassRing
-from sim2reason.solutions import STRATEGIES, Solution, by
+from sim2reason.solutions import STRATEGIES, Solution, solve_with
 from worked import asked, solution_text
 
 M, ONE, TWO, LEFT, RIGHT = 1.3, 1.8, 1.6, 31.0, 24.0
 
 
 def solved(scene: Scene, query: Query, strategy: str) -> Solution:
-    found = by(STRATEGIES[strategy], asked(scene, query))
+    found = solve_with(STRATEGIES[strategy], asked(scene, query))
     assert found.answer is not None, found.reason
     return found
 

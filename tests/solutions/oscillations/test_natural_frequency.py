@@ -7,7 +7,7 @@ import pytest
 from plain_scenes import row
 from sim2reason.questions import StatedResult
 from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.solutions import STRATEGIES, Solution, by
+from sim2reason.solutions import STRATEGIES, Solution, solve_with
 from sim2reason.testing.solutions.faults import faults
 from worked import asked
 
@@ -23,7 +23,7 @@ def solved(rank: int, unknown: str = "") -> Solution:
         assert setting.answer is not None
         stated = StatedResult(repr(setting.answer), "rad/s")
         setting = replace(setting, unknown=path, stated=stated)
-    found = by(STRATEGIES["normal modes"], setting)
+    found = solve_with(STRATEGIES["normal modes"], setting)
     assert found.answer is not None, found.reason
     assert setting.answer is not None
     assert not faults(found, setting.answer), found.text

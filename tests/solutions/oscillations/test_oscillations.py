@@ -25,9 +25,9 @@ from sim2reason.scenes.entities.parts.mass_systems import Hanging
 from sim2reason.scenes.entities.springs_on_planes import SpringMassIncline
 from sim2reason.scenes.entities.stacked_mass_plane import StackedMassPlane
 from sim2reason.scenes.entities.string_ends import HangingMass
-from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
+from sim2reason.solutions import STRATEGIES, ProblemContext, Solution, solve, solve_with
 from sim2reason.solutions.reverse import forward
-from sim2reason.solutions.solution import WELL
+from sim2reason.solutions.solution import RELATION_RTOL
 from sim2reason.testing.solutions.faults import SEEN, faults
 from sim2reason.testing.solutions.reading import read
 from worked import asked, solution_text
@@ -52,16 +52,16 @@ def found(scene: Scene, query: Query, *names: str) -> float:
     """The answer, on which all strategies that are named agree, and which none of them leaves without a reason."""
     setting, answers = forward(asked(scene, query)), list[float]()
     for name in names:
-        solution = by(STRATEGIES[name], setting)
+        solution = solve_with(STRATEGIES[name], setting)
         answers.append(sound(solution, setting))
     assert all(answer == pytest.approx(answers[0], rel=1e-9) for answer in answers)
     return answers[0]
 
 
-def sound(solution: Solution, setting: Setting) -> float:
+def sound(solution: Solution, setting: ProblemContext) -> float:
     assert solution.answer is not None, solution.reason
     assert setting.answer is not None
-    assert not faults(solution, setting.answer, SEEN.get(setting.query.kind, WELL)), solution.text
+    assert not faults(solution, setting.answer, SEEN.get(setting.query.kind, RELATION_RTOL)), solution.text
     assert not read(solution.text).broken
     return solution.answer
 
@@ -157,8 +157,8 @@ def test_a_stiffness_is_found_from_a_time() -> None:
     time = 0.5 * pi * sqrt(MASS / STIFFNESS)
     stated = StatedResult(f"{time:.14g}", "s")
     for name in ("oscillation", "normal modes"):
-        setting = Setting(plain.scene, plain.words, plain.symbols, plain.study, plain.query, path, stated)
-        solution = by(STRATEGIES[name], setting)
+        setting = ProblemContext(plain.scene, plain.words, plain.symbols, plain.study, plain.query, path, stated)
+        solution = solve_with(STRATEGIES[name], setting)
         assert sound(solution, setting) == pytest.approx(STIFFNESS, rel=1e-9)
         assert f"{time:.4f}" not in solution.text.partition("Put into")[0].partition("Given")[0]
 
@@ -173,7 +173,7 @@ def test_two_slabs_end_with_the_velocity_of_their_centre_of_mass() -> None:
     query = Query("event", Target("velocity", upper), StoppedSlipping(upper))
     assert abs(found(scene, query, "momentum")) == pytest.approx(0.5, rel=1e-9)
     assert solve(asked(scene, query)).strategy == "momentum"
-    other = by(STRATEGIES["constant acceleration"], asked(scene, query)).answer
+    other = solve_with(STRATEGIES["constant acceleration"], asked(scene, query)).answer
     assert other is not None
     assert abs(other) == pytest.approx(0.5, rel=1e-9)
 
@@ -204,7 +204,7 @@ def test_what_is_assumed_to_stick_is_verified() -> None:
     )
     scene = Scene(entities=(Named(name="stack", entity=slabs),))
     setting = asked(scene, Query("start", Target("acceleration", cart(scene)), AtStart()))
-    solution = by(STRATEGIES["constant acceleration"], setting)
+    solution = solve_with(STRATEGIES["constant acceleration"], setting)
     sound(solution, setting)
     held = [relation for relation in solution.relations if relation.role == "verified"]
     needed, most = (float(relation.right.value(solution.values).real) for relation in held)
@@ -243,7 +243,7 @@ def test_what_nothing_drives_back_has_no_share_in_an_acceleration(quantity: str)
     scene = row((1.5, 4.8, 4.3), (122.0, 41.0), "free", speed=0.9)
     for moment in (MostStretched(spring(scene)), AtTime(0.4)):
         setting = asked(scene, Query("event", Target(quantity, cart(scene)), moment))
-        sound(by(STRATEGIES["normal modes"], setting), setting)
+        sound(solve_with(STRATEGIES["normal modes"], setting), setting)
 
 
 def test_a_time_follows_from_the_law_of_motion_that_is_stated() -> None:
@@ -272,7 +272,7 @@ def test_what_two_carts_gain_as_their_spring_relaxes_is_told_with_their_names() 
     first = next(held.name for held in scene.mechanism.bodies if held.mass)
     query = Query("event", Target("kinetic energy", first), NaturalLength(spring(scene)))
     setting = asked(scene, query)
-    found = by(STRATEGIES["momentum"], setting)
+    found = solve_with(STRATEGIES["momentum"], setting)
     assert found.answer == pytest.approx(0.25 * 3.0 / 5.0), found.reason
     assert setting.answer is not None
     assert not faults(found, setting.answer)

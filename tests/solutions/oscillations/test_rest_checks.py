@@ -14,8 +14,8 @@ from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import Halted, Stopped
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.solutions import Solution, solve
-from sim2reason.solutions.multipart.in_sequence import consistent
-from sim2reason.solutions.multipart.recall import starting_from
+from sim2reason.solutions.multipart.in_sequence import unify_names
+from sim2reason.solutions.multipart.recall import recall_results
 from sim2reason.solutions.solve import solve_prompt
 from worked import derived, settings_of
 
@@ -112,8 +112,8 @@ def test_a_later_part_says_what_it_counts_from() -> None:
     scene = struck(speed=SPEED)
     first = derived(scene, Query("time_to_event", None, Stopped(cart(scene))))
     later = derived(scene, Query("state", Target("displacement", cart(scene)), AtTime(TIME)))
-    first, later = consistent([first, later])
-    text = starting_from(later, [("a", first)], whole=True).text
+    first, later = unify_names([first, later])
+    text = recall_results(later, [("a", first)], whole=True).text
     assert "$t_1 = 0.16228" in text.partition("The amplitude")[0]
     assert text.index("let $s_2$ be the displacement") < text.index("at $s_2 =")
     assert "moves back" in text

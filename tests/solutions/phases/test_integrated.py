@@ -16,7 +16,7 @@ from sim2reason.scenes.bodies.pendulums import Ball, Cord, LightRod
 from sim2reason.scenes.dsl.entity import Entity, Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.pendulums import Pendulum
-from sim2reason.solutions import STRATEGIES, Setting, Solution, by
+from sim2reason.solutions import STRATEGIES, ProblemContext, Solution, solve_with
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data
 from sim2reason.solutions.solution import Step
@@ -29,9 +29,9 @@ BOB = "swing.bob"
 
 def integrated(entity: Entity, query: Query, **changes: object) -> Solution:
     """The solution by integration, whose data must lead to its answer without a fault."""
-    setting: Setting = asked(scene(entity), query)
+    setting: ProblemContext = asked(scene(entity), query)
     setting = replace(setting, **changes)  # type: ignore[arg-type]
-    found = by(STRATEGIES["integration"], setting)
+    found = solve_with(STRATEGIES["integration"], setting)
     assert found.answer is not None, found.reason
     again = recompute(as_data(found))
     assert not again.faults, again.faults

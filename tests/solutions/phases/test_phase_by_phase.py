@@ -12,7 +12,7 @@ from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.need import ELEMENTARY
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import loads
-from sim2reason.solutions import STRATEGIES, Solution, by
+from sim2reason.solutions import STRATEGIES, Solution, solve_with
 from sim2reason.solutions.solve import solve_prompt
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read
@@ -60,7 +60,7 @@ STICKING_PUCKS = """scene:
 
 def test_what_has_no_numbers_in_the_text_is_refused_in_words() -> None:
     setting = asked(loads(STICKING_PUCKS), Query("time_to_event", None, Away("table.pucks.1", 6.9)))
-    found = by(STRATEGIES["phase by phase"], setting)
+    found = solve_with(STRATEGIES["phase by phase"], setting)
     assert found.answer is None
     assert "the text does not give" in found.reason
 
@@ -87,7 +87,7 @@ def phases(scene: Scene, moment: Moment, quantity: str = "") -> Solution:
     target = Target(quantity, "roller.body") if quantity else None
     kind = "time_to_event" if target is None else "event" if isinstance(moment, StoppedSlipping) else "state"
     setting = asked(scene, Query(kind, target, moment))
-    found = by(STRATEGIES["phase by phase"], setting)
+    found = solve_with(STRATEGIES["phase by phase"], setting)
     assert found.answer is not None, found.reason
     assert setting.answer is not None
     assert not faults(found, setting.answer), found.text

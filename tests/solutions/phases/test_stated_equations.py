@@ -15,7 +15,7 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.rocket_entity import RocketEntity
 from sim2reason.scenes.entities.rolling import TumblingPrism
 from sim2reason.scenes.entities.solar_system import SolarSystem
-from sim2reason.solutions import STRATEGIES, Setting, by
+from sim2reason.solutions import STRATEGIES, ProblemContext, solve_with
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.checking import recompute
@@ -35,9 +35,9 @@ def scene(name: str, entity: Entity) -> Scene:
     return Scene(entities=(Named(name=name, entity=entity),))
 
 
-def text_of(setting: Setting) -> str:
+def text_of(setting: ProblemContext) -> str:
     """Return the text of the integration, every check passed, its text alone included."""
-    found = by(STRATEGIES["integration"], setting)
+    found = solve_with(STRATEGIES["integration"], setting)
     assert found.answer is not None, found.reason
     assert setting.answer is not None
     assert not faults(found, setting.answer)
@@ -59,38 +59,40 @@ def test_planets_that_attract_each_other_are_told_with_the_constant_of_gravitati
 
 
 @pytest.fixture
-def launch() -> Setting:
+def launch() -> ProblemContext:
     planet = AirlessPlanet(radius=1800.0, gravity=4.7)
     rocket = RocketEntity(rocket=Rocket(mass=1000.0, dry=200.0), place=planet, exhaust=4.0, rate=2.5)
     return asked(scene("rocket", rocket), Query("state", Target("velocity", "rocket.rocket"), AtTime(200.0)))
 
 
-def test_a_rocket_on_a_planet_has_its_own_gravity_in_its_equation(launch: Setting) -> None:
+def test_a_rocket_on_a_planet_has_its_own_gravity_in_its_equation(launch: ProblemContext) -> None:
     text = text_of(launch)
     assert "R^{2} g_0" in text
     assert "from its starting point" in text
 
 
-def test_laws_in_which_something_has_no_value_are_refused(launch: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_laws_in_which_something_has_no_value_are_refused(
+    launch: ProblemContext, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(EquationsOfMotion, "load", lambda *_: Polynomial.of(Symbol("z")))
-    assert "no number for z" in by(STRATEGIES["integration"], launch).reason
+    assert "no number for z" in solve_with(STRATEGIES["integration"], launch).reason
 
 
 @pytest.fixture
-def tumbling() -> Setting:
+def tumbling() -> ProblemContext:
     prism = TumblingPrism(prism=LongPrism(mass=5.0, shape="hexagonal", radius=0.1), plane=Incline(angle=0.0), rate=6.0)
     query = Query("state", Target("angular velocity", "prism.prism"), AtTime(0.1))
     return asked(scene("prism", prism), query)
 
 
-def test_an_initial_rate_that_the_text_does_not_give_is_refused(tumbling: Setting) -> None:
+def test_an_initial_rate_that_the_text_does_not_give_is_refused(tumbling: ProblemContext) -> None:
     """The centre of the prism moves at ω R, in a direction that the text does not give."""
-    found = by(STRATEGIES["integration"], tumbling)
+    found = solve_with(STRATEGIES["integration"], tumbling)
     assert found.answer is None
     assert "initial rate 0.519615" in found.reason  # ω R cos 30°
 
 
-def test_a_prism_turns_about_its_edge_as_a_pendulum_upside_down(tumbling: Setting) -> None:
+def test_a_prism_turns_about_its_edge_as_a_pendulum_upside_down(tumbling: ProblemContext) -> None:
     """θ″ = (m g R/I) sin θ from the upright, I = (5/12 + 1) m R²: by energy at the angle that it has then."""
     state = tumbling.study.trace.sample(np.array([0.1]))
     turned = abs(float(state.q[0, 2]))

@@ -30,10 +30,10 @@ from sim2reason.scenes.entities.parts.pieces import AxialPiece, RoundPiece
 from sim2reason.scenes.entities.pendulums import LightRodPendulum, RigidPendulum, SliderMass
 from sim2reason.scenes.entities.string_ends import ConstantForcePuller, HangingMass
 from sim2reason.simulation.quantities.subjects import Sense
-from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
+from sim2reason.solutions import STRATEGIES, ProblemContext, Solution, solve, solve_with
 from sim2reason.solutions.closed_forms import closed_form
-from sim2reason.solutions.solution import WELL
-from sim2reason.solutions.swings.carriage import riding
+from sim2reason.solutions.solution import RELATION_RTOL
+from sim2reason.solutions.swings.carriage import carriage_system
 from sim2reason.testing.solutions.faults import SEEN, faults
 from sim2reason.testing.solutions.reading import read
 from worked import asked, solution_text
@@ -52,11 +52,11 @@ def swinging(*more: str, angle: float = degrees(THETA), **others: Entity) -> Sce
     return scene(entities, pivot("cart.pivot", "it.base"), *strings)
 
 
-def derived(setting: Setting) -> Solution:
+def derived(setting: ProblemContext) -> Solution:
     found = solve(setting)
     assert found.strategy == NAME, found.reason
     assert setting.answer is not None
-    assert not faults(found, setting.answer, SEEN.get(setting.query.kind, WELL)), found.text
+    assert not faults(found, setting.answer, SEEN.get(setting.query.kind, RELATION_RTOL)), found.text
     reading = read(found.text)
     assert not [*reading.broken, *reading.unread]
     return found
@@ -229,7 +229,7 @@ def test_an_arm_makes_its_carriage_fastest_at_its_lowest_point() -> None:
 def test_what_takes_the_time_is_left_to_integration() -> None:
     made = swinging("right", hand=ConstantForcePuller(force=12.0))
     setting = asked(made, Query("event", Target("velocity", CART), Deflected(BOB, 20.0)))
-    assert "takes the time" in by(STRATEGIES[NAME], setting).reason
+    assert "takes the time" in solve_with(STRATEGIES[NAME], setting).reason
     assert solve(setting).strategy == "integration"
 
 
@@ -254,7 +254,7 @@ def test_upward_it_moves_against_the_way_in_which_the_rod_turns() -> None:
 def test_there_are_formulas_of_carriages(query: Query) -> None:
     """Short enough for a box."""
     setting = asked(swinging(), query)
-    assert riding(setting.mechanism) is not None
+    assert carriage_system(setting.mechanism) is not None
     found = solve(setting, derived=True)
     assert found.strategy == NAME
     assert len(closed_form(found).latex) < 100

@@ -7,7 +7,7 @@ from sim2reason.scenes.dsl.body import BODIES
 from sim2reason.scenes.dsl.model import draw
 from sim2reason.scenes.dsl.solids import Shape
 from sim2reason.solutions.algebra.expressions import Symbol
-from sim2reason.solutions.swings.mass_spread import candidates, mass_spread
+from sim2reason.solutions.swings.mass_spread import candidates, mean_squares
 
 WITHOUT = {"HollowSphereWithHole"}  # a lens, for which no table has a formula
 
@@ -21,7 +21,7 @@ def test_the_table_has_what_the_body_is_built_of(cls: type[Shape]) -> None:
     rng = np.random.default_rng(3)
     for _ in range(3):
         shape = draw(cls, rng, {})
-        spread = mass_spread(shape, Symbol)
+        spread = mean_squares(shape, Symbol)
         if spread is None:
             assert cls.__name__ in WITHOUT
             return
@@ -36,7 +36,7 @@ def test_a_hemisphere() -> None:
     """Centroid 3R/8; about a diameter of the flat face 2/5 m R² (Halliday, Resnick, table 10-2, by halves)."""
     from sim2reason.scenes.bodies.caps import Hemisphere
 
-    spread = mass_spread(Hemisphere(mass=2.0, radius=0.3), Symbol)
+    spread = mean_squares(Hemisphere(mass=2.0, radius=0.3), Symbol)
     assert spread is not None
     at = {"radius": 0.3}
     center, about = float(spread.center.value(at).real), float(candidates(spread)[0].value(at).real)

@@ -16,7 +16,7 @@ from sim2reason.scenes.bodies.pendulums import Ball, Cord, LightRod
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.pendulums import Pendulum
-from sim2reason.solutions import STRATEGIES, by
+from sim2reason.solutions import STRATEGIES, solve_with
 from worked import answer, asked
 
 G, LENGTH, MASS = 9.8, 0.8, 0.5
@@ -92,7 +92,7 @@ def test_why_it_is_fastest_at_the_lowest_point() -> None:
     """In flight it is above that, and a jerk takes energy."""
     place = Scene(entities=(Named(name="pendulum", entity=scene(20.0, speed_to(20.0, 0.4))),))
     query = StretchQuery("extremum", None, WentTaut(HANGER), "greatest speed", BOB)
-    text = by(STRATEGIES["circle and projectile"], asked(place, query)).text
+    text = solve_with(STRATEGIES["circle and projectile"], asked(place, query)).text
     assert "By conservation of energy, the speed is greatest at the lowest point." in text
     assert "is above this point and so slower" in text
 
@@ -118,7 +118,7 @@ def test_after_the_jerk_it_swings_to_where_its_energy_ends() -> None:
     expected = MASS * G * (y + kept**2 / (2.0 * G) + LENGTH)
     query = Query("event", Target("potential energy", BOB), Stopped(BOB))
     setting = asked(Scene(entities=(Named(name="pendulum", entity=scene(0.0, speed)),)), query)
-    found = by(STRATEGIES["circle and projectile"], setting)
+    found = solve_with(STRATEGIES["circle and projectile"], setting)
     assert found.answer == pytest.approx(abs(expected), rel=1e-7), found.reason
     assert [phase.begins for phase in found.phases] == [
         "the start of the motion",
@@ -171,5 +171,5 @@ def test_a_rod_never_goes_slack() -> None:
         Scene(entities=(Named(name="pendulum", entity=scene(0.0, speed_to(0.0, 0.5), rod=True)),)),
         Query("event", Target("potential energy", BOB), HighestPoint(BOB)),
     )
-    found = by(STRATEGIES["circle and projectile"], setting)
+    found = solve_with(STRATEGIES["circle and projectile"], setting)
     assert found.reason == "no small body swings on a string"

@@ -7,7 +7,7 @@ import pytest
 from sim2reason.grading.tokens import canonical, tokenize
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.functions import Power
-from sim2reason.solutions.writing.subscripts import FreshNames, numbered, primed
+from sim2reason.solutions.writing.subscripts import NameAllocator, numbered, primed
 
 
 @pytest.mark.parametrize(
@@ -27,16 +27,16 @@ def test_the_next_number_follows_without_a_second_one_below(name: str, following
 
 
 def test_a_name_is_given_once() -> None:
-    names = FreshNames()
+    names = NameAllocator()
     names.reserve("m_0", "m_1")
     assert [names.fresh("m", "1").name for _ in range(2)] == ["m_2", "m_3"]
     assert names.fresh("m").name == "m"
 
 
 def test_values_after_impacts_have_primes() -> None:
-    names = FreshNames()
+    names = NameAllocator()
     names.reserve("v_{x,C}")
-    found = [names.after("v", "x,C").name for _ in range(5)]
+    found = [names.name_after_impact("v", "x,C").name for _ in range(5)]
     assert found == ["v'_{x,C}", "v''_{x,C}", "v'''_{x,C}", "v'_{x,C,1}", "v'_{x,C,2}"]
     assert {canonical(name) for name in found} == {name.replace("{", "").replace("}", "") for name in found}
 

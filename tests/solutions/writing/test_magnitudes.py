@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.solutions.writing.unit_latex import of_magnitude
+from sim2reason.solutions.writing.unit_latex import magnitude_words
 from worked import solution_text
 
 
@@ -20,7 +20,7 @@ from worked import solution_text
     ],
 )
 def test_a_vector_is_called_by_its_magnitude(said: str, quantity: str, expected: str) -> None:
-    assert of_magnitude(said, quantity) == expected
+    assert magnitude_words(said, quantity) == expected
 
 
 def test_an_acceleration_whose_sign_is_dropped_is_a_magnitude() -> None:

@@ -9,7 +9,7 @@ import pytest
 
 from plain_scenes import atwood, row
 from sim2reason.datasets.grade import grade
-from sim2reason.generation.certified import worked
+from sim2reason.generation.certified import worked_solution
 from sim2reason.generation.item_search import ItemSearch
 from sim2reason.generation.make import item_of
 from sim2reason.generation.question_search import QuestionSearch
@@ -24,20 +24,20 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.units import parse_unit
 from sim2reason.scenes.entities.em_entity import EmEntity
 from sim2reason.scenes.entities.parts.fields.uniform import UniformMagnetic
-from sim2reason.solutions import Setting, Solution, solve, solve_prompt
+from sim2reason.solutions import ProblemContext, Solution, solve, solve_prompt
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.algebra.fractions import CrossElimination, SymbolicEquation
 from sim2reason.solutions.algebra.polynomials import Polynomial
-from sim2reason.solutions.writing.asked_units import told_in
+from sim2reason.solutions.writing.asked_units import convert_answer
 from sim2reason.solutions.writing.merging import merged
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.steps import SolutionBuilder
 from sim2reason.solutions.writing.unit_latex import latex, unit_of
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read
 from worked import asked
 
 BEAD = "fields.particle"
-made = cache(lambda request: ItemSearch(request).found())
+made = cache(lambda request: ItemSearch(request).find())
 
 
 def tension() -> Solution:
@@ -47,14 +47,14 @@ def tension() -> Solution:
 def test_the_answer_is_converted_in_its_last_line() -> None:
     """1 N is 10⁵ dyn."""
     plain = tension()
-    told = told_in(CGS, plain, "N")
+    told = convert_answer(CGS, plain, "N")
     assert told.text.startswith("Given, in SI units: $")
     assert r"= 23.520\ \text{N} \approx \boxed{2.35 \times 10^{6}}\ \text{dyn}$." in told.text
     assert not read(told.text).broken
     assert not read(told.text).unread
     assert read(told.text.replace("2.35", "2.53")).broken
     assert read(told.text.replace("23.520\\ \\text{N} \\approx", "25.320\\ \\text{N} \\approx")).broken
-    assert told_in(SI, plain, "N") == plain
+    assert convert_answer(SI, plain, "N") == plain
 
 
 def test_an_unknown_with_a_prefix_ends_in_the_unit_of_the_text() -> None:
@@ -78,7 +78,7 @@ def test_a_unit_is_read_back_from_its_latex(unit: str) -> None:
 @pytest.mark.parametrize(("recipe", "index"), [("hybrid", 0), ("pendulum", 0)])
 def test_a_solution_in_symbols_holds_at_every_binding_and_is_graded_right(recipe: str, index: int) -> None:
     request = Request(recipe, "easy", "symbolic", 0, index)
-    item, solution = item_of(request, made(request)), worked(request, made(request))
+    item, solution = item_of(request, made(request)), worked_solution(request, made(request))
     assert item.answer.formula is not None
     assert solution.formula == item.answer.formula.latex
     assert grade(item, solution.text).reward == 1.0
@@ -96,7 +96,7 @@ def test_a_symbol_of_what_a_text_does_not_tell_is_free_for_its_question() -> Non
     question = symbolic.completed(plain, search.study, search.words, np.random.default_rng(0))
     assert question is not None
     text = symbolic.described(question, search.description)
-    solution = solve(Setting.of(question, search.study, search.words, text))
+    solution = solve(ProblemContext.of(question, search.study, search.words, text))
     assert "d" in solution.values
     assert not solution.text.startswith("Given")
     assert not read(solution.text, {"d": 0.05, "m": 2.0, "k": 50.0, "v": 1.5}).broken
@@ -116,13 +116,13 @@ def test_a_prompt_in_other_units_with_an_unknown_is_solved() -> None:
 
 
 def test_like_sentences_that_rest_on_the_same_become_one() -> None:
-    book = Book()
-    book.know("a", 2.0)
-    first = book.told("speed", "So the speed is", Symbol("u"), Number(3.0) * Symbol("a"))
-    book.told("after", "After it,", Symbol("x"), 2.0 * first)
-    book.told("other", "Elsewhere,", Symbol("z"), 5.0 * first)
-    book.told("after", "After it,", Symbol("y"), 4.0 * first)
-    book.told("after", "After it,", Symbol("w"), 4.0 * Symbol("z"))
+    book = SolutionBuilder()
+    book.set_value("a", 2.0)
+    first = book.add_step("speed", "So the speed is", Symbol("u"), Number(3.0) * Symbol("a"))
+    book.add_step("after", "After it,", Symbol("x"), 2.0 * first)
+    book.add_step("other", "Elsewhere,", Symbol("z"), 5.0 * first)
+    book.add_step("after", "After it,", Symbol("y"), 4.0 * first)
+    book.add_step("after", "After it,", Symbol("w"), 4.0 * Symbol("z"))
     texts = [step.text for step in merged(book.steps)]
     assert texts == [
         "So the speed is $u = 3 a = 6.0000$.".replace("3 a", "3\\,a"),
@@ -135,12 +135,12 @@ def test_like_sentences_that_rest_on_the_same_become_one() -> None:
 def test_unknowns_are_eliminated_crosswise() -> None:
     """M x + m y = F, m x + n y = G: x = (n F − m G)/(M n − m²)."""
     values = {"M": 5.0, "m": 2.0, "n": 3.0, "F": 7.0, "G": 4.0}
-    book = Book(called={})
+    book = SolutionBuilder(called={})
     for name, value in values.items():
-        book.know(name, value)
+        book.set_value(name, value)
     M, m, n, F, G = (Polynomial.of(Symbol(name)) for name in values)
     equations = [SymbolicEquation("(P)", {"x": M, "y": m}, F), SymbolicEquation("(Q)", {"x": m, "y": n}, G)]
-    CrossElimination(book, {"x": "", "y": ""}, book.open).reduce(equations, ["x", "y"])
+    CrossElimination(book, {"x": "", "y": ""}, book.begin_step).reduce(equations, ["x", "y"])
     x = (3.0 * 7.0 - 2.0 * 4.0) / (5.0 * 3.0 - 4.0)
     assert book.values["x"] == pytest.approx(x, rel=1e-12)
     assert book.values["y"] == pytest.approx((7.0 - 5.0 * x) / 2.0, rel=1e-12)
@@ -150,13 +150,13 @@ def test_unknowns_are_eliminated_crosswise() -> None:
 
 def test_no_sentence_joins_one_that_stands_before_its_names_are_introduced() -> None:
     """Of two blocks in two stages: the accelerations of the second are not told among those of the first."""
-    book = Book()
-    book.know("g", 9.8)
+    book = SolutionBuilder()
+    book.set_value("g", 9.8)
     for name in ("a", "b"):
-        step = book.open("names")
-        step.say(f"Let ${name}$ be the acceleration.")
+        step = book.begin_step("names")
+        step.add_text(f"Let ${name}$ be the acceleration.")
         step.close()
-        book.told("law", "Along the slope,", Symbol(name), 0.5 * Symbol("g"))
+        book.add_step("law", "Along the slope,", Symbol(name), 0.5 * Symbol("g"))
     texts = [step.text for step in merged(book.steps)]
     assert texts == [
         "Let $a$ be the acceleration.",

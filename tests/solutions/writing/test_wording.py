@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import sim2reason.solutions
-from sim2reason.solutions.algebra.digits import rounded
+from sim2reason.solutions.algebra.digits import rounded_latex
 from sim2reason.solutions.solution import Solution
 
 ODD = (
@@ -87,7 +87,7 @@ def test_no_sentence_has_a_turn_of_phrase_that_no_textbook_has(phrase: str) -> N
     ],
 )
 def test_a_number_shows_no_digits_that_are_not_asked_for(value: float, digits: int, expected: str) -> None:
-    assert rounded(value, digits) == expected
+    assert rounded_latex(value, digits) == expected
 
 
 def test_a_count_is_boxed_as_a_whole_number() -> None:

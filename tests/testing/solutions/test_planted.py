@@ -10,8 +10,8 @@ from plain_scenes import atwood
 from sim2reason.solutions import solve
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data
-from sim2reason.solutions.solution import SAME
-from sim2reason.solutions.verification import refusal
+from sim2reason.solutions.solution import ANSWER_RTOL
+from sim2reason.solutions.verification import verification_fault
 from sim2reason.testing.solutions.planted import INVENTED, KINDS, Data, planted_faults
 from solution_data import coordinate, phase, relation, solution, step
 from worked import asked
@@ -42,7 +42,7 @@ def test_each_kind_is_refused_in_phases(seed: int) -> None:
         if kind == INVENTED:  # from which the answer does follow
             assert len(spoiled["givens"].keys() - data["givens"].keys()) == 1
         else:
-            assert not recompute(spoiled).agrees(right.answer, SAME), (kind, spoiled)
+            assert not recompute(spoiled).agrees(right.answer, ANSWER_RTOL), (kind, spoiled)
     assert count.keys() == KINDS.keys()
     assert data == twice_thrown()
 
@@ -50,11 +50,11 @@ def test_each_kind_is_refused_in_phases(seed: int) -> None:
 def test_each_fault_in_an_elimination_is_refused() -> None:
     setting = asked(atwood(), "What is the tension in the string just after release?")
     data = as_data(solve(setting))
-    assert not refusal(data, setting)
+    assert not verification_fault(data, setting)
     count = Counter[str]()
     for kind, spoiled in planted_faults(data, recompute(data).values, random.Random(0), 1000):
         count[kind] += 1
-        assert refusal(spoiled, setting), (kind, spoiled)
+        assert verification_fault(spoiled, setting), (kind, spoiled)
     assert count["a law dropped"] >= 2
     assert count["a given left out"] >= 3
     assert count[INVENTED] >= 2  # the tension, and the acceleration on the way to it

@@ -5,7 +5,7 @@ from math import nan
 
 import pytest
 
-from sim2reason.training.gspo.sampling import Answered, Filled, Place, balance, fill, round_size, spread
+from sim2reason.training.gspo.sampling import Answered, Filled, Place, balance, fill, has_spread, round_size
 from sim2reason.training.gspo.settings import Drawn, Row
 
 GOOD, BAD = [0.0, 1.0], [1.0, 1.0]
@@ -115,9 +115,9 @@ def test_an_empty_stream_is_not_answered() -> None:
 
 
 def test_equal_rewards_have_no_spread_however_they_round() -> None:
-    assert not spread([0.7, 0.7000000001, 0.7])
-    assert not spread([])
-    assert spread([0.0, 1e-3])
+    assert not has_spread([0.7, 0.7000000001, 0.7])
+    assert not has_spread([])
+    assert has_spread([0.0, 1e-3])
 
 
 def test_rewards_of_nobody_count_nowhere() -> None:

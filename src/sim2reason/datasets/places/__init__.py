@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from sim2reason.base.registry import Registry
 from sim2reason.datasets.worker import Attempt, Batch
 
-__all__ = ["HERE", "PATIENCE", "PLACES", "Crew", "Place", "Reply", "Run", "Source", "opened"]
+__all__ = ["HERE", "PATIENCE", "PLACES", "Place", "Reply", "Run", "Source", "WorkerPool", "opened"]
 
 HERE = "here"
 """The place where work is done unless another is named."""
@@ -19,7 +19,7 @@ PATIENCE = 120.0
 
 
 @dataclass(frozen=True, slots=True)
-class Crew:
+class WorkerPool:
     """The settings of the workers: maker, number and timeout."""
 
     maker: str
@@ -36,7 +36,7 @@ Source = Callable[[], Batch | None]
 """Gives the next batch; None while there is nothing to do. It is asked again after every reply."""
 Run = Callable[[Source], Generator[tuple[Batch, Reply], None, None]]
 """Have a crew work on what a source gives: each batch comes back once, with its reply, in any order."""
-Place = Callable[[Crew], AbstractContextManager[Run]]
+Place = Callable[[WorkerPool], AbstractContextManager[Run]]
 """Gather a crew; whatever way the block ends, no worker of it stays.
 
 On entering it raises `DatasetError` if nobody can work there, and `MissingExtraError` if a package lacks.
@@ -44,7 +44,7 @@ On entering it raises `DatasetError` if nobody can work there, and `MissingExtra
 PLACES: Registry[Place] = Registry("datasets.places")
 
 
-def opened(name: str, crew: Callable[[str], Crew]) -> AbstractContextManager[Run]:
+def opened(name: str, crew: Callable[[str], WorkerPool]) -> AbstractContextManager[Run]:
     """Return the executor called ``NAME`` or ``NAME://ADDRESS``; UnknownNameError if there is none."""
     place, _, address = name.partition("://")
     return PLACES[place](crew(address))

@@ -15,7 +15,7 @@ from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 
 from sim2reason.base.registry import further_members
-from sim2reason.datasets.places import HERE, PLACES, Crew, Reply, Run, Source
+from sim2reason.datasets.places import HERE, PLACES, Reply, Run, Source, WorkerPool
 from sim2reason.datasets.processes import ALONE, deaf_children
 from sim2reason.datasets.worker import Batch, Message, outcome, serve
 from sim2reason.errors import DatasetError
@@ -82,7 +82,7 @@ class _Worker:
 
 @PLACES.register(HERE)
 @contextmanager
-def here(crew: Crew) -> Generator[Run, None, None]:
+def here(crew: WorkerPool) -> Generator[Run, None, None]:
     """Run on this machine; DatasetError for an address, or if workers would lack the program's own members."""
     if crew.address:
         raise DatasetError(f"--on {HERE}://{crew.address}: this machine needs no address; say --on {HERE}")
@@ -92,7 +92,7 @@ def here(crew: Crew) -> Generator[Run, None, None]:
         yield partial(run, maker=crew.maker, workers=crew.workers or cores(), patience=crew.patience)
 
 
-def _workers(crew: Crew) -> int | None:
+def _workers(crew: WorkerPool) -> int | None:
     """Return the requested number of workers; 1 if the caller's program registers members."""
     own = further_members().get(PROGRAM, ())
     if own and (crew.workers or 1) > 1:

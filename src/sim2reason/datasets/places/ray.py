@@ -13,7 +13,7 @@ from functools import cache, partial
 from typing import Any, Final
 
 from sim2reason.base.optional import optional
-from sim2reason.datasets.places import PLACES, Crew, Reply, Run, Source
+from sim2reason.datasets.places import PLACES, Reply, Run, Source, WorkerPool
 from sim2reason.datasets.worker import Attempt, Batch, collect_seldom, outcome
 from sim2reason.errors import DatasetError
 from sim2reason.generation.request import Maker, load_maker, versions
@@ -25,7 +25,7 @@ KNOCK: Final = 5.0  # s
 
 @PLACES.register("ray")
 @contextmanager
-def on_ray(crew: Crew) -> Generator[Run, None, None]:
+def on_ray(crew: WorkerPool) -> Generator[Run, None, None]:
     """Connect to the cluster at HOST:PORT, else to this machine's cluster, else start a local one.
 
     DatasetError if there is no cluster at the address, MissingExtraError without Ray.
@@ -47,7 +47,7 @@ def on_ray(crew: Crew) -> Generator[Run, None, None]:
         ray.shutdown()
 
 
-def _replies(ray: Any, crew: Crew, source: Source) -> Generator[tuple[Batch, Reply], None, None]:  # noqa: ANN401 - a module
+def _replies(ray: Any, crew: WorkerPool, source: Source) -> Generator[tuple[Batch, Reply], None, None]:  # noqa: ANN401 - a module
     task, held = ray.remote(num_cpus=1, max_retries=RETRIES)(attempts), dict[Any, Batch]()
     try:
         while True:

@@ -13,7 +13,7 @@ from pydantic import BaseModel, ConfigDict, Field, JsonValue
 
 from sim2reason.base.atomic_files import canonical
 from sim2reason.base.registry import Registry
-from sim2reason.base.settings import of_kind
+from sim2reason.base.settings import build_member
 from sim2reason.errors import EvaluationError
 from sim2reason.evaluation.policies import Name
 
@@ -37,7 +37,7 @@ class BenchmarkItem(BaseModel):
     """By which reports group it, such as a subject, a recipe or its entities."""
 
     @property
-    def told(self) -> str:
+    def answer_text(self) -> str:
         """Return the answer as readable text."""
         answer = self.reference.get("told", self.reference.get("answer", ""))
         return answer if isinstance(answer, str) else str(answer)
@@ -83,7 +83,7 @@ def benchmark_from(settings: Mapping[str, object], place: str = "benchmark") -> 
         EvaluationError: a setting that is unknown, missing or makes no sense.
         UnknownNameError: no such kind.
     """
-    return of_kind(BENCHMARKS, settings, place, EvaluationError)
+    return build_member(BENCHMARKS, settings, place, EvaluationError)
 
 
 def items_of(benchmark: Benchmark) -> list[BenchmarkItem]:

@@ -12,7 +12,7 @@ from annotated_types import Ge, Gt, Le
 from pydantic import BaseModel, ConfigDict, Field, FiniteFloat
 
 from sim2reason.base.registry import Registry
-from sim2reason.base.settings import of_kind
+from sim2reason.base.settings import build_member
 from sim2reason.errors import PolicyError
 from sim2reason.grading import opened
 
@@ -155,4 +155,4 @@ def policy_from(settings: Mapping[str, object], place: str = "policy") -> Policy
         PolicyError: a setting that is unknown, missing or makes no sense.
         UnknownNameError: no such kind.
     """
-    return of_kind(POLICIES, settings, place, PolicyError)
+    return build_member(POLICIES, settings, place, PolicyError)

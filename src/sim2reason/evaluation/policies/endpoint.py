@@ -93,7 +93,7 @@ class Endpoint(Policy):
         """Reject settings that contain the key itself, because settings are recorded and shown."""
         key = Secret() if self.key_from is None else Secret(os.environ.get(self.key_from, "").strip())
         for name, value in self.model_dump(mode="json", exclude={"key_from"}).items():
-            if key.stands_in(value):
+            if key.occurs_in(value):
                 raise ValueError(f"{name} holds the key that is in the variable {self.key_from}; take it out there")
         return self
 

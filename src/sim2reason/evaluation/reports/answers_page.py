@@ -56,7 +56,7 @@ def _item(
     item: BenchmarkItem, policies: Sequence[str], first: Shown, texts: Mapping[str, Mapping[str, str]]
 ) -> Iterator[str]:
     yield f"<h3>{escape(item.id)}</h3>\n<pre>{escape(item.prompt)}</pre>\n"
-    yield f"<p><b>Answer:</b> {escape(item.told)}</p>\n<table><tr>"
+    yield f"<p><b>Answer:</b> {escape(item.answer_text)}</p>\n<table><tr>"
     yield "".join(f"<th>{escape(policy)}</th>" for policy in policies)
     yield "</tr><tr>"
     for policy in policies:

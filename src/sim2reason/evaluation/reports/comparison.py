@@ -101,7 +101,7 @@ def _write_comparison(out: Path, first: str, second: str, found: list[PairedDiff
     put_text(out / "compare.md", "\n".join([*lines, *table(HEAD, rows(found)), ""]), out)
 
 
-FEWEST = 3  # models
+MIN_MODELS = 3  # models
 CORRELATION_FILE = "correlate.json"
 
 
@@ -157,8 +157,8 @@ def _synthetic(models: Sequence[PolicyScores]) -> str:
 
 def _correlation(models: Sequence[PolicyScores], across: str, up: str) -> RankCorrelation:
     both = [scores for scores in models if scores.points.get(across) and scores.points.get(up)]
-    if len(both) < FEWEST:
-        raise EvaluationError(f"{across} and {up}: {len(both)} models have answered both; it takes {FEWEST}")
+    if len(both) < MIN_MODELS:
+        raise EvaluationError(f"{across} and {up}: {len(both)} models have answered both; it takes {MIN_MODELS}")
     for name in (across, up):
         if len({scores.run.record.benchmarks[name].data for scores in both}) > 1:
             raise EvaluationError(f"benchmark {name}: the runs have other problems; correlate the same ones")
@@ -167,7 +167,7 @@ def _correlation(models: Sequence[PolicyScores], across: str, up: str) -> RankCo
     return RankCorrelation(across, up, tuple(s.name for s in both), rho, x, y)
 
 
-def told(found: RankCorrelation) -> str:
+def correlation_text(found: RankCorrelation) -> str:
     """Return ρ as readable text."""
     rho = found.rho
     return "none" if rho is None else f"{rho.value:.2f} [{rho.low:.2f}, {rho.high:.2f}]"
@@ -187,7 +187,9 @@ def _write_correlation(out: Path, found: Sequence[RankCorrelation]) -> None:
         "Spearman's ρ with its 95 % interval (Bonett and Wright, 2000).",
         "",
     ]
-    lines += table(["across", "up", "models", "ρ"], [[f.across, f.up, len(f.models), told(f)] for f in found])
+    lines += table(
+        ["across", "up", "models", "ρ"], [[f.across, f.up, len(f.models), correlation_text(f)] for f in found]
+    )
     for each in found:
         rows = zip(each.models, (one.shown for one in each.x), (one.shown for one in each.y), strict=True)
         lines += ["", *table(["model", each.across, each.up], rows)]
@@ -202,7 +204,9 @@ def _picture(out: Path, found: RankCorrelation) -> str | None:
         Point(model, Bar(*x[:3]), Bar(*y[:3])) for model, x, y in zip(found.models, found.x, found.y, strict=True)
     ]
     try:
-        scatter(out / name, points, found.across, found.up, f"Spearman's ρ {told(found)}, {len(points)} models")
+        scatter(
+            out / name, points, found.across, found.up, f"Spearman's ρ {correlation_text(found)}, {len(points)} models"
+        )
     except MissingExtraError:
         return None
     return name

@@ -3,7 +3,7 @@
 from cmath import rect
 from math import radians, tan
 
-from sim2reason.figures.shapes import SMALL, Arc, Sketch, Wanted, width
+from sim2reason.figures.shapes import SMALL, Arc, LabelRequest, Sketch, width
 
 ANGLE_ARC = 0.75  # units, the least radius of an arc
 
@@ -16,4 +16,6 @@ def corner_angle(at: complex, turn: tuple[float, float], text: str, subject: str
     near = max(ANGLE_ARC, room)
     beyond = wide * abs(middle.real) + 0.5 * SMALL * abs(middle.imag) + 0.1
     places = tuple(at + middle * (near + beyond + 0.1 * n) for n in range(8))
-    return Sketch([Arc(at, near, *sorted(turn), weight="thin")], [Wanted(text, places, subject, SMALL, name=False)])
+    return Sketch(
+        [Arc(at, near, *sorted(turn), weight="thin")], [LabelRequest(text, places, subject, SMALL, name=False)]
+    )

@@ -6,8 +6,8 @@ from math import degrees, pi, radians
 
 from sim2reason.figures.paths import owner_of
 from sim2reason.figures.scaled.lines import beside
-from sim2reason.figures.scaled.setting import OBLONG, Setting, vector
-from sim2reason.figures.shapes import SMALL, Arc, LineShape, Shape, Sketch, Wanted, width
+from sim2reason.figures.scaled.setting import OBLONG, DrawingContext, vector
+from sim2reason.figures.shapes import SMALL, Arc, LabelRequest, LineShape, Shape, Sketch, width
 from sim2reason.figures.vectors import RIGHT, UP, cross, crosses, dot, from_segment, unit
 from sim2reason.scenes.dsl.body import Slender
 from sim2reason.scenes.dsl.body import Small as SmallBody
@@ -16,15 +16,15 @@ from sim2reason.scenes.dsl.mechanism import RigidBody
 from sim2reason.scenes.dsl.vectors import inner
 
 LENGTHS, SHORTEST = (1.7, 1.3, 1.0, 0.75, 0.6), 0.6  # units, of the longest arrow and of any: thrice its head
-APART = 0.15  # units between two arrows, at least
-STILL = 1e-9
+ARROW_GAP = 0.15  # units between two arrows, at least
+REST_SPEED = 1e-9
 MINUS = "\N{MINUS SIGN}"
 FINE = 12  # straight segments of a curved arrow
 ARC = 0.85
 STEPS = (1.0, 2.0, 5.0)
 
 
-def speeds(setting: Setting, *, headings: bool = True) -> Sketch:
+def speeds(setting: DrawingContext, *, headings: bool = True) -> Sketch:
     """Draw the initial velocity of every moving body as an arrow, labelled with its speed or with one common scale.
 
     With `headings`, angles of velocities are drawn too.
@@ -46,7 +46,7 @@ def speeds(setting: Setting, *, headings: bool = True) -> Sketch:
         unsaid |= not text
         if text:
             tip = end + way * (0.15 + 0.5 * width(text, SMALL) * abs(way.real) + 0.2 * abs(way.imag))
-            found.labels.append(Wanted(text, (tip, *beside(start, end, text, SMALL)), name, SMALL, name=False))
+            found.labels.append(LabelRequest(text, (tip, *beside(start, end, text, SMALL)), name, SMALL, name=False))
         if headings:
             _heading(setting, name, velocity, found)
     if unsaid and len(moving) > 0:
@@ -55,19 +55,19 @@ def speeds(setting: Setting, *, headings: bool = True) -> Sketch:
     return found
 
 
-def _shown(setting: Setting, body: RigidBody, velocity: complex) -> bool:
+def _shown(setting: DrawingContext, body: RigidBody, velocity: complex) -> bool:
     """Return whether a body gets an arrow: if its speed is stated, or else its velocity follows from the text.
 
     A body fixed to a rotating one gets an arrow only if its own speed is stated.
     """
-    if abs(velocity) <= STILL or body.name not in setting.bodies:
+    if abs(velocity) <= REST_SPEED or body.name not in setting.bodies:
         return False
     unit_of_speed = setting.mechanism.units.spell("m/s")
     stated = setting.stated(owner_of(body.name), unit_of_speed, abs(velocity))
     return bool(stated or (body.coordinates and not setting.plan.leaves_open(body.name, unit_of_speed)))
 
 
-def _speed(setting: Setting, name: str, speed: float) -> str:
+def _speed(setting: DrawingContext, name: str, speed: float) -> str:
     """Return the stated speed of a body, or its stated velocity along a line; the arrow shows the sign."""
     owner, unit_of_speed = owner_of(name), setting.mechanism.units.spell("m/s")
     velocity = setting.stated(owner, unit_of_speed, -speed)
@@ -75,7 +75,7 @@ def _speed(setting: Setting, name: str, speed: float) -> str:
     return setting.stated(owner, unit_of_speed, speed) or turned
 
 
-def _tail(setting: Setting, name: str, way: complex) -> complex:
+def _tail(setting: DrawingContext, name: str, way: complex) -> complex:
     """Return the start of a velocity arrow: at the rim of a round body, beside a block, clear of strings."""
     look, at = setting.look(name), setting.at(name)
     if not isinstance(look, SmallBody) or look.kind not in OBLONG or setting.view.level:
@@ -85,7 +85,7 @@ def _tail(setting: Setting, name: str, way: complex) -> complex:
     return _beside(setting, name, way)
 
 
-def _beside(setting: Setting, name: str, way: complex) -> complex:
+def _beside(setting: DrawingContext, name: str, way: complex) -> complex:
     """Return the start of an arrow above a body, or to its left."""
     out = way * 1j if (way * 1j).imag > 0.0 or abs(way.imag) > 0.999 else way * -1j
     back = 0.45 if setting.sizes(name)[0] >= setting.plan.sizes.width else 0.0  # not over a neighbour
@@ -98,15 +98,15 @@ def _run_together(one: tuple[complex, complex], other: tuple[complex, complex]) 
     if crosses(a, a + along, b, b + across):
         return True
     ends = ((b, one), (b + across, one), (a, other), (a + along, other))
-    return any(from_segment(point, tail, tail + arrow) < APART for point, (tail, arrow) in ends)
+    return any(from_segment(point, tail, tail + arrow) < ARROW_GAP for point, (tail, arrow) in ends)
 
 
-def _runs_over(setting: Setting, moving: Mapping[str, complex], size: float) -> bool:
+def _runs_over(setting: DrawingContext, moving: Mapping[str, complex], size: float) -> bool:
     """Return whether an arrow of this scale would cross another body."""
     spots = {body.name: (setting.at(body.name), setting.radius(body.name)) for body in setting.members}
     for name, velocity in moving.items():
         at, radius = spots[name]
-        if abs(_tail(setting, name, unit(velocity)) - at) > radius + STILL:
+        if abs(_tail(setting, name, unit(velocity)) - at) > radius + REST_SPEED:
             continue  # beside it
         reach = radius + max(SHORTEST, size * abs(velocity)) + 0.15
         for other, (place, wide) in spots.items():
@@ -116,22 +116,22 @@ def _runs_over(setting: Setting, moving: Mapping[str, complex], size: float) -> 
     return False
 
 
-def _heading(setting: Setting, name: str, velocity: complex, found: Sketch) -> None:
+def _heading(setting: DrawingContext, name: str, velocity: complex, found: Sketch) -> None:
     """Draw the angle of a velocity to the horizontal, or to the x axis, if the text states it."""
     owner = name.split(".", maxsplit=1)[0]
     turn = degrees(phase(velocity)) % 360.0
     if setting.view.level:
-        if turn % 90.0 and (text := setting.once(owner, "deg", turn)):
+        if turn % 90.0 and (text := setting.state_once(owner, "deg", turn)):
             _mark(text, name, setting, (0.0, turn), found)
         return
     side = 0.0 if velocity.real >= 0.0 else 180.0
     raised = turn if turn < 180.0 else turn - 360.0
     value = abs(raised) if side == 0.0 else 180.0 - abs(raised)
-    if value % 90.0 > 1e-6 and (text := setting.once(owner, "deg", value)):
+    if value % 90.0 > 1e-6 and (text := setting.state_once(owner, "deg", value)):
         _mark(text, name, setting, (side, raised if side == 0.0 or raised > 0.0 else raised + 360.0), found)
 
 
-def _mark(text: str, name: str, setting: Setting, turn: tuple[float, float], found: Sketch) -> None:
+def _mark(text: str, name: str, setting: DrawingContext, turn: tuple[float, float], found: Sketch) -> None:
     """Draw an arc between two directions (degrees) with its value, and a dashed line at its start."""
     (start, stop), at = turn, setting.at(name)
     size = abs(stop - start)
@@ -148,16 +148,16 @@ def _mark(text: str, name: str, setting: Setting, turn: tuple[float, float], fou
     places = [at + middle * (reach + 0.15 * n) for n in range(4)]
     outside = rect(1.0, radians(high if stop == high else low) + (0.25 if stop == high else -0.25))
     places += [at + outside * (reach + 0.3 * n) for n in range(3)]
-    found.labels.append(Wanted(text, tuple(places), name, SMALL, name=False))
+    found.labels.append(LabelRequest(text, tuple(places), name, SMALL, name=False))
 
 
-def spins(setting: Setting) -> Sketch:
+def spins(setting: DrawingContext) -> Sketch:
     """Draw a curved arrow for every stated angular velocity, about an axle or the body's own axis."""
     found = Sketch()
     for body in setting.members:
         for hinge in body.coordinates:
             rate = setting.mechanism.units.spell("rad/s")
-            if hinge.kind == "hinge" and abs(hinge.speed) > STILL:
+            if hinge.kind == "hinge" and abs(hinge.speed) > REST_SPEED:
                 text = setting.stated(owner_of(body.name), rate, abs(hinge.speed))
                 if text:
                     sense = 1.0 if inner(hinge.axis, setting.view.towards) * hinge.speed > 0.0 else -1.0
@@ -165,7 +165,7 @@ def spins(setting: Setting) -> Sketch:
     return found
 
 
-def _curved(text: str, setting: Setting, body: RigidBody, sense: float, found: Sketch) -> None:
+def _curved(text: str, setting: DrawingContext, body: RigidBody, sense: float, found: Sketch) -> None:
     """Draw a curved arrow round a spinning body, or ahead of the far end of a body on an axle."""
     pivot = setting.view.at(vector(setting.frames[body.name].origin))
     arm = _tip(setting, body, pivot) - pivot
@@ -188,19 +188,19 @@ def _curved(text: str, setting: Setting, body: RigidBody, sense: float, found: S
     places += [
         tip + ahead * (0.15 + n * 0.2 + 0.5 * width(text, SMALL) * abs(ahead.real) + 0.5 * SMALL) for n in range(3)
     ]
-    found.labels.append(Wanted(text, tuple(places), body.name, SMALL, name=False))
+    found.labels.append(LabelRequest(text, tuple(places), body.name, SMALL, name=False))
 
 
-def deflections(setting: Setting) -> Sketch:
+def deflections(setting: DrawingContext) -> Sketch:
     """Draw the stated angles between the vertical and the bodies that hang from fixed points."""
     found = Sketch()
     if setting.view.level:
         return found
     for top, end, owner in _hanging(setting):
-        if abs(end - top) < STILL:
+        if abs(end - top) < REST_SPEED:
             continue
         turn = degrees(phase((end - top) / -UP))
-        if abs(turn) > 1e-6 and (text := setting.once(owner, "deg", abs(turn))):
+        if abs(turn) > 1e-6 and (text := setting.state_once(owner, "deg", abs(turn))):
             radius = _free(setting, top, end, abs(turn))
             long = max(min(abs(end - top), 2.4), radius + 0.4)
             found.shapes.append(LineShape((top, top - long * UP), "hair", dashed=True))
@@ -208,7 +208,7 @@ def deflections(setting: Setting) -> Sketch:
     return found
 
 
-def _free(setting: Setting, top: complex, end: complex, turn: float) -> float:
+def _free(setting: DrawingContext, top: complex, end: complex, turn: float) -> float:
     """Return the radius of an arc between the vertical and a hanging line, clear of the bodies on the line."""
     way, taken = unit(end - top), list[tuple[float, float]]()
     for body in setting.members:
@@ -229,10 +229,10 @@ def _sector(text: str, owner: str, at: complex, turn: float, radius: float, foun
     aside = at + (1.0 if turn < 0.0 else -1.0) * (0.14 + 0.5 * width(text, SMALL))
     places = [at + middle * (reach + 0.15 * n) for n in range(5)] if abs(turn) > 25.0 else []
     places += [aside - (radius - 0.2 * n) * UP for n in range(4)]
-    found.labels.append(Wanted(text, tuple(places), owner, SMALL, name=False))
+    found.labels.append(LabelRequest(text, tuple(places), owner, SMALL, name=False))
 
 
-def _hanging(setting: Setting) -> list[tuple[complex, complex, str]]:
+def _hanging(setting: DrawingContext) -> list[tuple[complex, complex, str]]:
     """Return the lines from fixed points to hanging bodies: strings, rods and hinged arms."""
     found: list[tuple[complex, complex, str]] = []
     for line in setting.lines:
@@ -247,16 +247,16 @@ def _hanging(setting: Setting) -> list[tuple[complex, complex, str]]:
     return found
 
 
-def _tip(setting: Setting, body: RigidBody, pivot: complex) -> complex:
+def _tip(setting: DrawingContext, body: RigidBody, pivot: complex) -> complex:
     """Return the far end of an arm: its centre of mass, or the first body that it carries."""
     at = setting.view.at(vector(setting.frames.center(body.name).place))
-    if abs(at - pivot) > STILL:
+    if abs(at - pivot) > REST_SPEED:
         return at
     carried = (other for other in setting.members if other.parent == body.name)
     return next((setting.view.at(vector(setting.frames[other.name].origin)) for other in carried), at)
 
 
-def heights(setting: Setting) -> Sketch:
+def heights(setting: DrawingContext) -> Sketch:
     """Draw the stated heights of bodies above the ground."""
     found = Sketch()
     for body in setting.members:
@@ -271,7 +271,7 @@ def heights(setting: Setting) -> Sketch:
             found.shapes += _dimension(low, top, at)
             aside = top.real - 0.12 - 0.5 * width(text, SMALL)
             places = tuple(complex(aside, low.imag + t * height * scale) for t in (0.5, 0.65, 0.35))
-            found.labels.append(Wanted(text, places, body.name, SMALL, name=False))
+            found.labels.append(LabelRequest(text, places, body.name, SMALL, name=False))
     return found
 
 

@@ -9,8 +9,8 @@ from math import acos, asin, pi, sqrt
 from sim2reason.figures.hanging import block_labels
 from sim2reason.figures.pieces import around
 from sim2reason.figures.scaled.lines import beside
-from sim2reason.figures.scaled.setting import OBLONG, SLAB_STEP, Setting
-from sim2reason.figures.shapes import LETTER, SIZE, SMALL, TINY, Arc, Area, Shape, Sketch, Wanted, width
+from sim2reason.figures.scaled.setting import OBLONG, SLAB_STEP, DrawingContext
+from sim2reason.figures.shapes import LETTER, SIZE, SMALL, TINY, Arc, Area, LabelRequest, Shape, Sketch, width
 from sim2reason.figures.vectors import RIGHT, UP, Polygon, hull, rectangle, unit
 from sim2reason.scenes.dsl.body import Axial, BodyLook, Capped, Rectangular, Silhouette, Small, Spherical
 
@@ -23,23 +23,23 @@ LEVEL = 0.3  # largest sine of a slope at which labels along it fit into a slab
 FINE = 24  # points of half a round outline
 
 
-def body(setting: Setting, address: str, along: complex = RIGHT) -> Sketch:
+def body(setting: DrawingContext, address: str, along: complex = RIGHT) -> Sketch:
     """Return the sketch of a body at its position; `along` is the direction of a block's long side."""
     look, at = setting.look(address), setting.at(address)
     if look is None:
-        return stranger(setting, address, at)
+        return undeclared_body(setting, address, at)
     return Sketch(list(shapes(setting, address, look, at, along)), names(setting, address, look, at))
 
 
-def stranger(setting: Setting, address: str, at: complex) -> Sketch:
+def undeclared_body(setting: DrawingContext, address: str, at: complex) -> Sketch:
     """Return the sketch of a body whose class declares no look: a dashed box with its name."""
     text = setting.plan.caption(address)
     wide = max(1.0, width(text, SMALL) + 0.2)
     box = Area(rectangle(at, wide, 0.7), dashed=True)
-    return Sketch([box], [Wanted(text, (at,), address, SMALL)])
+    return Sketch([box], [LabelRequest(text, (at,), address, SMALL)])
 
 
-def shapes(setting: Setting, address: str, look: BodyLook, at: complex, along: complex) -> Iterable[Shape]:
+def shapes(setting: DrawingContext, address: str, look: BodyLook, at: complex, along: complex) -> Iterable[Shape]:
     """Return the shapes of a body, from back to front."""
     x, y, z = (setting.view.way(axis) for axis in setting.axes(address))
     size = setting.view.scale
@@ -146,7 +146,7 @@ def _segment(radius: float, height: float) -> Polygon:
     return tuple(complex(0.0, center) + radius * rect(1.0, turn) for turn in turns)
 
 
-def names(setting: Setting, address: str, look: BodyLook, at: complex) -> list[Wanted]:
+def names(setting: DrawingContext, address: str, look: BodyLook, at: complex) -> list[LabelRequest]:
     """Return the labels of a body's name and, if wanted, mass: inside it if they fit, else beside it."""
     plan, named = setting.plan, setting.bodies[address].letters
     if isinstance(look, Small) and look.kind == "slab":
@@ -159,12 +159,14 @@ def names(setting: Setting, address: str, look: BodyLook, at: complex) -> list[W
         return [replace(inside, places=(*inside.places, *around(at, 0.55, wide, start=unit(-1 + 1j)))), *rest]
     name, radius = plan.name(address), setting.radius(address)
     mark = look.mark if isinstance(look, Small) else ""
-    found = [Wanted(mark, (at,), address, SMALL, name=False)] if mark else []
+    found = [LabelRequest(mark, (at,), address, SMALL, name=False)] if mark else []
     long, half = lengthwise(setting, address, look)
     fits = not mark and len(name) <= LETTER and width(name, SIZE) < 1.5 * half and _plain(look)
     mass = plan.mass(address)
     if fits and mass:
-        found.append(Wanted(mass, around(at, radius + 0.1, width(mass, SMALL), start=UP), address, SMALL, name=False))
+        found.append(
+            LabelRequest(mass, around(at, radius + 0.1, width(mass, SMALL), start=UP), address, SMALL, name=False)
+        )
     text = name if fits or not mass else f"{name} ({mass})"
     size = SIZE if text == name else SMALL
     start = -unit(velocity) if (velocity := setting.velocity(address)) else UP
@@ -175,25 +177,25 @@ def names(setting: Setting, address: str, look: BodyLook, at: complex) -> list[W
     if not named:  # it needs no name, but a number may stand beside it
         text, size = mass, SMALL
         places = around(at, radius + 0.1, width(mass, SMALL), start=UP)
-    return [*found, Wanted(text, places, address, size, name=bool(named))] if text else found
+    return [*found, LabelRequest(text, places, address, size, name=bool(named))] if text else found
 
 
-def slab_labels(setting: Setting, address: str, at: complex) -> list[Wanted]:
+def slab_labels(setting: DrawingContext, address: str, at: complex) -> list[LabelRequest]:
     """Return the labels of a slab's name and mass: side by side, or beside its ends."""
     name, mass, along = setting.plan.name(address), setting.plan.mass(address), setting.along(address)
     half, wide = 0.5 * setting.sizes(address)[0], 0.5 * width(name, SIZE)
     if not mass:
         ends = (at + side * (half + 0.2 + wide) * along for side in (1.0, -1.0))
-        return [Wanted(name, (at,) if wide < half else tuple(ends), address)]
+        return [LabelRequest(name, (at,) if wide < half else tuple(ends), address)]
     first, level = -0.6 * width(mass, TINY) * along, abs(along.imag) < LEVEL
     bare = 0.5 * SLAB_STEP  # of the slab, at either end, where another one lies on it
     ends = tuple(at + side * (half - 0.5 * bare) * along for side in (-1.0, 1.0))
     places = (at + 0.3 * along,) if level else ()
-    found = Wanted(mass, places, address, TINY, name=False, anchors=ends)
-    return [Wanted(name, (at + first if level else at,), address), found]
+    found = LabelRequest(mass, places, address, TINY, name=False, anchors=ends)
+    return [LabelRequest(name, (at + first if level else at,), address), found]
 
 
-def lengthwise(setting: Setting, address: str, look: BodyLook) -> tuple[complex, float]:
+def lengthwise(setting: DrawingContext, address: str, look: BodyLook) -> tuple[complex, float]:
     """Return half the length of a thin body along its direction (0 for others), and half its width."""
     match look:
         case Axial(radius, height):
@@ -208,7 +210,7 @@ def lengthwise(setting: Setting, address: str, look: BodyLook) -> tuple[complex,
     return (longer if abs(longer) > 2.0 * half else 0j), half
 
 
-def _covered(setting: Setting, address: str) -> bool:
+def _covered(setting: DrawingContext, address: str) -> bool:
     """Return whether another body or a line is attached to the middle of a body, where its name would be."""
     joints = (j for j in setting.plan.scene.joints.values() if setting.owns(j.name) and j.connection.carries)
     sites = (setting.mechanism.site[joint.stops[0].sites[0]] for joint in joints)

@@ -8,14 +8,14 @@ from math import acos, degrees
 from sim2reason.figures.paths import owner_of
 from sim2reason.figures.scaled.angles import corner_angle
 from sim2reason.figures.scaled.rails import rails, walls
-from sim2reason.figures.scaled.setting import Setting, vector
+from sim2reason.figures.scaled.setting import DrawingContext, vector
 from sim2reason.figures.scaled.tabletop import spread
-from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, Sketch, Wanted, hatched, rough, width
+from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LabelRequest, Sketch, hatched, rough, width
 from sim2reason.figures.vectors import UP, box, cross, dot, unit
 from sim2reason.scenes.dsl.body import BigBox, Globe, MovingSlope, Tabletop
-from sim2reason.scenes.dsl.mechanism import Face, Prop
+from sim2reason.scenes.dsl.mechanism import Prop, SurfaceContact
 
-BEYOND, LEAST = 0.8, 3.4  # units by which a surface extends beyond the bodies on it, and its least length
+BEYOND, MIN_SURFACE_LENGTH = 0.8, 3.4  # units by which a surface extends beyond the bodies on it, and its least length
 FLAT = 1e-6
 FLOOR = 0.99  # cosine of the normal to the vertical from which a surface is a floor
 GLOBE = 9.0  # units, radius of a planet of which only the top is visible
@@ -29,7 +29,7 @@ class Surface:
     owner: str | None
     normal: complex
     touched: tuple[complex, ...]
-    face: Face | None = None  # with what friction something lies on it
+    face: SurfaceContact | None = None  # with what friction something lies on it
 
     @property
     def along(self) -> complex:
@@ -42,12 +42,12 @@ class Surface:
         """Return both ends of the surface, with a margin beyond its contact points."""
         places = sorted(dot(point, self.along) for point in self.touched)
         low, high = places[0] - BEYOND, places[-1] + BEYOND
-        more = max(0.0, 0.5 * (LEAST - (high - low)))
+        more = max(0.0, 0.5 * (MIN_SURFACE_LENGTH - (high - low)))
         base = self.touched[0] - dot(self.touched[0], self.along) * self.along
         return base + (low - more) * self.along, base + (high + more) * self.along
 
 
-def surfaces(setting: Setting) -> list[Surface]:
+def surfaces(setting: DrawingContext) -> list[Surface]:
     """Return the straight surfaces on which bodies lie, without repetitions."""
     found: dict[tuple[str | None, float, float, float], Surface] = {}
     for face in setting.mechanism.faces:
@@ -70,7 +70,7 @@ def surfaces(setting: Setting) -> list[Surface]:
     return list(found.values())
 
 
-def _below(setting: Setting, body: str, foot: complex, normal: complex) -> Iterator[complex]:
+def _below(setting: DrawingContext, body: str, foot: complex, normal: complex) -> Iterator[complex]:
     """Yield points of the contact plane on both sides of a body's lowest point."""
     along = normal * 1j
     middle = dot(foot, normal) * normal + dot(setting.at(body), along) * along
@@ -78,7 +78,7 @@ def _below(setting: Setting, body: str, foot: complex, normal: complex) -> Itera
         yield middle + side * setting.radius(body) * along
 
 
-def reach(setting: Setting, face: Face) -> float:
+def reach(setting: DrawingContext, face: SurfaceContact) -> float:
     """Return the distance from a body's position to its face, in units: its radius, or half its height if it slides."""
     turning = [abs(factor) for name, factor in face.slip if name.endswith(".hinge")]
     return setting.view.scale * turning[0] if turning else setting.radius(face.subject)
@@ -89,14 +89,14 @@ def _touch(
     owner: str | None,
     normal: complex,
     point: complex,
-    face: Face | None = None,
+    face: SurfaceContact | None = None,
 ) -> None:
     key = (owner, round(normal.real, 6), round(normal.imag, 6), round(dot(point, normal), 2))
     before = found[key].touched if key in found else ()
     found[key] = Surface(owner, normal, (*before, point), face)
 
 
-def grounds(setting: Setting) -> Sketch:
+def grounds(setting: DrawingContext) -> Sketch:
     """Return the sketch of all surfaces under bodies, from back to front."""
     found = Sketch()
     _straight(setting, found)
@@ -111,7 +111,7 @@ def grounds(setting: Setting) -> Sketch:
     return found
 
 
-def _straight(setting: Setting, found: Sketch) -> None:
+def _straight(setting: DrawingContext, found: Sketch) -> None:
     """Draw planes, floors and wedges."""
     straight = surfaces(setting)
     wedges = dict.fromkeys(s.owner for s in straight if isinstance(setting.look(s.owner or ""), MovingSlope))
@@ -123,7 +123,7 @@ def _straight(setting: Setting, found: Sketch) -> None:
         _wedge(setting, owner or "", [s for s in straight if s.owner == owner], found)
 
 
-def _fixed(setting: Setting, surface: Surface, found: Sketch) -> None:
+def _fixed(setting: DrawingContext, surface: Surface, found: Sketch) -> None:
     """Draw a fixed surface as a hatched line; for a slope also the triangle below it, with its angle."""
     a, b = surface.ends
     slope = surface.along.imag
@@ -138,23 +138,23 @@ def _fixed(setting: Setting, surface: Surface, found: Sketch) -> None:
     _angle(low, high, found, setting)
 
 
-def _rough(setting: Setting, surface: Surface, found: Sketch) -> None:
+def _rough(setting: DrawingContext, surface: Surface, found: Sketch) -> None:
     """Draw dots under a face with friction, and its coefficient if the text states it."""
     face = surface.face
     if face is None or face.friction == 0.0:
         return
     a, b = surface.ends
     found.shapes.append(rough(a, b, surface.normal))
-    told = (said for owner in setting.owners if (said := setting.plan.rubbing(owner, face)))
+    told = (said for owner in setting.owners if (said := setting.plan.friction_text(owner, face)))
     if text := next(told, ""):
         left, low, right, _ = box((a, b))
         wide = 0.5 * width(text, SMALL)
         spots = (complex(0.5 * (left + right), low - 0.5), complex(right - wide, low - 0.5))
         inside = complex(right - wide - 0.2, low + 0.3)
-        found.labels.append(Wanted(text, (inside, *spots) if a.imag != b.imag else spots, "", SMALL, name=False))
+        found.labels.append(LabelRequest(text, (inside, *spots) if a.imag != b.imag else spots, "", SMALL, name=False))
 
 
-def _angle(low: complex, high: complex, found: Sketch, setting: Setting) -> None:
+def _angle(low: complex, high: complex, found: Sketch, setting: DrawingContext) -> None:
     """Draw the angle at the foot of a slope."""
     way = unit(high - low)
     side = 1.0 if way.real > 0.0 else -1.0
@@ -164,12 +164,12 @@ def _angle(low: complex, high: complex, found: Sketch, setting: Setting) -> None
     start, stop = (0.0, value) if side > 0.0 else (180.0 - value, 180.0)
     said = [text for owner in setting.owners if (text := setting.stated(owner, "deg", value))]
     for owner in setting.owners:
-        setting.once(owner, "deg", value)
+        setting.state_once(owner, "deg", value)
     if said:
         found.extend(corner_angle(low, (start, stop), said[0], next(iter(setting.owners))))
 
 
-def _wedge(setting: Setting, owner: str, faces: list[Surface], found: Sketch) -> None:
+def _wedge(setting: DrawingContext, owner: str, faces: list[Surface], found: Sketch) -> None:
     """Draw a body with one or two faces, standing on its floor."""
     ends = [sorted(face.ends, key=lambda p: p.imag) for face in faces]
     if len(faces) == 2:
@@ -188,7 +188,7 @@ def _wedge(setting: Setting, owner: str, faces: list[Surface], found: Sketch) ->
     middle = sum(corners) / len(corners)
     size = SIZE if text == setting.plan.name(owner) else SMALL
     places = tuple(middle + dx - 0.2j for dx in (0.0, 0.35, -0.35, 0.7, -0.7))
-    found.labels.append(Wanted(text, places, owner, size))
+    found.labels.append(LabelRequest(text, places, owner, size))
     setting.drawn.add(owner)
 
 
@@ -202,7 +202,7 @@ def _meeting(one: Surface, other: Surface) -> complex:
     return a + u * cross(b - a, v) / cross(u, v)
 
 
-def _curved(setting: Setting, face: Face, found: Sketch) -> None:
+def _curved(setting: DrawingContext, face: SurfaceContact, found: Sketch) -> None:
     """Draw a circular track about the origin of a body's frame, inside or outside the body on it."""
     center = setting.view.at(vector(setting.frames[face.subject].origin))
     at = setting.at(face.subject)
@@ -219,7 +219,7 @@ def _curved(setting: Setting, face: Face, found: Sketch) -> None:
         found.shapes += hatched(center - radius - 0.6, center + radius + 0.6)
 
 
-def _walls(setting: Setting, found: Sketch) -> None:
+def _walls(setting: DrawingContext, found: Sketch) -> None:
     """Draw the ground and walls that bodies may hit, and supports of bodies that stand on edges."""
     standing = {
         setting.mechanism.site[site].body
@@ -249,7 +249,7 @@ def _walls(setting: Setting, found: Sketch) -> None:
             _stand(setting, line.through, found)
 
 
-def _stand(setting: Setting, ends: tuple[str, ...], found: Sketch) -> None:
+def _stand(setting: DrawingContext, ends: tuple[str, ...], found: Sketch) -> None:
     """Draw the ground below bodies that may lift off."""
     for site, other in (ends, ends[::-1]):
         body = setting.mechanism.site[other].body
@@ -263,11 +263,11 @@ def _stand(setting: Setting, ends: tuple[str, ...], found: Sketch) -> None:
                 found.shapes += hatched(foot - half, foot + half)
 
 
-def _note(setting: Setting, address: str, tilt: float, found: Sketch) -> None:
+def _note(setting: DrawingContext, address: str, tilt: float, found: Sketch) -> None:
     """Warn of a feature that a view from above cannot show."""
     setting.drawn.add(address)
     if tilt:
         text = f"tilted at {setting.stated(owner_of(address), 'deg', tilt)}; y points up the slope"
         left, low, right, _ = spread(setting)
         spot = complex(0.5 * (left + right), low - 0.45)
-        found.labels.append(Wanted(text, (spot,), address, SMALL, name=False))
+        found.labels.append(LabelRequest(text, (spot,), address, SMALL, name=False))

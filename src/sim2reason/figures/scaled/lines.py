@@ -9,8 +9,8 @@ from sim2reason.figures.hanging import plate, pull_text
 from sim2reason.figures.paths import spring
 from sim2reason.figures.pieces import around
 from sim2reason.figures.scaled.rails import rides
-from sim2reason.figures.scaled.setting import Setting, vector
-from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, Shape, Sketch, Wanted, dot_at, width
+from sim2reason.figures.scaled.setting import DrawingContext, vector
+from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LabelRequest, Shape, Sketch, dot_at, width
 from sim2reason.figures.shapes import LineShape as Stroke
 from sim2reason.figures.vectors import RIGHT, UP, cross, dot, rectangle, unit
 from sim2reason.scenes.dsl.body import Axial, Capped, PulleyWheel, Rectangular, Silhouette, Slender, Small, Spherical
@@ -19,10 +19,10 @@ from sim2reason.scenes.dsl.mechanism import Elastic, Line, Prop, Rigid, RigidBod
 NAIL, PIVOT, PLATE = 0.07, 0.09, 0.25  # units: radii of a nail and of a pivot, and distance of the wall behind it
 ARROW = 1.2
 FINE = 0.2  # units, length of the straight segments of an arc
-NEAR = 1e-6
+COINCIDENCE_TOLERANCE = 1e-6
 
 
-def look_of(setting: Setting, line: Line) -> str:
+def look_of(setting: DrawingContext, line: Line) -> str:
     """Return the look of a line as declared by its connection or body, else by its force law."""
     joint = setting.plan.scene.joints.get(line.whole)
     if joint is not None:
@@ -41,7 +41,7 @@ def look_of(setting: Setting, line: Line) -> str:
             return "string"
 
 
-def lines(setting: Setting, front: Sketch) -> Sketch:
+def lines(setting: DrawingContext, front: Sketch) -> Sketch:
     """Return the sketch of all lines with supports and arms; axles and joints go to the sketch `front`."""
     found = Sketch()
     for line in setting.lines:
@@ -57,7 +57,7 @@ def lines(setting: Setting, front: Sketch) -> Sketch:
         found.labels += _named(setting, line.whole, points)
         setting.drawn.add(line.whole)
         for end, inward in () if wound else ((0, 1), (-1, -2)):
-            _held(setting, line.through[end], unit(points[inward] - points[end] or RIGHT), found)
+            _draw_support(setting, line.through[end], unit(points[inward] - points[end] or RIGHT), found)
     for body in setting.members:
         _arm(setting, body, found, front)
     for joint in setting.plan.scene.joints.values():
@@ -68,7 +68,7 @@ def lines(setting: Setting, front: Sketch) -> Sketch:
     return found
 
 
-def _around(setting: Setting, line: Line, ends: tuple[str, str], found: Sketch) -> None:
+def _around(setting: DrawingContext, line: Line, ends: tuple[str, str], found: Sketch) -> None:
     """Draw a coiled spring along the circle on which two bodies move, and the circle once."""
     middle = setting.view.at(vector(setting.frames[ends[0]].origin))
     a, b = (setting.at(end) - middle for end in ends)
@@ -86,7 +86,7 @@ def _around(setting: Setting, line: Line, ends: tuple[str, str], found: Sketch) 
     if body is not None and body.letters:
         half, text = unit(a) * rect(1.0, 0.5 * turn), setting.plan.name(line.whole)
         places = (middle + (abs(a) + far) * half for far in (0.5, -0.5, 0.8, -0.8))
-        found.labels.append(Wanted(text, tuple(places), line.whole))
+        found.labels.append(LabelRequest(text, tuple(places), line.whole))
     setting.drawn.add(line.whole)
 
 
@@ -96,7 +96,7 @@ def _shares(long: float) -> Iterator[float]:
     return (n / count for n in range(count))
 
 
-def _radius(setting: Setting, ends: tuple[str, str], middle: complex, found: Sketch) -> None:
+def _radius(setting: DrawingContext, ends: tuple[str, str], middle: complex, found: Sketch) -> None:
     """Draw the stated radius of the circle on which bodies move, half way between two of them."""
     a, b = (setting.at(end) - middle for end in ends)
     owner = ends[0].split(".", maxsplit=1)[0]
@@ -104,13 +104,13 @@ def _radius(setting: Setting, ends: tuple[str, str], middle: complex, found: Ske
     if text:
         rim = middle + a * rect(1.0, 0.5 * (phase(b / a) % (2.0 * pi)))
         found.shapes.append(Stroke((middle, rim), "hair", arrow=True))
-        found.labels.append(Wanted(text, tuple(beside(middle, rim, text, SMALL)), owner, SMALL, name=False))
+        found.labels.append(LabelRequest(text, tuple(beside(middle, rim, text, SMALL)), owner, SMALL, name=False))
 
 
-def strokes(setting: Setting, line: Line, look: str, points: list[complex]) -> Iterator[Shape]:
+def strokes(setting: DrawingContext, line: Line, look: str, points: list[complex]) -> Iterator[Shape]:
     """Yield the shapes of a line through its sites."""
     for number, (a, b) in enumerate(pairwise(points)):
-        if abs(b - a) < NEAR:
+        if abs(b - a) < COINCIDENCE_TOLERANCE:
             continue
         way, (first, last) = unit(b - a), line.through[number : number + 2]
         start, stop = setting.edge(first, way), setting.edge(last, -way)
@@ -120,19 +120,19 @@ def strokes(setting: Setting, line: Line, look: str, points: list[complex]) -> I
             yield Stroke((start, stop), "rod" if look == "rod" else "string")
 
 
-def _named(setting: Setting, address: str, points: list[complex]) -> list[Wanted]:
+def _named(setting: DrawingContext, address: str, points: list[complex]) -> list[LabelRequest]:
     """Return the labels of a line that is a body: its name and stated length, beside its middle."""
     a, b = max(pairwise(points), key=lambda pair: abs(pair[1] - pair[0]))
-    found: list[Wanted] = []
+    found: list[LabelRequest] = []
     body = setting.bodies.get(address)
     if body is not None and body.letters:
         text = setting.plan.name(address)
-        found.append(Wanted(text, tuple(beside(a, b, text, SIZE)), address))
+        found.append(LabelRequest(text, tuple(beside(a, b, text, SIZE)), address))
     owners = (address, address.split(".", maxsplit=1)[0])
     unit_of_length, long = setting.mechanism.units.length, abs(b - a) / setting.view.scale
     length = next((text for owner in owners if (text := setting.stated(owner, unit_of_length, long))), "")
     if length:
-        found.append(Wanted(length, tuple(beside(a, b, length, SMALL)), address, SMALL, name=False))
+        found.append(LabelRequest(length, tuple(beside(a, b, length, SMALL)), address, SMALL, name=False))
     return found
 
 
@@ -146,7 +146,7 @@ def beside(a: complex, b: complex, text: str, size: float, far: float = 0.2) -> 
                 yield a + along * (b - a) + out * away
 
 
-def _held(setting: Setting, site: str, inward: complex, found: Sketch) -> None:
+def _draw_support(setting: DrawingContext, site: str, inward: complex, found: Sketch) -> None:
     """Draw the support of a fixed end: a wall or ceiling, a nail, or a winch."""
     if setting.mechanism.site[site].body is not None:
         return
@@ -155,12 +155,12 @@ def _held(setting: Setting, site: str, inward: complex, found: Sketch) -> None:
         text = pull_text(setting.plan, site)
         found.shapes += [Stroke((at, at - ARROW * inward), "string", arrow=True)]
         places = around(at - ARROW * inward, 0.15, width(text, SMALL), start=-inward)
-        found.labels.append(Wanted(text, places, site, SMALL, name=False))
+        found.labels.append(LabelRequest(text, places, site, SMALL, name=False))
     elif setting.view.level:
         found.shapes.append(dot_at(at, NAIL))
     else:
         slanting = any(
-            abs(cross(setting.along(body.name), inward)) < NEAR
+            abs(cross(setting.along(body.name), inward)) < COINCIDENCE_TOLERANCE
             for body in setting.members
             if rides(setting, body) or body.name in setting.mechanism.contacts
         )
@@ -174,7 +174,7 @@ def behind(inward: complex) -> complex:
     return max((RIGHT, -RIGHT, -UP), key=lambda way: -dot(way, inward))
 
 
-def _arm(setting: Setting, body: RigidBody, found: Sketch, front: Sketch) -> None:
+def _arm(setting: DrawingContext, body: RigidBody, found: Sketch, front: Sketch) -> None:
     """Draw a body on an axle: bars from the axle to all that it carries, and the axle."""
     sized = isinstance(setting.look(body.name), Spherical | Axial | Capped | Rectangular | Silhouette)
     if body.name in setting.mechanism.contacts or isinstance(setting.look(body.name), PulleyWheel):
@@ -185,7 +185,7 @@ def _arm(setting: Setting, body: RigidBody, found: Sketch, front: Sketch) -> Non
     if any(body.name in (line.circle or ()) for line in setting.lines):
         return  # a ring leads it
     pivot = setting.view.at(vector(setting.frames[body.name].origin))
-    ends = [] if sized else [end for end in _ends(setting, body) if abs(end - pivot) > NEAR]
+    ends = [] if sized else [end for end in _ends(setting, body) if abs(end - pivot) > COINCIDENCE_TOLERANCE]
     for end in ends:
         found.shapes.append(Stroke((pivot, end), "rod"))
     if ends:
@@ -193,17 +193,19 @@ def _arm(setting: Setting, body: RigidBody, found: Sketch, front: Sketch) -> Non
         owner = body.name.split(".", maxsplit=1)[0]
         text = setting.stated(owner, setting.mechanism.units.length, abs(far - pivot) / setting.view.scale)
         pieces = pieces_on(setting, body)
-        if text and not (len(pieces) > 1 and any(abs(setting.at(piece) - far) < NEAR for piece in pieces)):
-            found.labels.append(Wanted(text, tuple(beside(pivot, far, text, SMALL)), owner, SMALL, name=False))
+        if text and not (
+            len(pieces) > 1 and any(abs(setting.at(piece) - far) < COINCIDENCE_TOLERANCE for piece in pieces)
+        ):
+            found.labels.append(LabelRequest(text, tuple(beside(pivot, far, text, SMALL)), owner, SMALL, name=False))
         _lettered(setting, body.name, pivot, far, found)
     if body.parent is None and not setting.view.level:
         mean = sum(ends) / len(ends) - pivot if ends else -UP
-        found.shapes += plate(behind(unit(mean) if abs(mean) > NEAR else -UP), pivot, PLATE + 0.1, 0.9)
+        found.shapes += plate(behind(unit(mean) if abs(mean) > COINCIDENCE_TOLERANCE else -UP), pivot, PLATE + 0.1, 0.9)
     if not stiff:
         front.shapes.append(Arc(pivot, PIVOT))
 
 
-def pieces_on(setting: Setting, arm: RigidBody) -> list[str]:
+def pieces_on(setting: DrawingContext, arm: RigidBody) -> list[str]:
     """Return the addresses of bodies of stated size on an arm whose distances from the axle are stated."""
     sized = Spherical | Axial | Capped | Rectangular | Silhouette
     return [
@@ -211,16 +213,16 @@ def pieces_on(setting: Setting, arm: RigidBody) -> list[str]:
     ]
 
 
-def _lettered(setting: Setting, address: str, pivot: complex, far: complex, found: Sketch) -> None:
+def _lettered(setting: DrawingContext, address: str, pivot: complex, far: complex, found: Sketch) -> None:
     """Draw the name of an arm that is itself a body."""
     body = setting.bodies.get(address)
     if body is not None and isinstance(body.look, Slender) and body.letters:
         text = setting.plan.name(address)
-        found.labels.append(Wanted(text, tuple(beside(pivot, far, text, SIZE)), address))
+        found.labels.append(LabelRequest(text, tuple(beside(pivot, far, text, SIZE)), address))
         setting.drawn.add(address)
 
 
-def _ends(setting: Setting, body: RigidBody) -> Iterator[complex]:
+def _ends(setting: DrawingContext, body: RigidBody) -> Iterator[complex]:
     """Yield the end points of a body's arm: its own mass, the bodies it carries, its sites."""
     if body.mass > 0.0:
         yield setting.at(body.name)

@@ -11,20 +11,20 @@ from sim2reason.figures.scaled.arrows import deflections, heights, speeds, spins
 from sim2reason.figures.scaled.grounds import grounds
 from sim2reason.figures.scaled.lines import beside, lines, pieces_on
 from sim2reason.figures.scaled.pushes import fields, pushes
-from sim2reason.figures.scaled.setting import SLAB, Setting, vector
+from sim2reason.figures.scaled.setting import SLAB, DrawingContext, vector
 from sim2reason.figures.scaled.tabletop import axes
-from sim2reason.figures.shapes import SIZE, SMALL, Arc, LineShape, Shape, Sketch, Wanted, dot_at, outline, width
+from sim2reason.figures.shapes import SIZE, SMALL, Arc, LabelRequest, LineShape, Shape, Sketch, dot_at, outline, width
 from sim2reason.figures.vectors import Polygon, box, dot, hull, unit
 from sim2reason.scenes.dsl.body import Axial, Globe, PulleyWheel, Slender, Spherical, Tabletop, Unseen
 from sim2reason.scenes.dsl.mechanism import RigidBody
 from sim2reason.simulation.quantities.subjects.paths import rim_of
 
-CLEAR, APART = 0.3, 0.42  # units, from a piece to the first line of dimension and from that to the next
+CLEAR, DIMENSION_SPACING = 0.3, 0.42  # units, from a piece to the first line of dimension and from that to the next
 NONE = 1e-6  # degrees; a smaller angle is not drawn
 ARC = 0.35  # units beyond the body at which an angle is marked
 
 
-def stated(setting: Setting) -> Sketch:
+def stated(setting: DrawingContext) -> Sketch:
     """Return the sketch of all stated distances, angles and friction coefficients."""
     found = Sketch()
     if not setting.view.level:
@@ -38,7 +38,7 @@ def stated(setting: Setting) -> Sketch:
     return found
 
 
-def _pieces(setting: Setting, arm: RigidBody, found: Sketch) -> None:
+def _pieces(setting: DrawingContext, arm: RigidBody, found: Sketch) -> None:
     """Draw the distances of several bodies on an arm from its axle, the shortest dimension line innermost."""
     pieces = pieces_on(setting, arm)
     if len(pieces) < 2:
@@ -52,7 +52,7 @@ def _pieces(setting: Setting, arm: RigidBody, found: Sketch) -> None:
         text = setting.stated(owner_of(piece), setting.mechanism.units.length, far)
         if text:
             _dimension(pivot, end, aside * out, text, piece, found)
-            aside += APART
+            aside += DIMENSION_SPACING
 
 
 def _dimension(start: complex, end: complex, by: complex, text: str, subject: str, found: Sketch) -> None:
@@ -61,10 +61,10 @@ def _dimension(start: complex, end: complex, by: complex, text: str, subject: st
     found.shapes += [LineShape((middle, tip + by), "hair", arrow=True) for tip in (start, end)]
     found.shapes += [LineShape((tip, tip + 1.05 * by), "hair") for tip in (start, end)]
     places = beside(start + by, end + by, text, SMALL, far=0.08)
-    found.labels.append(Wanted(text, tuple(places), subject, SMALL, name=False))
+    found.labels.append(LabelRequest(text, tuple(places), subject, SMALL, name=False))
 
 
-def _bearing(setting: Setting, body: RigidBody, found: Sketch) -> None:
+def _bearing(setting: DrawingContext, body: RigidBody, found: Sketch) -> None:
     """Draw the angle between the vertical and the line from a body's centre to its hole, if the text states it."""
     look = setting.look(body.name)
     if not isinstance(look, Axial | Spherical) or not look.hole or not look.offset:
@@ -75,7 +75,7 @@ def _bearing(setting: Setting, body: RigidBody, found: Sketch) -> None:
         return
     turn = degrees(phase(unit(way))) % 360.0
     value = min((turn - 90.0) % 360.0, (90.0 - turn) % 360.0)
-    text = setting.once(owner_of(body.name), "deg", value) if value > NONE else ""
+    text = setting.state_once(owner_of(body.name), "deg", value) if value > NONE else ""
     if not text:
         return
     radius, low = setting.radius(body.name), min(turn, 90.0) if turn <= 270.0 else turn - 360.0
@@ -87,10 +87,10 @@ def _bearing(setting: Setting, body: RigidBody, found: Sketch) -> None:
     ]
     wide = 0.5 * width(text, SMALL) * abs(middle.real) + 0.5 * SMALL * abs(middle.imag)
     places = tuple(at + (far + wide) * middle for far in (arc + 0.1, arc + 0.4, radius + 0.15, radius + 0.5))
-    found.labels.append(Wanted(text, places, body.name, SMALL, name=False))
+    found.labels.append(LabelRequest(text, places, body.name, SMALL, name=False))
 
 
-def _turned(setting: Setting) -> Iterator[tuple[str, str]]:
+def _turned(setting: DrawingContext) -> Iterator[tuple[str, str]]:
     """Yield the sites where a string leaves a body, each with the site of the fixed pulley it leads to."""
     for line in setting.mechanism.lines:
         for one, other in ((line.through[:2]), line.through[:-3:-1]):
@@ -100,14 +100,14 @@ def _turned(setting: Setting) -> Iterator[tuple[str, str]]:
                 yield one, other
 
 
-def _leaving(setting: Setting, site: str, wheel: str, found: Sketch) -> None:
+def _leaving(setting: DrawingContext, site: str, wheel: str, found: Sketch) -> None:
     """Draw the stated distance of the pulley that a string leads to, and the string's angle to the horizontal."""
     start, end = setting.site(site), setting.site(wheel)
     way, owner = unit(end - start), owner_of(site)
     text = setting.stated(owner, setting.mechanism.units.length, abs(end - start) / setting.view.scale)
     rim = setting.edge(site, way)
     if text:
-        found.labels.append(Wanted(text, tuple(beside(rim, end, text, SMALL)), wheel, SMALL, name=False))
+        found.labels.append(LabelRequest(text, tuple(beside(rim, end, text, SMALL)), wheel, SMALL, name=False))
     raised = degrees(phase(way if way.real >= 0.0 else complex(-way.real, way.imag)))
     angle = setting.stated(owner, "deg", abs(raised))
     if not angle:
@@ -119,28 +119,28 @@ def _leaving(setting: Setting, site: str, wheel: str, found: Sketch) -> None:
     beyond = radius + 0.1 + 0.5 * width(angle, SMALL) * abs(middle.real) + 0.5 * SMALL * abs(middle.imag)
     found.shapes.append(Arc(start, radius, *turn, weight="thin"))
     places = tuple(start + (beyond + 0.12 * n) * middle for n in range(5))
-    found.labels.append(Wanted(angle, places, wheel, SMALL, name=False))
+    found.labels.append(LabelRequest(angle, places, wheel, SMALL, name=False))
 
 
-def _rubbing(setting: Setting, upper: str, lower: str, found: Sketch) -> None:
+def _rubbing(setting: DrawingContext, upper: str, lower: str, found: Sketch) -> None:
     """Draw the stated friction between two slabs, at one end of their contact face."""
     names = sorted(setting.plan.name(address) for address in (upper, lower))
     letter = rf"$\mu_{{{names[0]}{names[1]}}}$" if max(map(len, names)) == 1 else "µ"
-    text = setting.plan.rubbing(owner_of(upper), setting.mechanism.contacts[upper], letter)
+    text = setting.plan.friction_text(owner_of(upper), setting.mechanism.contacts[upper], letter)
     if not text:
         return
     along, at = setting.along(upper), setting.at(upper)
     normal = along * 1j if dot(at - setting.at(lower), along * 1j) >= 0.0 else along * -1j
     foot, half = at - 0.5 * SLAB * normal, 0.5 * setting.sizes(upper)[0]
     ends = tuple(foot + side * half * along for side in (-1.0, 1.0))
-    found.labels.append(Wanted(text, (), upper, SMALL, name=False, anchors=ends))
+    found.labels.append(LabelRequest(text, (), upper, SMALL, name=False, anchors=ends))
 
 
 WHEEL = 0.16  # units, the least radius of a pulley
 ELSEWHERE = (Slender, Unseen, Globe, Tabletop)  # looks drawn by other modules, not at the body's position
 
 
-def scaled(setting: Setting) -> Sketch:
+def scaled(setting: DrawingContext) -> Sketch:
     """Return the sketch of some entities and connections, drawn to scale."""
     found, front = Sketch(), Sketch()
     found.extend(fields(setting))
@@ -164,7 +164,7 @@ def scaled(setting: Setting) -> Sketch:
     return found
 
 
-def _pulley(setting: Setting, address: str) -> Sketch:
+def _pulley(setting: DrawingContext, address: str) -> Sketch:
     """Return the sketch of a pulley between the two points of its rim, with its axle and name."""
     sides = rim_of(setting.mechanism, address)
     if sides is None:
@@ -177,20 +177,22 @@ def _pulley(setting: Setting, address: str) -> Sketch:
     text = setting.plan.caption(address)
     size = SIZE if text == setting.plan.name(address) else SMALL
     setting.drawn.add(address)
-    return Sketch(shapes, [Wanted(text, around(middle, radius + 0.1, width(text, size), start=1 + 1j), address, size)])
+    return Sketch(
+        shapes, [LabelRequest(text, around(middle, radius + 0.1, width(text, size), start=1 + 1j), address, size)]
+    )
 
 
-def _strangers(setting: Setting, found: Sketch) -> None:
+def _strangers(setting: DrawingContext, found: Sketch) -> None:
     """Draw the bodies of the text that nothing above has drawn, below everything else."""
     left, low, _, _ = box([point for shape in found.shapes for point in outline(shape)] or [0j])
     named = {wanted.subject for wanted in found.labels if wanted.name}
     missing = [a for a, body in setting.bodies.items() if body.letters and a not in named]
     missing += [a for a, body in setting.bodies.items() if body.look is None and a not in named and a not in missing]
     for number, address in enumerate(missing):
-        found.extend(bodies.stranger(setting, address, complex(left + 1.0 + 2.4 * number, low - 0.9)))
+        found.extend(bodies.undeclared_body(setting, address, complex(left + 1.0 + 2.4 * number, low - 0.9)))
 
 
-def _legend(setting: Setting, found: Sketch) -> None:
+def _legend(setting: DrawingContext, found: Sketch) -> None:
     """Draw the scale of the velocities, below the right end of the drawing."""
     if setting.legend is None:
         return
@@ -199,7 +201,7 @@ def _legend(setting: Setting, found: Sketch) -> None:
     low = min([low, *(wanted.places[0].imag for wanted in found.labels)])
     start = complex(max(left, right - long - 0.3 - width(text, SMALL)), low - 0.55)
     found.shapes.append(LineShape((start, start + long), "thin", arrow=True))
-    found.labels.append(Wanted(text, (start + long + 0.2 + 0.5 * width(text, SMALL),), "", SMALL, name=False))
+    found.labels.append(LabelRequest(text, (start + long + 0.2 + 0.5 * width(text, SMALL),), "", SMALL, name=False))
 
 
 class ScaledPiece(Piece):
@@ -208,7 +210,7 @@ class ScaledPiece(Piece):
     def __init__(self, name: str, plan: DrawingPlan, group: frozenset[str]) -> None:
         """Draw the group once, for all positions."""
         super().__init__(name, plan)
-        self.setting = Setting(plan, group)
+        self.setting = DrawingContext(plan, group)
         self.picture = scaled(self.setting)
         solid = (s for s in self.picture.shapes if not isinstance(s, LineShape) or s.weight != "hair")
         self.outlines = [found for shape in solid if len(found := hull(outline(shape))) > 1]

@@ -8,9 +8,9 @@ from math import degrees, hypot
 from sim2reason.figures.paths import owner_of
 from sim2reason.figures.scaled.angles import corner_angle
 from sim2reason.figures.scaled.lines import beside
-from sim2reason.figures.scaled.setting import Setting, vector
+from sim2reason.figures.scaled.setting import DrawingContext, vector
 from sim2reason.figures.scaled.tabletop import spread
-from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LineShape, Shape, Sketch, Wanted, dot_at, width
+from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LabelRequest, LineShape, Shape, Sketch, dot_at, width
 from sim2reason.figures.vectors import RIGHT, Polygon, dot, unit
 from sim2reason.scenes.dsl.body import Small
 from sim2reason.scenes.dsl.fields import Law, Push
@@ -22,14 +22,14 @@ LONG, BASE = 1.3, 1.1  # units: length of an arrow, and of the line from which i
 FLAT = 1e-6  # degrees or units; smaller values count as zero
 
 
-def is_push(setting: Setting, force: Force) -> bool:
+def is_push(setting: DrawingContext, force: Force) -> bool:
     """Return whether a force is constant in space and time and acts on an uncharged body."""
     look = setting.look(force.body)
     charged = isinstance(look, Small) and bool(look.mark)
     return isinstance(force.law, Push) and force.law.constant and force.region is None and not charged
 
 
-def pushes(setting: Setting) -> Sketch:
+def pushes(setting: DrawingContext) -> Sketch:
     """Draw an arrow for each constant force at the body's rim, with its stated magnitude and angle."""
     found = Sketch()
     for force in setting.mechanism.forces:
@@ -38,7 +38,7 @@ def pushes(setting: Setting) -> Sketch:
     return found
 
 
-def _draw(setting: Setting, force: Force, found: Sketch) -> None:
+def _draw(setting: DrawingContext, force: Force, found: Sketch) -> None:
     law = force.law
     assert isinstance(law, Push)
     strength = vector(scale(law.profile.value, law.direction))
@@ -52,10 +52,12 @@ def _draw(setting: Setting, force: Force, found: Sketch) -> None:
     if text:
         tip = start + (LONG + 0.15 + 0.5 * width(text, SMALL) * abs(out.real) + 0.2 * abs(out.imag)) * out
         places = (tip, *beside(start, start + LONG * out, text, SMALL))
-        found.labels.append(Wanted(text, places, name, SMALL, name=False))
+        found.labels.append(LabelRequest(text, places, name, SMALL, name=False))
     for base in _bases(setting, name):
         turn = phase(out / base)
-        angle = setting.once(owner_of(name), "deg", degrees(abs(turn))) if FLAT < degrees(abs(turn)) <= 90.0 else ""
+        angle = (
+            setting.state_once(owner_of(name), "deg", degrees(abs(turn))) if FLAT < degrees(abs(turn)) <= 90.0 else ""
+        )
         if angle:
             begin = degrees(phase(base))
             found.shapes.append(LineShape((start, start + BASE * base), "hair", dashed=True))
@@ -63,7 +65,7 @@ def _draw(setting: Setting, force: Force, found: Sketch) -> None:
             return
 
 
-def _bases(setting: Setting, name: str) -> list[complex]:
+def _bases(setting: DrawingContext, name: str) -> list[complex]:
     """Return the directions from which a force's angle is measured: the body's slides, then the horizontal."""
     slides = [c.axis for c in setting.mechanism.body[name].coordinates if c.kind == "slide"]
     ways = [unit(way) for axis in slides if abs(way := setting.view.way(axis)) > FLAT]
@@ -77,7 +79,7 @@ NEGATIVE = "\N{MINUS SIGN}"
 SOON, FAINT = 1e-3, 1e-12  # s after the start at which a field is evaluated; smallest field that is drawn
 
 
-def fields(setting: Setting) -> Sketch:
+def fields(setting: DrawingContext) -> Sketch:
     """Draw the regions, and the marks of every field with a direction."""
     found = Sketch()
     for region, _ in setting.regions():
@@ -92,7 +94,7 @@ def fields(setting: Setting) -> Sketch:
     return found
 
 
-def _marks(setting: Setting, force: Force, shift: complex, found: Sketch, letters: set[str]) -> bool:
+def _marks(setting: DrawingContext, force: Force, shift: complex, found: Sketch, letters: set[str]) -> bool:
     """Draw the marks of a field on a grid, one with its letter; return whether there are any."""
     places = _grid(spread(setting), shift)
     inside = [at for at in places if force.region is None or _inside(setting, force.region, at)]
@@ -102,7 +104,7 @@ def _marks(setting: Setting, force: Force, shift: complex, found: Sketch, letter
     if shown and letter not in letters:
         letters.add(letter)
         spots = tuple(at + complex(0.34, 0.3) for at in sorted(inside, key=lambda p: (-p.imag, -p.real)))
-        found.labels.append(Wanted(f"{letter} field", spots, "", SIZE, name=False))  # no body has such a name
+        found.labels.append(LabelRequest(f"{letter} field", spots, "", SIZE, name=False))  # no body has such a name
     return bool(shown)
 
 
@@ -116,7 +118,7 @@ def _grid(area: tuple[float, float, float, float], shift: complex) -> Iterator[c
                 yield at
 
 
-def mark_at(setting: Setting, force: Force, at: complex) -> tuple[str, list[Shape]] | None:
+def mark_at(setting: DrawingContext, force: Force, at: complex) -> tuple[str, list[Shape]] | None:
     """Return the letter and the mark of a field at a position; None where it is zero or has no direction."""
     sign = _charged(setting, force.body)
     unit_charge = -1.0 if sign == NEGATIVE else 1.0
@@ -128,7 +130,7 @@ def mark_at(setting: Setting, force: Force, at: complex) -> tuple[str, list[Shap
     return None
 
 
-def parts(setting: Setting, law: Law, where: Vector, time: float) -> tuple[Vector, Vector]:
+def parts(setting: DrawingContext, law: Law, where: Vector, time: float) -> tuple[Vector, Vector]:
     """Return the force of a law on a body at rest, and its magnetic field B with F = v × B, as vectors.
 
     The magnetic field follows from the force F(v) on velocities along the page's two axes x, y and out of the page z,
@@ -144,7 +146,7 @@ def parts(setting: Setting, law: Law, where: Vector, time: float) -> tuple[Vecto
     return vector(law.force(where, ZERO, time, math)), field
 
 
-def _symbol(setting: Setting, strength: Vector, at: complex) -> list[Shape]:
+def _symbol(setting: DrawingContext, strength: Vector, at: complex) -> list[Shape]:
     """Return a cross for a vector into the page, a dot for one out of it, else an arrow."""
     out, way = inner(setting.view.towards, strength), setting.view.way(strength)
     if abs(way) > abs(out):
@@ -156,23 +158,23 @@ def _symbol(setting: Setting, strength: Vector, at: complex) -> list[Shape]:
     return [LineShape((at - a, at + a), "hair"), LineShape((at - b, at + b), "hair")]
 
 
-def _charged(setting: Setting, body: str) -> str:
+def _charged(setting: DrawingContext, body: str) -> str:
     """Return the sign of a body's charge; an empty text if it has none."""
     look = setting.look(body)
     return look.mark if isinstance(look, Small) else ""
 
 
-def place(setting: Setting, at: complex) -> Vector:
+def place(setting: DrawingContext, at: complex) -> Vector:
     """Return the position in the world frame of a point of the page."""
     view = setting.view
     return add(scale(at.real / view.scale, view.right), scale(at.imag / view.scale, view.up))
 
 
-def _inside(setting: Setting, region: Region, at: complex) -> bool:
+def _inside(setting: DrawingContext, region: Region, at: complex) -> bool:
     return all(float(margin) * setting.view.scale > 0.3 for margin in region.margins(place(setting, at), math))
 
 
-def border(setting: Setting, region: Region) -> Polygon:
+def border(setting: DrawingContext, region: Region) -> Polygon:
     """Return the outline of a region on the page, clipped to the drawing; empty for unknown kinds of regions."""
     view, (left, low, right, high) = setting.view, spread(setting)
     page: Polygon = (complex(left, low), complex(right, low), complex(right, high), complex(left, high))

@@ -8,8 +8,8 @@ from math import degrees
 from sim2reason.figures.hanging import plate
 from sim2reason.figures.paths import flat, is_pulley, owner_of
 from sim2reason.figures.scaled.angles import corner_angle
-from sim2reason.figures.scaled.setting import BESIDE, STEEP, Setting
-from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LineShape, Sketch, Wanted, dot_at, hatched
+from sim2reason.figures.scaled.setting import BESIDE, STEEP, DrawingContext
+from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LabelRequest, LineShape, Sketch, dot_at, hatched
 from sim2reason.figures.vectors import RIGHT, UP, cross, unit
 from sim2reason.scenes.dsl.body import BigBox, Small
 from sim2reason.scenes.dsl.mechanism import RigidBody
@@ -21,7 +21,7 @@ FLAT = 1e-6
 TILTED = 2.2  # units, length of the horizontal line at the foot of a rail
 
 
-def rides(setting: Setting, body: RigidBody) -> bool:
+def rides(setting: DrawingContext, body: RigidBody) -> bool:
     """Return whether a small body is guided along a line that is not vertical, without a surface below it."""
     look, slides = setting.look(body.name), [c for c in body.coordinates if c.kind == "slide"]
     if not isinstance(look, Small) or body.name in setting.mechanism.contacts or setting.view.level:
@@ -30,7 +30,7 @@ def rides(setting: Setting, body: RigidBody) -> bool:
     return led and abs(setting.view.way(slides[0].axis).real) > STEEP
 
 
-def walls(setting: Setting, point: complex, way: complex, on: str | None = None) -> Iterator[complex]:
+def walls(setting: DrawingContext, point: complex, way: complex, on: str | None = None) -> Iterator[complex]:
     """Yield the ends on the rail through `point` of lines that are fixed to the ground or to the body `on`."""
     for line in setting.lines:
         for site in (line.through[0], line.through[-1]):
@@ -39,7 +39,7 @@ def walls(setting: Setting, point: complex, way: complex, on: str | None = None)
                 yield at
 
 
-def rails(setting: Setting) -> Sketch:
+def rails(setting: DrawingContext) -> Sketch:
     """Return the sketch of all rails, guides, boxes and unnamed pulleys, behind the bodies."""
     found = Sketch()
     riding: dict[tuple[float, float], list[RigidBody]] = {}
@@ -58,7 +58,7 @@ def rails(setting: Setting) -> Sketch:
     return found
 
 
-def _rail(setting: Setting, group: list[RigidBody], found: Sketch) -> None:
+def _rail(setting: DrawingContext, group: list[RigidBody], found: Sketch) -> None:
     """Draw a rail: below carts and bodies with lines or neighbours along it, else through the body's middle."""
     body = group[0]
     way, at, look = setting.along(body.name), setting.at(body.name), setting.look(body.name)
@@ -78,16 +78,16 @@ def _rail(setting: Setting, group: list[RigidBody], found: Sketch) -> None:
     _tilt(setting, body, at + min(ends) * way - down, way, found)
 
 
-def _tilt(setting: Setting, body: RigidBody, low: complex, way: complex, found: Sketch) -> None:
+def _tilt(setting: DrawingContext, body: RigidBody, low: complex, way: complex, found: Sketch) -> None:
     """Draw the angle between a rail and the horizontal at its left end, if the text states it."""
     turn = degrees(phase(way))
-    text = setting.once(owner_of(body.name), "deg", abs(turn)) if abs(turn) > FLAT else ""
+    text = setting.state_once(owner_of(body.name), "deg", abs(turn)) if abs(turn) > FLAT else ""
     if text:
         found.shapes.append(LineShape((low, low + TILTED), "hair", dashed=True))
         found.extend(corner_angle(low, (0.0, turn), text, body.name))
 
 
-def _stops(setting: Setting, group: list[RigidBody], way: complex, at: complex) -> Iterator[float]:
+def _stops(setting: DrawingContext, group: list[RigidBody], way: complex, at: complex) -> Iterator[float]:
     """Yield the positions of walls that bodies on a rail may hit, relative to `at`."""
     names = {body.name for body in group}
     for meeting in setting.mechanism.meetings:
@@ -97,11 +97,11 @@ def _stops(setting: Setting, group: list[RigidBody], way: complex, at: complex) 
                 yield ((meeting.distance * setting.view.scale * normal - at) / way).real
 
 
-def _carries(setting: Setting, body: RigidBody) -> bool:
+def _carries(setting: DrawingContext, body: RigidBody) -> bool:
     return any(other.parent == body.name for other in setting.members)
 
 
-def _box(setting: Setting, address: str, found: Sketch) -> None:
+def _box(setting: DrawingContext, address: str, found: Sketch) -> None:
     """Draw the outline of a box, the guides at its sides, and the floor."""
     held = [body for body in setting.members if body.parent == address]
     lying = [body for body in held if body.name in setting.mechanism.contacts]
@@ -127,11 +127,11 @@ def _box(setting: Setting, address: str, found: Sketch) -> None:
     _eyes(setting, address, sides, found)
     text = setting.plan.caption(address)
     size = SIZE if text == setting.plan.name(address) else SMALL
-    found.labels.append(Wanted(text, (0.5 * (corners[0] + corners[2]),), address, size))
+    found.labels.append(LabelRequest(text, (0.5 * (corners[0] + corners[2]),), address, size))
     setting.drawn.add(address)
 
 
-def _eyes(setting: Setting, address: str, sides: dict[float, float], found: Sketch) -> None:
+def _eyes(setting: DrawingContext, address: str, sides: dict[float, float], found: Sketch) -> None:
     """Draw short arms from a box to the ends of strings on it, and to the pulleys at its edges."""
     ends = {site for line in setting.mechanism.lines for site in (line.through[0], line.through[-1])}
     for site in setting.mechanism.sites:
@@ -146,7 +146,7 @@ def _eyes(setting: Setting, address: str, sides: dict[float, float], found: Sket
             found.shapes.append(LineShape((complex(wall, at.imag), at), "edge"))
 
 
-def _bends(setting: Setting) -> Iterator[tuple[str, complex, complex]]:
+def _bends(setting: DrawingContext) -> Iterator[tuple[str, complex, complex]]:
     """Yield the sites without named pulleys at which strings bend, with both directions away from them."""
     for line in setting.mechanism.lines:
         for (before, _), (site, after) in pairwise(pairwise(line.through)):
@@ -156,7 +156,7 @@ def _bends(setting: Setting) -> Iterator[tuple[str, complex, complex]]:
                     yield site, a, b
 
 
-def _way(setting: Setting, site: str, other: str) -> complex:
+def _way(setting: DrawingContext, site: str, other: str) -> complex:
     """Return the direction from a site to its neighbour on a string."""
     if setting.owns(other):
         return unit(setting.site(other) - setting.site(site))
@@ -170,7 +170,7 @@ def _axle(at: complex, before: complex, after: complex) -> complex:
     return at + WHEEL / abs(cross(middle, after)) * middle
 
 
-def _wheel(setting: Setting, site: str, before: complex, after: complex, found: Sketch) -> None:
+def _wheel(setting: DrawingContext, site: str, before: complex, after: complex, found: Sketch) -> None:
     """Draw a small pulley inside the bend of a string, supported from outside."""
     at = _axle(setting.site(site), before, after)
     if setting.mechanism.site[site].body is None:

@@ -5,12 +5,12 @@ from collections.abc import Iterator
 from itertools import product
 
 from sim2reason.base.lazy import cached_property
-from sim2reason.figures.pieces import LIKE, DrawingPlan
-from sim2reason.figures.scaled.view import APART, COILED, FROM_ABOVE, SPAN, View, fitting, sides
+from sim2reason.figures.pieces import VALUE_TOLERANCE, DrawingPlan
+from sim2reason.figures.scaled.view import COILED, FROM_ABOVE, NEIGHBOUR_GAP, SPAN, View, fitting, sides
 from sim2reason.figures.vectors import RIGHT
 from sim2reason.scenes.dsl.body import Axial, Body, BodyLook, Capped, Rectangular, Silhouette, Small, Spherical
 from sim2reason.scenes.dsl.collector import Axes
-from sim2reason.scenes.dsl.frames import Frames, start
+from sim2reason.scenes.dsl.frames import Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import Elastic, Line, RigidBody, X, Y, Z
 from sim2reason.scenes.dsl.vectors import BoxRegion, DiscRegion, HalfSpace, Region, Triple, Vector, add, inner, scale
 
@@ -33,7 +33,7 @@ def vector(triple: Triple) -> Vector:
     return (float(triple[0]), float(triple[1]), float(triple[2]))
 
 
-class Setting:
+class DrawingContext:
     """The geometry of the part of a scene that is drawn to scale in one piece."""
 
     def __init__(self, plan: DrawingPlan, owners: frozenset[str]) -> None:
@@ -41,7 +41,7 @@ class Setting:
         self.plan, self.owners = plan, owners
         self.mechanism = plan.paths.mechanism
         rest, speeds = zip(*((0.0, c.speed) for c in self.mechanism.coordinates), strict=True)
-        self.frames, self.moving = start(self.mechanism), Frames(self.mechanism, rest, speeds, math)
+        self.frames, self.moving = initial_frames(self.mechanism), Frames(self.mechanism, rest, speeds, math)
         self.members = [body for body in self.mechanism.bodies if self.owns(body.name)]
         self.lines: list[Line] = [line for line in self.mechanism.lines if self.owns(line.whole)]
         right, up = sides(self.mechanism, self.members)
@@ -52,11 +52,11 @@ class Setting:
         seen = [plain.at(place) for place in self._places()]
         wanted = FROM_ABOVE if plain.level else SPAN
         coils = any(isinstance(line.law, Elastic) for line in self.lines)
-        size = fitting(seen or [0j], small, largest, wanted, apart=COILED if coils else APART)
+        size = fitting(seen or [0j], small, largest, wanted, apart=COILED if coils else NEIGHBOUR_GAP)
         thick = [
             math.dist(vector(self.frames[a].origin), vector(self.frames[b].origin)) for a, b in self.stacked.items()
         ]
-        self.view = View(right, up, SLAB / min(thick) if thick and min(thick) > LIKE else size)
+        self.view = View(right, up, SLAB / min(thick) if thick and min(thick) > VALUE_TOLERANCE else size)
         self.drawn: set[str] = set()  # addresses, as the parts of the drawing come
         self._shown: set[tuple[str, str]] = set()
         self.legend: tuple[float, str] | None = None  # how long an arrow is, and for which speed
@@ -184,7 +184,7 @@ class Setting:
     def rim(self, body: str | None, at: complex, way: complex) -> complex:
         """Return the point where a line from a position on a body along a unit vector leaves the drawn body."""
         look = None if body is None else self.look(body)
-        if body is None or not isinstance(look, Small) or abs(at - self.at(body)) > LIKE:
+        if body is None or not isinstance(look, Small) or abs(at - self.at(body)) > VALUE_TOLERANCE:
             return at
         if look.kind not in OBLONG:
             return at + self.radius(body) * way
@@ -205,7 +205,7 @@ class Setting:
         """Return a stated number of an entity with that unit and value, or an empty text."""
         return self.plan.stated(owner, unit, value)
 
-    def once(self, owner: str, unit: str, value: float) -> str:
+    def state_once(self, owner: str, unit: str, value: float) -> str:
         """Return a stated number as `stated` does, but an empty text if the drawing already shows it."""
         text = self.stated(owner, unit, value)
         new = (owner, text) not in self._shown
@@ -259,7 +259,7 @@ class Setting:
     def floor(self, body: RigidBody) -> float | None:
         """Return the height of the horizontal ground under a body that can hit it; None without one."""
         for coordinate in body.coordinates:
-            upright = coordinate.kind == "slide" and coordinate.axis[2] > 1.0 - LIKE
+            upright = coordinate.kind == "slide" and coordinate.axis[2] > 1.0 - VALUE_TOLERANCE
             if upright and math.isfinite(coordinate.lower) and body.parent is None:
                 return self.place(body.name)[2] + coordinate.lower
         for meeting in self.mechanism.meetings:

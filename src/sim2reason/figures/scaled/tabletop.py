@@ -4,21 +4,21 @@ from collections.abc import Iterator, Mapping, Sequence
 from math import ceil
 
 from sim2reason.figures.scaled.arrows import speeds
-from sim2reason.figures.scaled.setting import Setting, corners
-from sim2reason.figures.shapes import SMALL, TINY, Area, LineShape, Shape, Sketch, Wanted, hatched, width
+from sim2reason.figures.scaled.setting import DrawingContext, corners
+from sim2reason.figures.shapes import SMALL, TINY, Area, LabelRequest, LineShape, Shape, Sketch, hatched, width
 from sim2reason.figures.vectors import RIGHT, UP, Box, Polygon, box, cross, dot, from_segment, unit
 from sim2reason.scenes.dsl.body import Tabletop
 from sim2reason.scenes.dsl.measures import show_unit
 
 
-def sheet(setting: Setting, area: Box) -> Polygon:
+def sheet(setting: DrawingContext, area: Box) -> Polygon:
     """Return the outline of a tabletop that covers an area."""
     del setting
     left, low, right, high = area
     return (complex(left, low), complex(right, low), complex(right, high), complex(left, high))
 
 
-def spread(setting: Setting, margin: float = 2.1) -> Box:
+def spread(setting: DrawingContext, margin: float = 2.1) -> Box:
     """Return the rectangle around all bodies, origins and field regions with a margin, cut off at a table's walls."""
     origins = [setting.view.at(setting.origin(owner)) for owner in setting.owners]
     borders = [setting.view.at(place) for region, _ in setting.regions() for place in corners(region)]
@@ -27,7 +27,7 @@ def spread(setting: Setting, margin: float = 2.1) -> Box:
     return _within(area, cushions(setting)) if setting.view.level else area
 
 
-def cushions(setting: Setting) -> dict[complex, float]:
+def cushions(setting: DrawingContext) -> dict[complex, float]:
     """Return the offset n·r of each wall of a table on the page, by the direction n from the table to the wall."""
     found: dict[complex, float] = {}
     for meeting in setting.mechanism.meetings:
@@ -44,7 +44,7 @@ def _within(area: Box, bounds: Mapping[complex, float]) -> Box:
     return -bounds.get(-1 + 0j, -left), -bounds.get(-1j, -low), bounds.get(1 + 0j, right), bounds.get(1j, high)
 
 
-def bounding_walls(setting: Setting, area: Box) -> list[Shape]:
+def bounding_walls(setting: DrawingContext, area: Box) -> list[Shape]:
     """Return the walls that bound a table of the given area, hatched on their far side."""
     found: list[Shape] = []
     for way in cushions(setting):
@@ -63,7 +63,7 @@ BELOW, LINED = 0.55, 1e-6  # units: x axis below bodies on a track; tolerance of
 CROSS = 1.0  # length of an axis without numbers
 
 
-def axes(setting: Setting) -> Sketch:
+def axes(setting: DrawingContext) -> Sketch:
     """Return the coordinate axes; an empty sketch if the text names no x or y."""
     found = Sketch()
     labels = {c.label: setting.view.way(c.axis) for body in setting.members for c in body.coordinates}
@@ -85,11 +85,11 @@ def axes(setting: Setting) -> Sketch:
         way = labels.get(name)
         if way is not None and abs(way) > 0.5:
             found.shapes.append(LineShape((corner, corner + CROSS * way), "thin", arrow=True))
-            found.labels.append(Wanted(name, (corner + (CROSS + 0.25) * way,), "", SMALL, name=False))
+            found.labels.append(LabelRequest(name, (corner + (CROSS + 0.25) * way,), "", SMALL, name=False))
     return found
 
 
-def _beside_track(setting: Setting, found: Sketch) -> None:
+def _beside_track(setting: DrawingContext, found: Sketch) -> None:
     """Draw an x axis below the bodies if all of them move along one straight track."""
     slides = [c for body in setting.members for c in body.coordinates if c.kind == "slide"]
     ways = {complex(round(w.real, 9), round(w.imag, 9)) for c in slides if abs(w := setting.view.way(c.axis)) > 0.5}
@@ -106,12 +106,12 @@ def _beside_track(setting: Setting, found: Sketch) -> None:
     found.shapes.append(LineShape((origin + start * way, origin + stop * way), "thin", arrow=True))
     text = f"x ({show_unit(setting.mechanism.units.length)})" if scaled else "x"
     place = origin + (stop + 0.15) * way + 0.5 * width(text, SMALL) * RIGHT
-    found.labels.append(Wanted(text, (place,), "", SMALL, name=False))
+    found.labels.append(LabelRequest(text, (place,), "", SMALL, name=False))
     if scaled:
         _ticks(setting, found, (origin, way, start, stop), [], zero=True)
 
 
-def _walls(setting: Setting, way: complex) -> Iterator[complex]:
+def _walls(setting: DrawingContext, way: complex) -> Iterator[complex]:
     """Yield the points where walls cross the line through the bodies of a track."""
     for meeting in setting.mechanism.meetings:
         if meeting.a is None and meeting.normal is not None and setting.owns(meeting.b):
@@ -121,13 +121,13 @@ def _walls(setting: Setting, way: complex) -> Iterator[complex]:
                 yield at + (meeting.distance * setting.view.scale - dot(at, normal)) * normal
 
 
-def _placed(setting: Setting) -> bool:
+def _placed(setting: DrawingContext) -> bool:
     """Return whether the text states positions as coordinates."""
     names = {p.measure.name for p in setting.plan.scene.parameters if setting.owns(p.path)}
     return "position" in names
 
 
-def _full(setting: Setting, found: Sketch, area: Box, origin: complex) -> None:
+def _full(setting: DrawingContext, found: Sketch, area: Box, origin: complex) -> None:
     """Draw both axes through the origin, with numbers if the text gives all lengths."""
     scaled = not any(setting.plan.leaves_open(owner, setting.mechanism.units.length) for owner in setting.owners)
     left, low, right, high = area
@@ -142,13 +142,13 @@ def _full(setting: Setting, found: Sketch, area: Box, origin: complex) -> None:
         text = f"{name} ({metre})" if scaled else name
         beyond = 0.12 + 0.5 * width(text, SMALL) if way == RIGHT else 0.3
         place = origin + (stop + 0.5 + beyond) * way
-        found.labels.append(Wanted(text, (place,), "", SMALL, name=False))
+        found.labels.append(LabelRequest(text, (place,), "", SMALL, name=False))
         if scaled:
             _ticks(setting, found, (origin, way, start, stop), covered)
 
 
 def _ticks(
-    setting: Setting,
+    setting: DrawingContext,
     found: Sketch,
     axis: tuple[complex, complex, float, float],
     covered: list[tuple[complex, float]],
@@ -177,7 +177,9 @@ def _ticks(
         level = abs(way.real) > abs(way.imag)
         aside = 0.3 if level else 0.17 + 0.5 * width(text, TINY)
         sides = (-1.0, 1.0) if level else (1.0, -1.0)
-        found.labels.append(Wanted(text, tuple(at + side * aside * across for side in sides), "", TINY, name=False))
+        found.labels.append(
+            LabelRequest(text, tuple(at + side * aside * across for side in sides), "", TINY, name=False)
+        )
 
 
 def _is_near(at: complex, arrow: Sequence[complex]) -> bool:

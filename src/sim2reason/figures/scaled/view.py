@@ -10,8 +10,8 @@ from sim2reason.scenes.dsl.vectors import Vector, add, inner, outer, scale, unit
 
 SMALL = 1e-9
 SPAN, FROM_ABOVE = 5.0, 6.5  # units of the larger side of a drawing, seen from the front and from above
-LONGEST = 13.0  # units that this may grow to, so that neighbours do not overlap
-APART, COILED = 1.7, 2.4  # units between neighbours, and between bodies joined by springs
+MAX_SPAN = 13.0  # units that this may grow to, so that neighbours do not overlap
+NEIGHBOUR_GAP, COILED = 1.7, 2.4  # units between neighbours, and between bodies joined by springs
 LARGEST = 2.6  # units across the largest body
 
 
@@ -79,5 +79,5 @@ def fitting(
     found = wanted / span
     nearest = min((abs(a - b) for a, b in combinations(bodies, 2) if abs(a - b) > 1e-3 * span), default=0.0)
     if nearest:
-        found = max(found, min(apart / nearest, LONGEST / span))
+        found = max(found, min(apart / nearest, MAX_SPAN / span))
     return min(found, LARGEST / largest) if largest else found

@@ -8,24 +8,24 @@ from typing import ClassVar, Self
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.base.registry import Registry
-from sim2reason.questions import KINDS, MODES, Kind, Query, Question, Study, Words
+from sim2reason.questions import KINDS, MODES, Kind, Query, Question, SimulatedScene, Words
 from sim2reason.questions.difficulty import Difficulty
 from sim2reason.questions.need import EVERY, Need
-from sim2reason.questions.study import BEYOND
+from sim2reason.questions.study import TIME_MARGIN
 from sim2reason.questions.tolerance import TOLERANCE
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.solutions import Solution
 from sim2reason.solutions.derivation import derivation, is_derived
-from sim2reason.solutions.difficulty import SolutionDifficulty, measured, number_of_events
-from sim2reason.solutions.shortest import is_solved, shortest, shortest_checked
+from sim2reason.solutions.difficulty import SolutionDifficulty, measure_difficulty, number_of_events
+from sim2reason.solutions.shortest import is_solved, shortest_solution, shortest_verified_solution
 
 
 @dataclass(frozen=True)
 class Candidate:
     """A question that may become an item, with its scene, motion and text."""
 
-    study: Study
+    study: SimulatedScene
     question: Question
     prompt: str
     sentences: tuple[str, ...] = ()  # of the scene's text
@@ -60,7 +60,9 @@ class Candidate:
         question = self.question
         if question.formula is not None:
             return derivation(question.query, self.study, self.words)
-        return shortest(question.query, self.study, self.words, question.unknown, question.given, max(self.needs))
+        return shortest_solution(
+            question.query, self.study, self.words, question.unknown, question.given, max(self.needs)
+        )
 
     @property
     def checked(self) -> Self:
@@ -69,7 +71,7 @@ class Candidate:
         if self.words is None or question.formula is not None or found is None or found.answer is None:
             return self
         asked = question.query, self.study, self.words, question.unknown, question.given, max(self.needs)
-        other = shortest_checked(*asked)
+        other = shortest_verified_solution(*asked)
         return self if other is found else replace(self)
 
     @property
@@ -84,7 +86,7 @@ class Candidate:
     def measured(self) -> SolutionDifficulty | None:
         """Return the difficulty of the shortest solution with those of earlier parts; None without a solution."""
         held = self.solved
-        return measured(*held, *(part for each in self.beside for part in each.solved)) if held else None
+        return measure_difficulty(*held, *(part for each in self.beside for part in each.solved)) if held else None
 
     @property
     def solved(self) -> tuple[tuple[Solution, int], ...]:
@@ -96,15 +98,15 @@ class Candidate:
     @property
     def until(self) -> float | None:
         """Return the time to which variants of this scene are simulated, s."""
-        return None if self.time is None else BEYOND * self.time
+        return None if self.time is None else TIME_MARGIN * self.time
 
     @cached_property
-    def _responses(self) -> dict[Study, float | None]:
+    def _responses(self) -> dict[SimulatedScene, float | None]:
         """Return the cached answers in changed scenes, which several filters and the symbolic mode share."""
         asked = replace(self.question, text="", formula=None, assumed=())
-        return self.study.once(("responses", asked), dict[Study, float | None])
+        return self.study.memoize(("responses", asked), dict[SimulatedScene, float | None])
 
-    def response(self, other: Study | None) -> float | None:
+    def response(self, other: SimulatedScene | None) -> float | None:
         """Return the answer to the same question in a changed scene; None if it has none."""
         if other is None:
             return None
@@ -112,7 +114,7 @@ class Candidate:
             self._responses[other] = self._answered(other)
         return self._responses[other]
 
-    def _answered(self, other: Study) -> float | None:
+    def _answered(self, other: SimulatedScene) -> float | None:
         if not _has(other, self.question.query):
             return None
         time = self.kind.time(self.question.query, other)
@@ -121,7 +123,7 @@ class Candidate:
         found = MODES[self.question.mode].response(self.question, self.study, other)
         return found if found is not None and isfinite(found) else None
 
-    def far_response(self, other: Study | None) -> float | None:
+    def far_response(self, other: SimulatedScene | None) -> float | None:
         """Return the answer in a changed scene, simulated as long as necessary unless a result is given."""
         if other is None or self.question.given is not None or not _has(other, self.question.query):
             return self.response(other)
@@ -131,7 +133,7 @@ class Candidate:
         found = self.kind.far_answer(self.question.query, other)
         return found if found is not None and isfinite(found) else None
 
-    def change(self, other: Study | None) -> float:
+    def change(self, other: SimulatedScene | None) -> float:
         """Return the relative change of the answer in a changed scene; infinite if it has no answer."""
         return self.change_to(self.response(other))
 
@@ -140,7 +142,7 @@ class Candidate:
         return inf if answer is None else abs(answer / self.question.answer - 1.0)
 
 
-def _has(study: Study, query: Query) -> bool:
+def _has(study: SimulatedScene, query: Query) -> bool:
     """Return whether a changed scene still contains the objects and quantities of a query."""
     mechanism, target = study.mechanism, query.target
     if query.moment is not None and not query.moment.possible(mechanism):
@@ -157,7 +159,7 @@ class Verdict:
     reason: str = ""
 
     @property
-    def counted(self) -> str:
+    def manifest_name(self) -> str:
         """Return the name under which a manifest counts the verdict: the filter's, with the cause if given."""
         cause, colon, _ = self.reason.partition(": ")
         return f"{self.filter}: {cause}" if colon else self.filter
@@ -198,7 +200,7 @@ class SceneFilter(Filter):
     order = 0
 
     @abstractmethod
-    def scene_reason(self, study: Study) -> str:
+    def scene_reason(self, study: SimulatedScene) -> str:
         """Return the reason to reject the scene, in the form of `Filter.reason`; empty to keep it."""
 
     def reason(self, candidate: Candidate) -> str:
@@ -209,7 +211,7 @@ class SceneFilter(Filter):
 FILTERS: Registry[Filter] = Registry("filters", package="sim2reason.generation.filters")
 
 
-def sift_scene(study: Study) -> Verdict:
+def filter_scene(study: SimulatedScene) -> Verdict:
     """Return the verdict on a scene: the first rejection, if there is one."""
     for name, found in in_order():
         if isinstance(found, SceneFilter) and (reason := found.scene_reason(study)):
@@ -217,7 +219,7 @@ def sift_scene(study: Study) -> Verdict:
     return Verdict(keep=True, filter="")
 
 
-def sift(candidate: Candidate, *, witnessed: bool) -> Verdict:
+def apply_filters(candidate: Candidate, *, witnessed: bool) -> Verdict:
     """Return the first rejection by the filters that need the second engine (`witnessed`), or by the others."""
     filters = [(name, found) for name, found in in_order() if found.needs_witness == witnessed]
     for name, found in sorted(filters, key=lambda each: not each[1].ready(candidate)):

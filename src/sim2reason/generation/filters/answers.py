@@ -8,9 +8,9 @@ import numpy as np
 
 from sim2reason.generation.filters import FILTERS, Candidate, Filter
 from sim2reason.generation.filters.parts.numbers import elasticities, givens
-from sim2reason.generation.modes.reverse import unfixed
+from sim2reason.generation.modes.reverse import why_undetermined
 from sim2reason.questions import KINDS
-from sim2reason.questions.choices import least
+from sim2reason.questions.choices import smallest_answer
 from sim2reason.questions.unknown import far_from, range_of
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.measures import join_unit
@@ -44,7 +44,7 @@ FILTERS.add("agreement", Agreement())
 
 
 SMALLEST = 0.01  # of the scene's largest value of the quantity: smaller values round to zero in two digits
-SAME = 2e-3  # relative; closer values round to the same three digits
+EQUAL_ANSWER_RTOL = 2e-3  # relative; closer values round to the same three digits
 
 
 class Degenerate(Filter):
@@ -87,7 +87,7 @@ def _least(candidate: Candidate) -> float:
     """Return the smallest result that is not too close to zero."""
     quantity = _asked(candidate)
     if quantity is not None:
-        return least(candidate.study.mechanism, quantity)
+        return smallest_answer(candidate.study.mechanism, quantity)
     return KINDS[candidate.question.query.kind].measured(candidate.question.query).least
 
 
@@ -123,7 +123,7 @@ def _asked(candidate: Candidate) -> Quantity | None:
 def _lasting(candidate: Candidate) -> bool:
     """Return whether a quantity at a later moment still has its value from just after the start."""
     start, answer = _start(candidate), candidate.question.result
-    return start is not None and abs(answer - start) <= SAME * abs(answer)
+    return start is not None and abs(answer - start) <= EQUAL_ANSWER_RTOL * abs(answer)
 
 
 def _start(candidate: Candidate) -> float | None:
@@ -165,7 +165,9 @@ class Identifiable(Filter):
         text = " ".join(candidate.sentences)
         if not all(_speaks_of(path, words, text) for path in question.left_open):
             return "the text has no words for the unknown"
-        return candidate.study.once(("unfixed", question), lambda: unfixed(question, candidate.study, words))
+        return candidate.study.memoize(
+            ("unfixed", question), lambda: why_undetermined(question, candidate.study, words)
+        )
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield the unknown number, and the range of other values that were tried."""

@@ -22,17 +22,17 @@ class Shortcut(Filter):
         idle = dict[str, Effect]()
         allowed = ALLOWED[candidate.difficulty] if candidate.question.formula is None else 0
         for effect in effects(candidate, part=True):
-            if not effect.close:
+            if not effect.is_accepted:
                 continue
             idle.setdefault(effect.subject, effect)
-            forgiven = effect.simplification.misleads and not effect.same
+            forgiven = effect.simplification.misleads and not effect.is_unchanged
             if forgiven or len(idle) > allowed:
                 return f"{effect.simplification.name}: {effect.subject} changes the answer by {effect.change:.2g}"
         return ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield the effect of each change on the answer."""
-        return (effect.told for effect in effects(candidate, part=True))
+        return (effect.text for effect in effects(candidate, part=True))
 
 
 FILTERS.add("shortcut", Shortcut())
@@ -49,18 +49,22 @@ class Simplified(Filter):
     def reason(self, candidate: Candidate) -> str:
         """Apply every applicable misconception."""
         for effect in effects(candidate, part=False):
-            if effect.close and effect.wrong and not (effect.same and _is_about_a_marked_part(effect, candidate)):
+            if (
+                effect.is_accepted
+                and effect.is_error
+                and not (effect.is_unchanged and _is_about_a_marked_part(effect, candidate))
+            ):
                 return f"{effect.simplification.name}: the answer changes by {effect.change:.2g}"
         return ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield the effect of each misconception on the answer."""
-        return (effect.told for effect in effects(candidate, part=False))
+        return (effect.text for effect in effects(candidate, part=False))
 
 
 def _is_about_a_marked_part(effect: Effect, candidate: Candidate) -> bool:
     """Return whether a misconception concerns only parts that the item will mark as distractions."""
-    without = (part.study for part in effects(candidate, part=True) if part.close and part.study is not None)
+    without = (part.study for part in effects(candidate, part=True) if part.is_accepted and part.study is not None)
     query, slip = candidate.question.query, effect.simplification
     return any(effect.subject not in slip.subjects(query, study) for study in without)
 

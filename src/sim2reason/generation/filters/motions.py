@@ -5,17 +5,17 @@ from collections.abc import Iterator
 import numpy as np
 
 from sim2reason.generation.filters import FILTERS, Candidate, Filter
-from sim2reason.questions.choices import AT_ONCE, has_met
+from sim2reason.questions.choices import EVENT_TIME_RTOL, has_collided
 from sim2reason.questions.difficulty import Difficulty
-from sim2reason.scenes.dsl.magnitudes import BENCH, FLIGHT, Span, natural_lengths, outside, strained
+from sim2reason.scenes.dsl.magnitudes import BENCH, FLIGHT, Span, implausible_spring_lengths, natural_lengths, outside
 from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import State
 from sim2reason.scenes.dsl.units import parse_unit
-from sim2reason.simulation.trace import Trace, happened
+from sim2reason.simulation.trace import Trace, events_before
 
 SHOWN = 5  # collisions in the findings
-MOST: dict[Difficulty, int] = {"easy": 5, "medium": 8, "hard": 12}  # collisions before the moment, at most
+MAX_COLLISIONS: dict[Difficulty, int] = {"easy": 5, "medium": 8, "hard": 12}  # collisions before the moment, at most
 
 
 class Collision(Filter):
@@ -31,13 +31,13 @@ class Collision(Filter):
         """Require a collision at or before the moment, for every stated restitution, and not too many."""
         time, moment = candidate.time, candidate.question.query.moment
         just_after = moment is not None and bool(moment.sided)
-        met = time is None or has_met(candidate.study.trace, time, just_after=just_after)
+        met = time is None or has_collided(candidate.study.trace, time, just_after=just_after)
         if not met:
             return "nothing has collided before"
         if time is not None and not _all_bear(candidate.study.trace, time):
             return "restitution: that of some pairs has no bearing"
         hits = sum(kind == "collision" for kind, _ in candidate.study.trace.story(0.0 if time is None else time))
-        if hits > MOST[candidate.difficulty] and not candidate.kind.measured(candidate.question.query).whole:
+        if hits > MAX_COLLISIONS[candidate.difficulty] and not candidate.kind.measured(candidate.question.query).whole:
             return f"many: {hits} collisions"
         return ""
 
@@ -52,7 +52,9 @@ def _all_bear(trace: Trace, time: float) -> bool:
     told = {frozenset(meeting.names): meeting.restitution for meeting in trace.mechanism.meetings}
     if len(set(told.values())) == 1:
         return True
-    hits = (event for event in trace.events if event.kind == "collision" and event.time <= time * (1.0 + AT_ONCE))
+    hits = (
+        event for event in trace.events if event.kind == "collision" and event.time <= time * (1.0 + EVENT_TIME_RTOL)
+    )
     return {told.get(frozenset(hit.subjects)) for hit in hits} >= {*told.values()}
 
 
@@ -89,7 +91,7 @@ def _end(candidate: Candidate) -> float:
 
 def _again(candidate: Candidate) -> Iterator[tuple[float, str]]:
     """Yield the times at which strings become taut again before the end, s, with the strings."""
-    for event in happened(candidate.study.trace.events, _end(candidate)):
+    for event in events_before(candidate.study.trace.events, _end(candidate)):
         if event.kind == "taut":
             yield from ((event.time, line) for line in event.subjects)
 
@@ -114,7 +116,7 @@ class PlausibleOutcome(Filter):
             yield from _implausible("the given result", question.given.value, question.given.unit, mechanism)
         natural = natural_lengths(candidate.study.scene)
         if natural:
-            yield from strained(natural, mechanism, _lengths(candidate, tuple(natural)))
+            yield from implausible_spring_lengths(natural, mechanism, _lengths(candidate, tuple(natural)))
 
 
 def _implausible(what: str, value: float, unit: str, mechanism: Mechanism) -> Iterator[str]:
@@ -141,7 +143,7 @@ def _instants(state: State, time: float) -> np.ndarray:
 FILTERS.add("outcome", PlausibleOutcome())
 
 
-FARTHEST = 4.0  # m, on a movable board, box or wedge
+MAX_SLIDE = 4.0  # m, on a movable board, box or wedge
 
 
 class Slide(Filter):
@@ -154,7 +156,7 @@ class Slide(Filter):
 
     def reason(self, candidate: Candidate) -> str:
         """Return a reason if a body slides too far along another one before the moment asked about."""
-        far = {name: way for name, way in _slides(candidate).items() if way > FARTHEST}
+        far = {name: way for name, way in _slides(candidate).items() if way > MAX_SLIDE}
         return next((f"{name} slides {way:.2g} m on what carries it" for name, way in far.items()), "")
 
     def findings(self, candidate: Candidate) -> Iterator[str]:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from sim2reason.generation.filters import FILTERS, Candidate, SceneFilter
-from sim2reason.questions import Study
+from sim2reason.questions import SimulatedScene
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.magnitudes import implausible_numbers
 from sim2reason.scenes.dsl.measures import join_unit
@@ -14,9 +14,9 @@ from sim2reason.simulation.quantities.kinematics import Acceleration
 class Magnitudes(SceneFilter):
     """Filter for implausible numbers: stated values, densities, mass ratios or initial lengths of springs."""
 
-    def scene_reason(self, study: Study) -> str:
+    def scene_reason(self, study: SimulatedScene) -> str:
         """Look up the plausible ranges of all stated numbers."""
-        return study.once("implausible numbers", lambda: next(implausible_numbers(study.scene), ""))
+        return study.memoize("implausible numbers", lambda: next(implausible_numbers(study.scene), ""))
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield all implausible values."""
@@ -26,7 +26,7 @@ class Magnitudes(SceneFilter):
 FILTERS.add("magnitudes", Magnitudes())
 
 
-STILL = 1e-6  # m/s²
+ACCELERATION_FLOOR = 1e-6  # m/s²
 SEVERAL = 2  # parts of a scene from which on the filter applies
 
 
@@ -36,22 +36,22 @@ class Opposed(SceneFilter):
     A row of blocks on one slope belongs to one entity. Springs and swinging bodies are ignored.
     """
 
-    def scene_reason(self, study: Study) -> str:
+    def scene_reason(self, study: SimulatedScene) -> str:
         """Return a reason if no body accelerates upwards just after the start."""
         if not study.mechanism.strings or changing(study.mechanism):
             return ""
         up = _accelerations(study)
-        down = {name.partition(".")[0] for name, upwards in up.items() if upwards < -STILL}
-        rises = any(upwards > STILL for upwards in up.values())
+        down = {name.partition(".")[0] for name, upwards in up.items() if upwards < -ACCELERATION_FLOOR}
+        rises = any(upwards > ACCELERATION_FLOOR for upwards in up.values())
         return "all that has a weight runs down together" if len(down) >= SEVERAL and not rises else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield the vertical direction in which each accelerated body initially accelerates."""
-        moving = {name: up for name, up in _accelerations(candidate.study).items() if abs(up) > STILL}
+        moving = {name: up for name, up in _accelerations(candidate.study).items() if abs(up) > ACCELERATION_FLOOR}
         yield from (f"{name} is accelerated {'up' if up > 0.0 else 'down'}" for name, up in moving.items())
 
 
-def _accelerations(study: Study) -> dict[str, float]:
+def _accelerations(study: SimulatedScene) -> dict[str, float]:
     """Return the vertical accelerations of all bodies with mass just after the start, m/s², positive upwards."""
     state = study.trace.at(0.0)
     heavy = [body.name for body in state.mechanism.bodies if body.mass > 0.0]
@@ -61,15 +61,17 @@ def _accelerations(study: Study) -> dict[str, float]:
 FILTERS.add("opposed", Opposed())
 
 
-SMALL = 1e-9  # N
+TENSION_FLOOR = 1e-9  # N
 
 
 class Taut(SceneFilter):
     """Filter for scenes with a string called taut whose tension is zero just after the start."""
 
-    def scene_reason(self, study: Study) -> str:
+    def scene_reason(self, study: SimulatedScene) -> str:
         """Return the first string whose tension is zero just after the start."""
-        return next((f"{name} is slack from the start on" for name, t in _tensions(study).items() if t <= SMALL), "")
+        return next(
+            (f"{name} is slack from the start on" for name, t in _tensions(study).items() if t <= TENSION_FLOOR), ""
+        )
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield the smallest tension just after the start."""
@@ -80,7 +82,7 @@ class Taut(SceneFilter):
             yield f"the least tension just after the start is {join_unit(f'{tensions[name]:.4g}', unit)}, in {name}"
 
 
-def _tensions(study: Study) -> dict[str, float]:
+def _tensions(study: SimulatedScene) -> dict[str, float]:
     """Return the tensions of all strings just after the start, N."""
     law, tension = Inextensible(), study.trace.at(0.0).tension
     return {line.name: float(tension[line.name][0]) for line in study.mechanism.strings if line.law == law}

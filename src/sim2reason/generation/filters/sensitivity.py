@@ -10,14 +10,14 @@ from sim2reason.generation.filters.parts.numbers import (
     elasticities,
     givens,
     matters,
-    of_question,
+    question_number_count,
     shifted,
     shortfall,
 )
 from sim2reason.scenes.dsl.mechanism import Mechanism
 
 COUNTED = 2  # numbers that must be able to change a count
-IDLE = {"easy": 0.0, "medium": 0.1, "hard": 0.1}  # fraction of irrelevant numbers allowed without a mark
+MAX_IDLE_FRACTION = {"easy": 0.0, "medium": 0.1, "hard": 0.1}  # fraction of irrelevant numbers allowed without a mark
 
 
 class Sensitivity(Filter):
@@ -33,11 +33,11 @@ class Sensitivity(Filter):
         """Count the numbers that change the answer beyond the tolerance when halved or doubled."""
         scene, query = candidate.study.scene, candidate.question.query
         given = [given for given in givens(scene, candidate.question.left_open) if given.owner != "world"]
-        aside = [effect.subject for effect in effects(candidate, part=True) if effect.close]
+        aside = [effect.subject for effect in effects(candidate, part=True) if effect.is_accepted]
         own = {path for name in query.subjects for path in _cancelling(candidate.study.mechanism, name)}
         excused = [g for g in given if own & {*g.paths} or any(_belongs(g, name) for name in aside)]
         counted = candidate.kind.measured(query).whole  # which changes with some of the numbers only
-        told = len(given) + of_question(candidate)
+        told = len(given) + question_number_count(candidate)
         moving, idle = list[Given](), list[Given]()
         for found in elasticities(candidate):
             if found.given in given:
@@ -45,7 +45,7 @@ class Sensitivity(Filter):
             if len(idle) > EVER * told:
                 return f"idle numbers: {_paths(idle)}"
             unmarked = [g for g in idle if g not in excused and not _is_indifferent(candidate, g)]
-            if not counted and len(unmarked) > IDLE[candidate.difficulty] * len(given):
+            if not counted and len(unmarked) > MAX_IDLE_FRACTION[candidate.difficulty] * len(given):
                 return f"idle numbers: {_paths(unmarked)}"
         if counted:
             return "" if len(moving) >= COUNTED else f"reach: the count changes with {len(moving)} numbers"

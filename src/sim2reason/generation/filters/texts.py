@@ -4,12 +4,12 @@ from collections.abc import Iterable, Iterator
 from typing import cast
 
 from sim2reason.generation.filters import FILTERS, Candidate, Filter
-from sim2reason.questions import Study
-from sim2reason.questions.study import ENOUGH
+from sim2reason.questions import SimulatedScene
+from sim2reason.questions.study import EXACT_STEP_ERROR
 from sim2reason.scenes.dsl.model import Model, field_types
 from sim2reason.scenes.dsl.scene import Scene
 
-SAME = 1e-6  # relative
+UNCHANGED_RTOL = 1e-6  # relative
 
 
 class HiddenNumbers(Filter):
@@ -29,25 +29,29 @@ class HiddenNumbers(Filter):
         if time is None or time > tight.trace.stable_until:
             return "with shorter strings the moment does not come"
         again = candidate.response(tight)
-        return "" if again is not None and abs(again - answer) <= SAME * abs(answer) else "a hidden length matters"
+        return (
+            ""
+            if again is not None and abs(again - answer) <= UNCHANGED_RTOL * abs(answer)
+            else "a hidden length matters"
+        )
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield the answer with all hidden lengths at their minimum."""
         tight = _tight(candidate)
         again = candidate.response(tight) if tight is not candidate.study else None
         if again is not None:
-            change = f"{candidate.change_to(again):.1e} of it away; {SAME:g} is allowed"
+            change = f"{candidate.change_to(again):.1e} of it away; {UNCHANGED_RTOL:g} is allowed"
             yield f"with hidden lengths as short as may be the answer is {again:.4g}, {change}"
 
 
-def _tight(candidate: Candidate) -> Study | None:
+def _tight(candidate: Candidate) -> SimulatedScene | None:
     """Return the motion with hidden lengths at their minimum; None if there is none."""
     study = candidate.study
-    shorter = tightest(study.scene)
-    return study if shorter is study.scene else study.variant(shorter, candidate.until, ENOUGH)
+    shorter = with_minimum_lengths(study.scene)
+    return study if shorter is study.scene else study.variant(shorter, candidate.until, EXACT_STEP_ERROR)
 
 
-def tightest(scene: Scene) -> Scene:
+def with_minimum_lengths(scene: Scene) -> Scene:
     """Return the scene with every hidden number at the lower end of its range."""
     for parameter in scene.parameters:
         if parameter.hidden and parameter.value is not None:
@@ -61,8 +65,8 @@ def tightest(scene: Scene) -> Scene:
 FILTERS.add("hidden numbers", HiddenNumbers())
 
 
-LONGEST = 270  # words
-LONGEST_STRING = 40  # words in a sentence about a string; longer ones are hard to follow
+MAX_WORDS = 270  # words
+MAX_STRING_WORDS = 40  # words in a sentence about a string; longer ones are hard to follow
 
 
 class Length(Filter):
@@ -73,18 +77,18 @@ class Length(Filter):
     def reason(self, candidate: Candidate) -> str:
         """Count the words as a word processor does."""
         words = len(candidate.prompt.split())
-        if words > LONGEST:
+        if words > MAX_WORDS:
             return f"{words} words"
-        return "" if followed(candidate.sentences) else f"more than {LONGEST_STRING} words about one string"
+        return "" if is_followable(candidate.sentences) else f"more than {MAX_STRING_WORDS} words about one string"
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield the number of words."""
-        yield f"{len(candidate.prompt.split())} words of at most {LONGEST}"
+        yield f"{len(candidate.prompt.split())} words of at most {MAX_WORDS}"
 
 
-def followed(sentences: Iterable[str]) -> bool:
+def is_followable(sentences: Iterable[str]) -> bool:
     """Return whether all sentences about strings are short enough to follow."""
-    return all(len(sentence.split()) <= LONGEST_STRING for sentence in sentences if "string" in sentence)
+    return all(len(sentence.split()) <= MAX_STRING_WORDS for sentence in sentences if "string" in sentence)
 
 
 FILTERS.add("length", Length())

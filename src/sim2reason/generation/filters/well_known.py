@@ -5,14 +5,14 @@ from collections.abc import Iterator
 from sim2reason.generation.filters import FILTERS, Candidate, Filter
 from sim2reason.generation.filters.parts.effects import TURNS, turns_by_weight
 from sim2reason.generation.filters.parts.formula_size import has_logarithm, size
-from sim2reason.generation.filters.parts.numbers import EVER, least
+from sim2reason.generation.filters.parts.numbers import EVER, minimum_relevant
 from sim2reason.generation.filters.parts.products import product_of
 from sim2reason.generation.filters.parts.sums import sum_of
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.solutions import Solution
-from sim2reason.solutions.closed_forms import ClosedFormError, put_together
+from sim2reason.solutions.closed_forms import ClosedFormError, combined_formula
 from sim2reason.solutions.derivation import derivation, is_derived
-from sim2reason.solutions.difficulty import number_of_laws
+from sim2reason.solutions.difficulty import count_laws
 
 FEW_LAWS = "few laws"
 MOST = {0: 11, 1: 11, 2: 8, 3: 7, 4: 7}
@@ -27,7 +27,7 @@ An easy problem may be one that a textbook has, if it takes two laws.
 """
 STEADY = {**MOST, 2: 9, 3: 8, 4: 10}
 """The same where accelerations are constant: two blocks on one string, and how far they come by a time."""
-BY_HEART = 4  # symbols in a formula known by heart together with moments of inertia
+MAX_KNOWN_SYMBOLS = 4  # symbols in a formula known by heart together with moments of inertia
 LARGEST = 2  # coordinates of scenes to which the limit on laws applies, if no event occurs
 
 
@@ -54,11 +54,11 @@ class FewLaws(Filter):
         found = None if candidate.easy else _derivation(candidate)
         if found is None:
             return ""
-        laws = number_of_laws(found)
+        laws = count_laws(found)
         most = (MOST if changing(candidate.study.mechanism) else STEADY).get(laws, -1)
         most -= TEXTBOOK[candidate.difficulty] if laws > 1 else 0
         symbols = _symbols(found) if most > 0 else None
-        if symbols is None or symbols > most or (symbols > BY_HEART and turns_by_weight(candidate)):
+        if symbols is None or symbols > most or (symbols > MAX_KNOWN_SYMBOLS and turns_by_weight(candidate)):
             return ""
         return f"{_counted(laws)}, a formula of {symbols} symbols"
 
@@ -66,7 +66,7 @@ class FewLaws(Filter):
         """Yield the laws of the worked solution."""
         found = _derivation(candidate)
         if found is not None:
-            yield f"{_counted(number_of_laws(found))}, by {found.strategy}"
+            yield f"{_counted(count_laws(found))}, by {found.strategy}"
             yield f"symbols in the formula: {_symbols(found) or 'too many, or an integral'}"
             if turns_by_weight(candidate):
                 yield TURNS
@@ -78,10 +78,10 @@ def _symbols(found: Solution) -> int | None:
     None also for integrals, except where the integral is the only law, as in u ln(m_0/m_1).
     """
     try:
-        whole = put_together(found)
+        whole = combined_formula(found)
     except ClosedFormError:
         return None
-    return None if number_of_laws(found) > 1 and has_logarithm(whole) else size(whole)
+    return None if count_laws(found) > 1 and has_logarithm(whole) else size(whole)
 
 
 def _counted(laws: int) -> str:
@@ -116,7 +116,7 @@ class FewSymbols(Filter):
         formula = candidate.question.formula
         if formula is None:
             return ""
-        wanted, told = least(candidate), len(formula.symbols)
+        wanted, told = minimum_relevant(candidate), len(formula.symbols)
         if len(formula.within) < wanted:
             return f"{len(formula.within)} symbols of {wanted}"
         return f"idle symbols: {len(formula.without)} of {told}" if len(formula.without) > EVER * told else ""
@@ -125,7 +125,7 @@ class FewSymbols(Filter):
         """Yield the numbers of symbols that the formula contains and lacks."""
         formula = candidate.question.formula
         if formula is not None:
-            yield f"{len(formula.within)} symbols of bodies and of the question; {least(candidate)} must be there"
+            yield f"{len(formula.within)} symbols of bodies and of the question; {minimum_relevant(candidate)} must be there"
             yield f"{len(formula.without)} of all {len(formula.symbols)} symbols are missing; up to {EVER:.0%} may be"
 
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from sim2reason.generation.filters import FILTERS, Candidate, Filter
 from sim2reason.questions.need import EVERY
-from sim2reason.solutions import STRATEGIES, Setting, by
+from sim2reason.solutions import STRATEGIES, ProblemContext, solve_with
 from sim2reason.solutions.difficulty import LABELS
 from sim2reason.solutions.reverse import forward
 
@@ -28,19 +28,19 @@ class Derivable(Filter):
 def _derived(candidate: Candidate) -> str:
     """Return the name of the strategy that derives the answer; empty if there is none."""
     query, study = candidate.question.query, candidate.study
-    return study.once(("derived by", query), lambda: _found(candidate))
+    return study.memoize(("derived by", query), lambda: _found(candidate))
 
 
 def _found(candidate: Candidate) -> str:
     query, study, words = candidate.question.query, candidate.study, candidate.words
     if words is None or not words.symbols or study.mechanism is not study.scene.mechanism:
         return "none that is known"
-    setting = forward(Setting(study.scene, words, words.symbols, study, query))
+    setting = forward(ProblemContext(study.scene, words, words.symbols, study, query))
     if not query.hides:
         setting = replace(setting, unknown="", stated=None, sought=None)
     offered = (held for held in STRATEGIES.values() if query.kind in held.kinds and not held.integrates)
     tried = sorted(offered, key=lambda held: held.cost)
-    return next((held.name for held in tried if by(held, setting).answer is not None), "")
+    return next((held.name for held in tried if solve_with(held, setting).answer is not None), "")
 
 
 FILTERS.add("derivable", Derivable())

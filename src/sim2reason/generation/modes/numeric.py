@@ -13,13 +13,13 @@ from sim2reason.questions import (
     Query,
     Question,
     QuestionMode,
-    Study,
+    SimulatedScene,
     Suits,
     Words,
     anything,
     mode,
 )
-from sim2reason.questions.kinds import by_share
+from sim2reason.questions.kinds import kinds_by_share
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import chosen, sentence
 from sim2reason.questions.query import targets
@@ -35,14 +35,16 @@ class Numeric(QuestionMode):
     weights: ClassVar[Mapping[str, float]] = {"limit": 0.1}  # few limits hang on numbers that no simpler question has
 
     def ask(
-        self, study: Study, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
+        self, study: SimulatedScene, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
     ) -> Question | None:
         """Return a random suitable question of a kind with a finite answer, or None."""
-        found = (self._asked(asked, study, words, rng, suits) for asked in ([KINDS[kind]] if kind else by_share(rng)))
+        found = (
+            self._asked(asked, study, words, rng, suits) for asked in ([KINDS[kind]] if kind else kinds_by_share(rng))
+        )
         return next((question for question in found if question is not None), None)
 
     def _asked(
-        self, asked: Kind, study: Study, words: Words, rng: np.random.Generator, suits: Suits
+        self, asked: Kind, study: SimulatedScene, words: Words, rng: np.random.Generator, suits: Suits
     ) -> Question | None:
         offered = targets(words)
         drawn = (asked.draw(study, words, offered, rng) for _ in range(1 if asked.costly else DRAWS))
@@ -50,7 +52,7 @@ class Numeric(QuestionMode):
         query = next((query for query in found if query is not None and suits(query, "", None)), None)
         return self.asking(query, study, words, rng) if query is not None else None
 
-    def asking(self, query: Query, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
+    def asking(self, query: Query, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Question | None:
         """Return the question for a query if its answer is finite, else None."""
         asked, offered = KINDS[query.kind], targets(words)
         answer = asked.answer(query, study)
@@ -62,7 +64,7 @@ class Numeric(QuestionMode):
         unit = words.units.spell(asked.measured(query).unit)
         return Question(self.name, query, sentence(chosen(shapes, rng)), answer, unit, sign, query.hides)
 
-    def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
+    def parsed(self, text: str, study: SimulatedScene, words: Words) -> ParsedQuestion | None:
         """Parse a query in the words of its kind; a number that the text leaves unknown must be its target."""
         query = parse_question(text, study, words, self.kinds) if not words.symbolic else None
         hidden = {unknown.path for unknown in words.unknowns}
@@ -76,7 +78,7 @@ class Choice(Numeric):
     name = "choice"
     offers_options = True
 
-    def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
+    def parsed(self, text: str, study: SimulatedScene, words: Words) -> ParsedQuestion | None:
         """Parse a question that asks which of two candidates is first or greater; return None for any other."""
         own = [name for name, kind in KINDS.items() if kind.names_one]
         found = parse_question(text, study, words, own) if not words.symbolic else None
@@ -98,11 +100,11 @@ class Multipart(Numeric):
         """Return the kinds that leave no number unknown which other parts may need."""
         return frozenset(name for name in super().kinds if not KINDS[name].hides)
 
-    def asking(self, query: Query, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
+    def asking(self, query: Query, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Question | None:
         """Return the question for a query; None also if it would leave a number unknown."""
         return super().asking(query, study, words, rng) if not query.hides else None
 
-    def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
+    def parsed(self, text: str, study: SimulatedScene, words: Words) -> ParsedQuestion | None:
         """Return None: each part is parsed by itself, as a numeric question."""
         del text, study, words
         return None

@@ -15,29 +15,29 @@ from sim2reason.questions import (
     Query,
     Question,
     QuestionMode,
+    SimulatedScene,
     StatedResult,
-    Study,
     Suits,
     Words,
     anything,
     mode,
 )
-from sim2reason.questions.conditions import Scan, asking_for
-from sim2reason.questions.dependence import STEP, Dependence, roomy
+from sim2reason.questions.conditions import UniquenessScan, asking_for
+from sim2reason.questions.dependence import STEP, AnswerFunction, with_long_strings
 from sim2reason.questions.inversion import values_giving, why_not_one
-from sim2reason.questions.kinds import by_share
+from sim2reason.questions.kinds import kinds_by_share
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.parse_question import plainly
 from sim2reason.questions.phrasing import chosen, sentence
 from sim2reason.questions.query import Target, targets
-from sim2reason.questions.study import COARSE, ENOUGH
-from sim2reason.questions.unknown import Unknown, far_from, range_of, some
+from sim2reason.questions.study import COARSE_STEP_ERROR, EXACT_STEP_ERROR
+from sim2reason.questions.unknown import Unknown, draw_unknowns, far_from, range_of
 
-FIXED = 1e-2  # relative accuracy to which the given result must determine the answer
+ANSWER_RTOL = 1e-2  # relative accuracy to which the given result must determine the answer
 DIGITS = 3  # significant digits of the given result
 DRAWS = 3  # queries of one kind, at most, until one is suitable
 EXACT = 15  # digits of a result of the drawn motion
-NEAR = 1e-2  # relative distance that counts as a near match
+NEAR_MATCH_RTOL = 1e-2  # relative distance that counts as a near match
 TIMES = {"": 0.03, "time_to_event": 0.08}  # probability that a time is unknown: for all kinds, or for one
 
 
@@ -59,20 +59,22 @@ class Reverse(QuestionMode):
         return frozenset(name for name, kind in KINDS.items() if kind.stated and not kind.whole)
 
     def ask(
-        self, study: Study, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
+        self, study: SimulatedScene, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
     ) -> Question | None:
         """Return a question with a result of this motion and an unknown number, or time, that it determines."""
         if kind in TIMES and rng.random() < TIMES[kind]:
             return _asking_when(study, words, rng, suits)
-        found = (self._asked(asked, study, words, rng, suits) for asked in ([KINDS[kind]] if kind else by_share(rng)))
+        found = (
+            self._asked(asked, study, words, rng, suits) for asked in ([KINDS[kind]] if kind else kinds_by_share(rng))
+        )
         return next((question for question in found if question is not None), None)
 
     def _asked(
-        self, asked: Kind, study: Study, words: Words, rng: np.random.Generator, suits: Suits
+        self, asked: Kind, study: SimulatedScene, words: Words, rng: np.random.Generator, suits: Suits
     ) -> Question | None:
         for _ in range(DRAWS if asked.stated else 0):
             query = asked.draw(study, words, targets(words), rng)
-            if query is None or not asked.called(query, words, _noun(query, words)):
+            if query is None or not asked.noun_phrases(query, words, _noun(query, words)):
                 return None
             result = asked.answer(query, study)
             if result is None or not isfinite(result):
@@ -80,7 +82,7 @@ class Reverse(QuestionMode):
             unit = words.units.spell(asked.measured(query).unit)
             exact = StatedResult.rounded(result, unit, EXACT)
             tried = False
-            for unknown in some(_besides(query, words), study.scene, rng):
+            for unknown in draw_unknowns(_besides(query, words), study.scene, rng):
                 if exact is None or not suits(query, unknown.path, exact):
                     continue
                 tried = True
@@ -92,30 +94,36 @@ class Reverse(QuestionMode):
         return None
 
     def _with_unknown(
-        self, query: Query, unknown: Unknown, result: float, study: Study, words: Words, rng: np.random.Generator
+        self,
+        query: Query,
+        unknown: Unknown,
+        result: float,
+        study: SimulatedScene,
+        words: Words,
+        rng: np.random.Generator,
     ) -> Question | None:
         """Return the question for an unknown number, if the result of a query determines it."""
         asked = KINDS[query.kind]
         likely = likely_answers(query, study, words, unknown.path)
-        dependence = Dependence(query, study, unknown.path, likely=likely)
+        dependence = AnswerFunction(query, study, unknown.path, likely=likely)
         drawn = float(study.scene.value(unknown.path))
-        dependence.know(drawn, result)
+        dependence.record_answer(drawn, result)
         found = _fixed(dependence, drawn, result, words.units.spell(asked.measured(query).unit))
         values = range_of(study.scene, unknown.path)
         if found is None or not values[0] <= found[1] <= values[-1]:
             return None
         given, answer, elasticity = found
-        query = asked.expecting(query, given.value)
+        query = asked.with_likely_answer(query, given.value)
         text = sentence(chosen(asking_for(unknown, query, given, words, _noun(query, words)), rng))
         return Question(self.name, query, text, answer, unknown.unit, "", unknown.path, given, elasticity)
 
-    def study(self, question: Question, study: Study) -> Study:
+    def study(self, question: Question, study: SimulatedScene) -> SimulatedScene:
         """Return the motion that has exactly the stated result."""
         if not question.unknown:
             return study
-        return Study.of(study.scene.having(question.unknown, question.answer), study.trace.state.times)
+        return SimulatedScene.of(study.scene.having(question.unknown, question.answer), study.trace.state.times)
 
-    def response(self, question: Question, study: Study, other: Study) -> float | None:
+    def response(self, question: Question, study: SimulatedScene, other: SimulatedScene) -> float | None:
         """Return the answer in a changed scene, to first order: ln p changes by ln(R/R')/elasticity for result R."""
         result = super().response(question, study, other)
         if result is None or question.given is None or not question.unknown:
@@ -125,12 +133,12 @@ class Reverse(QuestionMode):
             return question.answer * (1.0 - (ratio - 1.0) / question.elasticity)
         return question.answer * float(np.exp(-np.log(ratio) / question.elasticity))
 
-    def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
+    def parsed(self, text: str, study: SimulatedScene, words: Words) -> ParsedQuestion | None:
         """Parse a sentence into all queries that it may state as a condition, with its unknown as the target."""
         readings = dict.fromkeys((text, plainly(text, words.units)))  # digits tell how close a result is
         return next((found for said in readings if (found := self._read(said, study, words)) is not None), None)
 
-    def _read(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
+    def _read(self, text: str, study: SimulatedScene, words: Words) -> ParsedQuestion | None:
         """Return the question of a sentence, with its numbers as written."""
         heard = f"{text}\n{text[0].lower()}{text[1:]}"  # a name may stand at the beginning
         for unknown in words.unknowns:
@@ -147,7 +155,7 @@ class Reverse(QuestionMode):
                 return ParsedQuestion(self.name, query, moment.given)
         return None
 
-    def solution(self, asked: ParsedQuestion, study: Study, words: Words) -> float | None:
+    def solution(self, asked: ParsedQuestion, study: SimulatedScene, words: Words) -> float | None:
         """Return the only value for which the query has the stated answer; None if it is not unique."""
         if asked.given is None or isinstance(asked.query.moment, Reached):
             return super().solution(asked, study, words)
@@ -156,7 +164,7 @@ class Reverse(QuestionMode):
             return found[0] if len(found) == 1 else None
         return None
 
-    def lacking(self, asked: ParsedQuestion, study: Study, words: Words) -> str:
+    def lacking(self, asked: ParsedQuestion, study: SimulatedScene, words: Words) -> str:
         """Return why the stated result fixes no value of the unknown number: none gives it, or several do."""
         unknown = next(iter(_besides(asked.query, words)), None)
         if asked.given is None or unknown is None or isinstance(asked.query.moment, Reached):
@@ -164,19 +172,21 @@ class Reverse(QuestionMode):
         return why_not_one(unknown, values_giving(asked.query, asked.given.value, unknown, study), study.scene)
 
 
-def unfixed(question: Question, study: Study, words: Words) -> str:
+def why_undetermined(question: Question, study: SimulatedScene, words: Words) -> str:
     """Return why a result does not determine the unknown: another value, or a nearby limit; empty if it does.
 
     Strings and edges are given enough clearance, because no text states how far they let bodies move.
     """
     if question.given is None or not question.unknown:
         return ""
-    scene = roomy(study.scene)
+    scene = with_long_strings(study.scene)
     likely = likely_answers(question.query, study, words, question.unknown)
-    fine = Dependence(question.query, study, question.unknown, ENOUGH, scene, likely)
+    fine = AnswerFunction(question.query, study, question.unknown, EXACT_STEP_ERROR, scene, likely)
     if scene is study.scene:
-        fine.know(question.answer, question.given.value)
-    scan = Scan(fine, question.answer, question.given.value, question.given.half, fine.coarser(COARSE))
+        fine.record_answer(question.answer, question.given.value)
+    scan = UniquenessScan(
+        fine, question.answer, question.given.value, question.given.half, fine.coarser(COARSE_STEP_ERROR)
+    )
     values = range_of(study.scene, question.unknown, question.answer)
     edge = scan.edge(values)
     if edge is not None:
@@ -206,21 +216,23 @@ def _noun(query: Query, words: Words) -> Noun | None:
     return targets(words)[query.target] if query.target is not None else None
 
 
-def _fixed(dependence: Dependence, drawn: float, result: float, unit: str) -> tuple[StatedResult, float, float] | None:
+def _fixed(
+    dependence: AnswerFunction, drawn: float, result: float, unit: str
+) -> tuple[StatedResult, float, float] | None:
     """Return the stated result, the number that gives exactly it, and the elasticity; None if undetermined."""
     rate = dependence.rate(drawn)
     if not rate:
         return None
     given = StatedResult.rounded(result, unit, DIGITS)
-    if given is None or given.half > FIXED * abs(rate * drawn):
+    if given is None or given.half > ANSWER_RTOL * abs(rate * drawn):
         return None
-    answer = dependence.solved(given.value, drawn)
-    if answer is None or abs(answer - drawn) > FIXED * abs(drawn):
+    answer = dependence.solve_from(given.value, drawn)
+    if answer is None or abs(answer - drawn) > ANSWER_RTOL * abs(drawn):
         return None
     return given, answer, rate * drawn / result
 
 
-def _stated(heard: str, study: Study, words: Words) -> Iterator[tuple[Query, str]]:
+def _stated(heard: str, study: SimulatedScene, words: Words) -> Iterator[tuple[Query, str]]:
     """Yield all queries that a sentence could state, with the units of their answers."""
     named = {target: noun for target, noun in targets(words).items() if noun.heard(heard)}
     for kind in KINDS.values():
@@ -228,7 +240,7 @@ def _stated(heard: str, study: Study, words: Words) -> Iterator[tuple[Query, str
             yield query, words.units.spell(kind.measured(query).unit)
 
 
-def _asking_when(study: Study, words: Words, rng: np.random.Generator, suits: Suits) -> Question | None:
+def _asking_when(study: SimulatedScene, words: Words, rng: np.random.Generator, suits: Suits) -> Question | None:
     """Return a question for the time when a quantity first has a value."""
     drawn = KINDS["state"].draw(study, words, targets(words), rng)
     time = study.time(drawn.moment) if drawn is not None and drawn.moment is not None else None
@@ -236,11 +248,11 @@ def _asking_when(study: Study, words: Words, rng: np.random.Generator, suits: Su
         return None
     value, later = (drawn.target.value(study.trace.at(when)) for when in (time, time * (1.0 + STEP)))
     given = StatedResult.rounded(value, words.units.spell(drawn.target.unit), DIGITS) if isfinite(value) else None
-    if given is None or given.half > FIXED * abs(later - value) / STEP:
+    if given is None or given.half > ANSWER_RTOL * abs(later - value) / STEP:
         return None
     query = Query("time_to_event", None, Reached(drawn.target, given))
     answer = KINDS[query.kind].answer(query, study)
-    fixed = answer is not None and abs(answer - time) <= FIXED * time
+    fixed = answer is not None and abs(answer - time) <= ANSWER_RTOL * time
     if answer is None or not fixed or _nearly_before(drawn.target, given, answer, study):
         return None
     if not suits(query, "", given):
@@ -249,10 +261,10 @@ def _asking_when(study: Study, words: Words, rng: np.random.Generator, suits: Su
     return Question("reverse", query, text, answer, words.units.time, given=given)
 
 
-def _nearly_before(target: Target, given: StatedResult, time: float, study: Study) -> bool:
+def _nearly_before(target: Target, given: StatedResult, time: float, study: SimulatedScene) -> bool:
     """Return whether a quantity, rounded, has its value before the time when it first reaches it."""
     scan = study.trace.scan
     away = np.abs(target.values(scan)[scan.times < time] - given.value)
-    near = away <= max(given.half, NEAR * abs(given.value))
+    near = away <= max(given.half, NEAR_MATCH_RTOL * abs(given.value))
     coming = len(near) - int(np.argmin(near[::-1])) if not near.all() else 0  # since when it is near for good
     return bool(near[:coming].any() or (np.diff(away[coming:]) > 0.0).any())

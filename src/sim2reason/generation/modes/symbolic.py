@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from sim2reason.generation.modes.parts.assumptions import assumed_in, assuming, parted
+from sim2reason.generation.modes.parts.assumptions import assumed_in, assuming, split_assumptions
 from sim2reason.generation.modes.parts.formula_validity import FormulaValidity
 from sim2reason.generation.modes.parts.problem_symbol import ProblemSymbol
 from sim2reason.generation.modes.parts.variations import Variations
@@ -15,25 +15,25 @@ from sim2reason.questions import (
     Query,
     Question,
     QuestionMode,
-    Study,
+    SimulatedScene,
     Suits,
     Words,
     anything,
     mode,
 )
-from sim2reason.questions.kinds import by_share
+from sim2reason.questions.kinds import kinds_by_share
 from sim2reason.questions.kinds.parts.nested import NestedQuery
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import chosen, sentence
 from sim2reason.questions.query import targets
 from sim2reason.questions.words import OwnSymbol, symbol_for
 from sim2reason.scenes.dsl.mechanism import Mechanism
-from sim2reason.solutions import STRATEGIES, Setting
+from sim2reason.solutions import STRATEGIES, ProblemContext
 from sim2reason.solutions.algebra.expressions import Expression
-from sim2reason.solutions.closed_forms import ClosedFormError, put_together
+from sim2reason.solutions.closed_forms import ClosedFormError, combined_formula
 from sim2reason.solutions.derivation import derivation
 from sim2reason.solutions.reverse import forward
-from sim2reason.solutions.strategies import fitting
+from sim2reason.solutions.strategies import applicable_strategies
 from sim2reason.text.prose.description import Description
 from sim2reason.text.prose.symbol_names import factor, with_names
 from sim2reason.text.prose.voices import symbolic_but_zero
@@ -59,7 +59,7 @@ class Symbolic(QuestionMode):
         return not self.kinds.isdisjoint(_formulas(mechanism))
 
     def ask(
-        self, study: Study, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
+        self, study: SimulatedScene, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
     ) -> Question | None:
         """Return a question, still in numbers, for which some strategy derives a formula; else None.
 
@@ -67,10 +67,10 @@ class Symbolic(QuestionMode):
         """
         if study.mechanism is not study.scene.mechanism:
             return None
-        names = [kind] if kind else [found.name for found in by_share(rng)]
-        formulas = study.once("formulas", lambda: self.kinds & _formulas(study.mechanism))
+        names = [kind] if kind else [found.name for found in kinds_by_share(rng)]
+        formulas = study.memoize("formulas", lambda: self.kinds & _formulas(study.mechanism))
         kinds = [name for name in names if name in formulas]
-        refused = study.once("refused", set[Query])
+        refused = study.memoize("refused", set[Query])
         for name in (name for name in kinds for _ in range(DRAWS)):
             question = MODES["numeric"].ask(study, words, name, rng) if len(refused) < UNDERIVED else None
             if question is not None and not suits(question.query, "", None):
@@ -82,7 +82,9 @@ class Symbolic(QuestionMode):
                 refused.add(question.query)
         return None
 
-    def completed(self, question: Question, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
+    def completed(
+        self, question: Question, study: SimulatedScene, words: Words, rng: np.random.Generator
+    ) -> Question | None:
         """Return the question with its formula; None if no formula agrees with the engine where it should."""
         moment = question.query.moment
         query = replace(question.query, moment=moment.in_symbols(study.trace) if moment is not None else None)
@@ -97,7 +99,7 @@ class Symbolic(QuestionMode):
         varied = FormulaValidity(Variations(study, query, symbols, whole, times), times)
         if not varied.of_scene(whole):
             return None
-        held = varied.told(whole, rng, spoken, signed=bool(question.sign))
+        held = varied.stated_formula(whole, rng, spoken, signed=bool(question.sign))
         if held is None:
             return None
         found, assumed = held
@@ -111,11 +113,11 @@ class Symbolic(QuestionMode):
         del question
         return with_names(description.voiced(symbolic_but_zero))
 
-    def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
+    def parsed(self, text: str, study: SimulatedScene, words: Words) -> ParsedQuestion | None:
         """Parse a query in the words of its kind, after removal of its assumptions."""
         if not words.symbolic:
             return None
-        assumed, asked = parted(text)
+        assumed, asked = split_assumptions(text)
         query = parse_question(asked, study, words)
         if query is None:
             return None
@@ -124,7 +126,7 @@ class Symbolic(QuestionMode):
         held = assumed_in(assumed, study, words)
         return ParsedQuestion(self.name, query, assumed=held) if held is not None else None
 
-    def solution(self, asked: ParsedQuestion, study: Study, words: Words) -> float | None:
+    def solution(self, asked: ParsedQuestion, study: SimulatedScene, words: Words) -> float | None:
         """Return the answer with the symbols' values; None if they violate the assumptions."""
         until = KINDS[asked.query.kind].time(asked.query, study) or 0.0
         if not all(held.holds(study, until) for held in asked.assumed):
@@ -134,25 +136,25 @@ class Symbolic(QuestionMode):
 
 def _formulas(mechanism: Mechanism) -> frozenset[str]:
     """Return the question kinds about a mechanism for which strategies may derive formulas."""
-    return frozenset[str]().union(*(strategy.formulas(mechanism) for strategy in fitting(mechanism)))
+    return frozenset[str]().union(*(strategy.formulas(mechanism) for strategy in applicable_strategies(mechanism)))
 
 
-def _derived(query: Query, study: Study, words: Words) -> Expression | None:
+def _derived(query: Query, study: SimulatedScene, words: Words) -> Expression | None:
     """Return the formula of a worked solution after substitution; None if there is no symbolic one."""
-    return study.once(("formula", query), lambda: _worked_out(query, study, words))
+    return study.memoize(("formula", query), lambda: _worked_out(query, study, words))
 
 
-def _worked_out(query: Query, study: Study, words: Words) -> Expression | None:
+def _worked_out(query: Query, study: SimulatedScene, words: Words) -> Expression | None:
     spoken = _spoken(words, query)
     if spoken is None:
         return None
-    setting = forward(Setting(study.scene, words, words.symbols, study, query))
-    tried = [held for held in fitting(study.mechanism) if query.kind in held.formulas(study.mechanism)]
+    setting = forward(ProblemContext(study.scene, words, words.symbols, study, query))
+    tried = [held for held in applicable_strategies(study.mechanism) if query.kind in held.formulas(study.mechanism)]
     if all(strategy.refusal(setting) for strategy in tried):
         return None
     solution = derivation(query, study, words)
     try:
-        return put_together(solution, [own.symbol for own in spoken.own.values()]) if solution.derived else None
+        return combined_formula(solution, [own.symbol for own in spoken.own.values()]) if solution.derived else None
     except ClosedFormError:
         return None
 
@@ -169,7 +171,7 @@ def _spoken(words: Words, query: Query) -> Words | None:
     return words.in_symbols(own)
 
 
-def _symbols(study: Study, words: Words, hidden: str) -> list[ProblemSymbol]:
+def _symbols(study: SimulatedScene, words: Words, hidden: str) -> list[ProblemSymbol]:
     """Return all symbols of a problem in the order of its text, except the unknown."""
     parameters = {p.path: p for p in study.scene.parameters if p.path != hidden}
     found = [(symbol, parameters[path]) for path, symbol in words.symbols.items() if path in parameters]

@@ -12,7 +12,7 @@ from sim2reason.questions.difficulty import Difficulty
 from sim2reason.scenes.bodies.sliders import Puck, Table
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.measures import Count, Range
-from sim2reason.scenes.dsl.model import Choices, as_said, field_types
+from sim2reason.scenes.dsl.model import Choices, field_types, round_as_stated
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.scenes.entities.two_d_collision_plane import PairRestitution, TwoDCollisionPlane
@@ -127,7 +127,7 @@ def _drawn(kind: type, name: str, rng: np.random.Generator, drawn: Range | None 
 
 def _puck(tier: CollisionTier, rng: np.random.Generator, place: PlaneVector, velocity: PlaneVector = ORIGIN) -> Puck:
     """Return a puck of random mass."""
-    x, y, vx, vy = (as_said(Puck, name, part) for name, part in zip(PARTS, (*place, *velocity), strict=True))
+    x, y, vx, vy = (round_as_stated(Puck, name, part) for name, part in zip(PARTS, (*place, *velocity), strict=True))
     return Puck(mass=_drawn(Puck, "mass", rng, tier.mass), x=x, y=y, vx=vx, vy=vy)
 
 

@@ -9,7 +9,7 @@ from sim2reason.questions.difficulty import Difficulty
 from sim2reason.scenes.bodies.space import Planet
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.measures import Count, Range
-from sim2reason.scenes.dsl.model import draw, rebuilt
+from sim2reason.scenes.dsl.model import draw, replace_validated
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.solar_system import SolarSystem, orbiting
 
@@ -54,4 +54,4 @@ def draw_orbital(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
     system = draw(SolarSystem, rng, {"planets": (Planet.__name__,)})
     planets = tuple(draw(Planet, rng, {}) for _ in range(many))
     planets = orbiting(planets, system.star.mass, tier.eccentricity, rng)
-    return Scene(entities=(Named(name="system", entity=rebuilt(system, planets=planets)),))
+    return Scene(entities=(Named(name="system", entity=replace_validated(system, planets=planets)),))

@@ -11,7 +11,7 @@ import numpy as np
 
 from sim2reason.errors import SceneError
 from sim2reason.generation.recipes import recipe
-from sim2reason.generation.recipes.parts.ideas import idle
+from sim2reason.generation.recipes.parts.ideas import idle_numbers
 from sim2reason.generation.recipes.parts.ranges import SIZES
 from sim2reason.questions.difficulty import Difficulty
 from sim2reason.scenes.dsl.entity import Named
@@ -153,7 +153,9 @@ def _bear(pieces: Sequence[WeldedPiece], *, unmoved: int) -> bool:
     shares = [_share(piece) for piece in pieces]
     for number, piece in enumerate(pieces):
         others = _total([*shares[:number], *shares[number + 1 :]])
-        paths = (path for path in idle(piece, partial(_responses, others)) if len(pieces) > 1 or path != "body.mass")
+        paths = (
+            path for path in idle_numbers(piece, partial(_responses, others)) if len(pieces) > 1 or path != "body.mass"
+        )
         unmoved -= sum(1 for _ in islice(paths, unmoved + 1))
         if unmoved < 0:
             return False

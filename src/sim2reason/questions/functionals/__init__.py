@@ -6,7 +6,7 @@ from typing import ClassVar, TypeVar
 from sim2reason.base.registry import Registry
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.query import Noun
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.units import parse_unit
@@ -69,7 +69,7 @@ class Functional(ABC):
         del words, name
         return True
 
-    def worth(self, study: Study, name: str, end: float) -> bool:
+    def worth(self, study: SimulatedScene, name: str, end: float) -> bool:
         """Return whether the value is worth asking for and differs from that of a simpler question; by default True."""
         del study, name, end
         return True
@@ -79,7 +79,7 @@ class Functional(ABC):
         del name
         return moment.stretches(words)
 
-    def asked(self, words: Words) -> dict[str, Noun]:
+    def noun_phrases(self, words: Words) -> dict[str, Noun]:
         """Return the noun phrases of the functional for each subject that has it, by name."""
         mechanism, of = words.mechanism, self.of
         found: dict[str, Noun] = {}
@@ -87,12 +87,12 @@ class Functional(ABC):
             given = all(of.gives(need, mechanism, name, words.said) for need in self.needs)
             if given and self.present(words, name):
                 called = of.point(mechanism, name, said) if self.center else said
-                fills = {of.slot: called, "when": "{when}", **words.fills(of, name), **self.own(words, name)}
+                fills = {of.slot: called, "when": "{when}", **words.fills(of, name), **self.placeholders(words, name)}
                 phrase, how, indirect = (part.format(**fills) for part in (self.phrase, self.how, self.indirect))
                 found[name] = Noun(phrase, how, indirect)
         return found
 
-    def own(self, words: Words, name: str) -> dict[str, str]:
+    def placeholders(self, words: Words, name: str) -> dict[str, str]:
         """Return the functional's own template placeholders and their texts; by default none."""
         del words, name
         return {}

@@ -8,24 +8,24 @@ from sim2reason.questions.functionals import Functional, functional
 from sim2reason.questions.functionals.parts.integral import (
     BALANCE,
     EventCount,
-    encounter,
+    collision_phrases,
+    collision_times,
     energies,
     energy_lost,
-    hits,
-    is_loose,
+    is_unconstrained,
     jumps,
     massive,
 )
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.bounces import WALLS, struck
+from sim2reason.questions.moments.bounces import WALLS, obstacle_phrase
 from sim2reason.questions.moments.collisions import LastCollision
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.simulation.quantities.momentum import Momentum
-from sim2reason.simulation.quantities.subjects.bodies import Bodies, Whole
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, WholeScene
 from sim2reason.simulation.quantities.subjects.pairs import Pairs, members
 from sim2reason.simulation.trace import Trace
 
@@ -41,13 +41,13 @@ class Bounces(EventCount):
     fewest = 2  # a ball that is thrown is not followed for much longer
     indirect = "how many times {body} hits {what}"
 
-    def own(self, words: Words, name: str) -> dict[str, str]:
+    def placeholders(self, words: Words, name: str) -> dict[str, str]:
         """Return the placeholder for the fixed obstacle that the body hits."""
-        return {"what": struck(words, name)}
+        return {"what": obstacle_phrase(words, name)}
 
     def present(self, words: Words, name: str) -> bool:
         """Return whether the body can hit a fixed obstacle."""
-        return bool(struck(words, name))
+        return bool(obstacle_phrase(words, name))
 
     def times(self, trace: Trace, name: str) -> Sequence[float]:
         """Return the times, s, of the body's collisions with fixed obstacles."""
@@ -71,7 +71,7 @@ class CollisionImpulse(Functional):
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
         """Return the phrases for the moment, such as *in their second collision*."""
-        return encounter(moment, words, name)
+        return collision_phrases(moment, words, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """Return m|Δv|, in N s; None if a third body takes part at the same instant."""
@@ -81,7 +81,7 @@ class CollisionImpulse(Functional):
 
     def present(self, words: Words, name: str) -> bool:
         """Return whether both bodies are free, so that no string or axle takes part of the impulse."""
-        return all(is_loose(words.mechanism, body) for body in members(name))
+        return all(is_unconstrained(words.mechanism, body) for body in members(name))
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
         """Return the channels of both momenta."""
@@ -102,12 +102,12 @@ class CollisionLoss(Functional):
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
         """Return the phrases for the moment, such as *in their second collision*."""
-        return encounter(moment, words, name)
+        return collision_phrases(moment, words, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """Return the kinetic energy lost by all bodies, J; None if another collision occurs at the same instant."""
         del name
-        alone = hits(trace, end).count(end) == 1
+        alone = collision_times(trace, end).count(end) == 1
         return energy_lost(trace, [end]) if alone else None
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
@@ -121,13 +121,13 @@ class Collisions(EventCount):
     """The number of all collisions, of bodies with one another and with walls."""
 
     name = "number of collisions"
-    of = Whole()
+    of = WholeScene()
     phrase = "the number of collisions{walls} that take place"
     how = "how many collisions{walls} take place {when}?"
     indirect = "how many collisions{walls} take place"
     weight = 3.0
 
-    def own(self, words: Words, name: str) -> dict[str, str]:
+    def placeholders(self, words: Words, name: str) -> dict[str, str]:
         """Return the placeholder that includes walls in the count, if there are any."""
         del name
         walls = sum(meeting.a is None for meeting in words.mechanism.meetings)
@@ -167,11 +167,11 @@ class FromFixed(Functional):
 
     def present(self, words: Words, name: str) -> bool:
         """Return whether the body is free and can hit the ground or exactly one wall."""
-        return struck(words, name) not in {"", WALLS} and is_loose(words.mechanism, name)
+        return obstacle_phrase(words, name) not in {"", WALLS} and is_unconstrained(words.mechanism, name)
 
-    def own(self, words: Words, name: str) -> dict[str, str]:
+    def placeholders(self, words: Words, name: str) -> dict[str, str]:
         """Return the placeholder for the obstacle that the body hits."""
-        return {"what": struck(words, name)}
+        return {"what": obstacle_phrase(words, name)}
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
         """Return the channel of the body's momentum."""
@@ -180,7 +180,9 @@ class FromFixed(Functional):
 
     def sum(self, trace: Trace, name: str, times: list[float]) -> float | None:
         """Return |Σ mΔv| over impacts, in N s; None if another body takes part in one of them."""
-        others = hits(trace, times[-1], lambda e: name in e.subjects and len(e.subjects) > 1) if times else []
+        others = (
+            collision_times(trace, times[-1], lambda e: name in e.subjects and len(e.subjects) > 1) if times else []
+        )
         if not times or set(others) & set(times):
             return None
         return float(np.linalg.norm(np.sum(jumps(trace, lambda s: Momentum.evaluate(s, name), times), axis=0)))
@@ -197,7 +199,7 @@ class ImpactImpulse(FromFixed):
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
         """Return the phrases for the moment, such as *in their second collision*."""
-        return encounter(moment, words, name)
+        return collision_phrases(moment, words, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """Return m|Δv|, in N s."""
@@ -214,11 +216,11 @@ class TotalImpactImpulse(FromFixed):
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """Return |Σ mΔv|, in N s."""
-        return self.sum(trace, name, hits(trace, end, lambda event: event.subjects == (name,)))
+        return self.sum(trace, name, collision_times(trace, end, lambda event: event.subjects == (name,)))
 
-    def worth(self, study: Study, name: str, end: float) -> bool:
+    def worth(self, study: SimulatedScene, name: str, end: float) -> bool:
         """Return whether there are several impacts."""
-        return len(hits(study.trace, end, lambda event: event.subjects == (name,))) >= FEWEST
+        return len(collision_times(study.trace, end, lambda event: event.subjects == (name,))) >= FEWEST
 
 
 @functional
@@ -226,7 +228,7 @@ class TotalCollisionLoss(Functional):
     """The kinetic energy lost in all collisions up to a moment."""
 
     name, unit, kind, least = "energy lost in collisions", "J", "sum", 1e-3
-    of, needs = Whole(), ("mass",)
+    of, needs = WholeScene(), ("mass",)
     phrase = "the total kinetic energy lost in collisions"
     how = "how much kinetic energy is lost in collisions altogether {when}?"
     weight = 4.0
@@ -240,12 +242,12 @@ class TotalCollisionLoss(Functional):
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """Return the kinetic energy lost in all collisions, J."""
         del name
-        return energy_lost(trace, hits(trace, end))
+        return energy_lost(trace, collision_times(trace, end))
 
-    def worth(self, study: Study, name: str, end: float) -> bool:
+    def worth(self, study: SimulatedScene, name: str, end: float) -> bool:
         """Return whether there are several collisions."""
         del name
-        return len(hits(study.trace, end)) >= FEWEST
+        return len(collision_times(study.trace, end)) >= FEWEST
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
         """Return the channels of all kinetic energies."""

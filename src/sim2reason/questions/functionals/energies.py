@@ -9,13 +9,13 @@ from sim2reason.questions.functionals import Functional, functional
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.functionals.parts.integral import Integral, is_smooth
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.parts.occurrence import slip
+from sim2reason.questions.moments.parts.occurrence import slip_velocity
 from sim2reason.questions.moments.parts.reached import DistanceThreshold
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.fields import Push, Resistance
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Force, Inextensible, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.scenes.dsl.vectors import minus, product
+from sim2reason.scenes.dsl.vectors import dot, minus
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities.energy import KineticEnergy
 from sim2reason.simulation.quantities.forces import FrictionForce, StringLength, Tension
@@ -75,7 +75,7 @@ class DragHeat(Integral):
         for force in state.mechanism.forces:
             if force.body == name and isinstance(force.law, Resistance):
                 pull = force.law.force(point.place, point.velocity, state.times, np)
-                total = total - product(pull, point.velocity)
+                total = total - dot(pull, point.velocity)
         return total
 
     def present(self, words: Words, name: str) -> bool:
@@ -105,7 +105,7 @@ class FieldWork(Integral):
         point, total = state.frames.center(name), np.zeros(len(state.times))
         for force in _pushes(state.mechanism, name):
             pull = force.law.force(point.place, point.velocity, state.times, np)
-            power = product(pull, point.velocity) + 0.0 * state.times
+            power = dot(pull, point.velocity) + 0.0 * state.times
             if force.region is not None:
                 margins = [margin + 0.0 * state.times for margin in force.region.margins(point.place, np)]
                 power = np.where(np.min(margins, axis=0) > 0.0, power, 0.0)
@@ -144,7 +144,7 @@ class FrictionHeat(Integral):
 
     def rate(self, state: State, name: str) -> Array:
         """Return the power −f·u of friction, W, (n,), which is never negative."""
-        return -FrictionForce.evaluate(state, name) * slip(state, name)
+        return -FrictionForce.evaluate(state, name) * slip_velocity(state, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """Return the energy, J; None after an impact, in which friction may act as an impulse."""
@@ -219,7 +219,7 @@ class StringWork(Integral):
     indirect = "how much work the tension in {string} does on {body}"
     weight = 0.2  # rather the tension itself
 
-    def own(self, words: Words, name: str) -> dict[str, str]:
+    def placeholders(self, words: Words, name: str) -> dict[str, str]:
         """Return the placeholder for the text's phrase for the string."""
         return {"string": _called(words)[_tied(words.mechanism, name)[0][0]]}
 
@@ -234,8 +234,8 @@ class StringWork(Integral):
         line, own, other = _tied(state.mechanism, name)[0]
         here, there = state.frames.site(own), state.frames.site(other)
         apart = minus(there.place, here.place)
-        length: Array = np.sqrt(product(apart, apart)) + 0.0 * state.times
-        along = product(apart, here.velocity) / np.where(length > 0.0, length, 1.0)  # no way, where it has no length
+        length: Array = np.sqrt(dot(apart, apart)) + 0.0 * state.times
+        along = dot(apart, here.velocity) / np.where(length > 0.0, length, 1.0)  # no way, where it has no length
         return Tension.evaluate(state, line) * along
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:

@@ -7,7 +7,7 @@ from sim2reason.questions.functionals import Functional, functional
 from sim2reason.questions.functionals.parts.integral import Integral, energies, energy_lost, is_smooth
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.strings import WentTaut
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array, State
@@ -69,7 +69,7 @@ class NetImpulse(Functional):
         """Return |p − p₀|, in N s."""
         return float(np.linalg.norm(_momentum(trace, name, end) - _momentum(trace, name, 0.0)))
 
-    def worth(self, study: Study, name: str, end: float) -> bool:
+    def worth(self, study: SimulatedScene, name: str, end: float) -> bool:
         """Return whether the value differs from the final and initial momentum and from a weight times a time."""
         if only_falls(study.mechanism) and is_smooth(study.trace, end):
             return False

@@ -35,7 +35,7 @@ class GreatestAcceleration(Extreme):
     weight = 0.4
 
 
-STILL = 1e-6  # relative: a slower body is at rest
+REST_SPEED_RTOL = 1e-6  # relative: a slower body is at rest
 
 
 @functional
@@ -58,10 +58,10 @@ class OscillationAmplitude(Extreme):
         at_turns, within = trace.sample(np.array([0.0, *turns, end])), trace.scan.times <= end
         moving, turning = (np.abs(Velocity.evaluate(state, name) @ way) for state in (trace.scan, at_turns))
         places, ends = (Displacement.evaluate(state, name) @ way for state in (trace.scan, at_turns))
-        rests = ends[turning <= STILL * moving[within].max()]
+        rests = ends[turning <= REST_SPEED_RTOL * moving[within].max()]
         places = places[within]
         found = float(np.ptp(rests)) if len(rests) else 0.0
-        return 0.5 * found if found > 0.0 and found >= (1.0 - STILL) * float(np.ptp(places)) else None
+        return 0.5 * found if found > 0.0 and found >= (1.0 - REST_SPEED_RTOL) * float(np.ptp(places)) else None
 
     def loose_value(self, trace: Trace, name: str, end: float) -> float | None:
         """Return the same as `value`, as no other reading is likely."""

@@ -5,15 +5,15 @@ from math import degrees
 
 import numpy as np
 
-from sim2reason.questions.choices import still
+from sim2reason.questions.choices import rest_speed
 from sim2reason.questions.crossing import crossings
 from sim2reason.questions.functionals import functional
-from sim2reason.questions.functionals.parts.circles import circles, is_told_by_angles, leaves_circle
+from sim2reason.questions.functionals.parts.circles import circles, is_given_by_geometry, leaves_circle
 from sim2reason.questions.functionals.parts.integral import EventCount, Integral
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.angles import Orbited
 from sim2reason.questions.moments.parts.turning_points import Apsis
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array, State
@@ -21,7 +21,7 @@ from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities.kinematics import Displacement, Velocity
 from sim2reason.simulation.quantities.relative import DistanceBetween
 from sim2reason.simulation.quantities.rotation import AngleTurned, AngularVelocity
-from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies, moves
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies, can_move
 from sim2reason.simulation.quantities.subjects.pairs import Pairs, members
 from sim2reason.simulation.quantities.subjects.paths import center_path, rides
 from sim2reason.simulation.trace import Trace
@@ -50,9 +50,9 @@ class AngleSwept(Integral):
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
         """Return phrases for the interval; none where geometry alone gives the angle."""
-        return () if is_told_by_angles(moment, words) else super().when(moment, words, name)
+        return () if is_given_by_geometry(moment, words) else super().when(moment, words, name)
 
-    def worth(self, study: Study, name: str, end: float) -> bool:
+    def worth(self, study: SimulatedScene, name: str, end: float) -> bool:
         """Return whether the body turns back, so that the total exceeds the net angle."""
         total = self.value(study.trace, name, end) or 0.0
         net = abs(float(AngleTurned.evaluate(study.trace.at(end), name)[0]))
@@ -78,7 +78,7 @@ class AreaSwept(Integral):
         """Return the areal speed ½|r × v|, (n,)."""
         return np.linalg.norm(_areal_velocity(state, name), axis=1)
 
-    def worth(self, study: Study, name: str, end: float) -> bool:
+    def worth(self, study: SimulatedScene, name: str, end: float) -> bool:
         """Return whether the line turns in one sense only, as otherwise the sign of areas is ambiguous."""
         scan = study.trace.scan
         swept = _areal_velocity(scan, name)[scan.times <= end]
@@ -87,7 +87,7 @@ class AreaSwept(Integral):
     def present(self, words: Words, name: str) -> bool:
         """Return whether one body of the pair is fixed and attracts the other."""
         pulls = any({pull.a, pull.b} == set(members(name)) for pull in words.mechanism.attractions)
-        return pulls and sum(moves(words.mechanism, body) for body in members(name)) == 1
+        return pulls and sum(can_move(words.mechanism, body) for body in members(name)) == 1
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
         """Return phrases for intervals that end with an event of the orbit; a stated time would need no gravitation."""
@@ -140,7 +140,7 @@ class DistanceTravelled(Integral):
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
         """Return phrases for the interval; none on a circle where geometry alone gives the arc."""
-        told = circles(words.mechanism, name) and is_told_by_angles(moment, words)
+        told = circles(words.mechanism, name) and is_given_by_geometry(moment, words)
         return () if told else super().when(moment, words, name)
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
@@ -148,7 +148,7 @@ class DistanceTravelled(Integral):
         del mechanism
         return (Channel(name, Velocity.name), Channel(name, Displacement.name))
 
-    def worth(self, study: Study, name: str, end: float) -> bool:
+    def worth(self, study: SimulatedScene, name: str, end: float) -> bool:
         """Return whether the distance exceeds the displacement and, on a circle, the body stays on it."""
         if circles(study.mechanism, name) and leaves_circle(study.trace, end):
             return False
@@ -179,7 +179,7 @@ class Reversals(EventCount):
         """
         way = np.array(center_path(trace.mechanism, name).ways[0])
         speeds = Velocity.evaluate(trace.scan, name) @ way
-        clear = np.flatnonzero(np.abs(speeds) > still(trace, speeds))
+        clear = np.flatnonzero(np.abs(speeds) > rest_speed(trace, speeds))
         times, speeds = trace.scan.times[clear], speeds[clear]
         (before,) = np.nonzero(speeds[1:] * speeds[:-1] < 0.0)
         shares = speeds[before] / (speeds[before] - speeds[before + 1])

@@ -9,19 +9,19 @@ from typing import ClassVar, TypeVar
 import numpy as np
 
 from sim2reason.base.registry import Registry
-from sim2reason.questions.choices import bears_from, has_met
-from sim2reason.questions.doubt import doubt
+from sim2reason.questions.choices import data_relevant_from, has_collided
+from sim2reason.questions.doubt import certification_gap
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.moments.parts.reached import moment_of
 from sim2reason.questions.phrasing import asking_then, naming_then, stating_then
 from sim2reason.questions.query import Noun, Query, Targets, quantities_named, target_named
 from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities import QUANTITIES
-from sim2reason.simulation.trace import AT_ONCE
+from sim2reason.simulation.trace import EVENT_TIME_RTOL
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +67,7 @@ class Kind(ABC):
     @property
     def stated(self) -> bool:
         """Return whether the kind can phrase its answers as conditions."""
-        return type(self).called is not Kind.called
+        return type(self).noun_phrases is not Kind.noun_phrases
 
     def of_motion(self, query: Query) -> bool:
         """Return whether an answer may depend on the initial motion; by default True."""
@@ -75,25 +75,25 @@ class Kind(ABC):
         return True
 
     @abstractmethod
-    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+    def draw(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Return a random query of this kind about a motion; None if there is none."""
 
     def at(
-        self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
+        self, moment: Moment, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator
     ) -> Query | None:
         """Return a query of this kind at another question's moment; None, as by default, if there is none."""
         del moment, study, words, targets, rng
         return None
 
     @abstractmethod
-    def answer(self, query: Query, study: Study) -> float | None:
+    def answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the answer in SI units; None if the moment does not occur, NaN if the mechanism leaves it open."""
 
-    def loose_answer(self, query: Query, study: Study) -> float | None:
+    def loose_answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the answer that a reader may give even where none is asked for; by default `answer`."""
         return self.answer(query, study)
 
-    def expecting(self, query: Query, answer: float) -> Query:
+    def with_likely_answer(self, query: Query, answer: float) -> Query:
         """Return a query that contains a likely answer, to speed up the search; 0 stands for an unknown one.
 
         By default as it is.
@@ -101,7 +101,7 @@ class Kind(ABC):
         del answer
         return query
 
-    def far_answer(self, query: Query, study: Study) -> float | None:
+    def far_answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the answer in a misread scene, searched for over a wide range; by default `loose_answer`."""
         return self.loose_answer(query, study)
 
@@ -109,12 +109,12 @@ class Kind(ABC):
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """Return all sentences of a query, the most usual first; `noun` is the phrase for its target, if any."""
 
-    def former(self, query: Query, words: Words) -> tuple[str, ...]:
+    def former_sentences(self, query: Query, words: Words) -> tuple[str, ...]:
         """Return sentences of earlier versions, which are parsed but no longer written; by default none."""
         del query, words
         return ()
 
-    def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+    def noun_phrases(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """Return noun phrases for the answer, including its moment: *the speed of A when B first stops*.
 
         They are for questions that state it as a condition; by default there are none, and it is never stated.
@@ -122,16 +122,16 @@ class Kind(ABC):
         del query, words, noun
         return ()
 
-    def told(self, query: Query, words: Words, noun: Noun | None, value: str) -> tuple[str, ...]:
+    def statements(self, query: Query, words: Words, noun: Noun | None, value: str) -> tuple[str, ...]:
         """Return statements that the answer has a value, given with its unit; the first one can stand in a clause."""
-        return tuple(f"{called} is {value}" for called in self.called(query, words, noun))
+        return tuple(f"{called} is {value}" for called in self.noun_phrases(query, words, noun))
 
-    def wanted(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """Return noun phrases for the answer that fit a condition, *X shall be 2 m/s*; by default `called`."""
-        return self.called(query, words, noun)
+    def condition_phrases(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+        """Return noun phrases for the answer that fit a condition, *X shall be 2 m/s*; by default `noun_phrases`."""
+        return self.noun_phrases(query, words, noun)
 
     @abstractmethod
-    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+    def parsed(self, text: str, study: SimulatedScene, words: Words, targets: Targets) -> Iterator[Query]:
         """Yield all queries that a sentence may express, from its numbers and names; `targets` are those it names.
 
         The query whose `shapes` contain the sentence, word for word, is the correct one.
@@ -142,7 +142,7 @@ class Kind(ABC):
         del words
         return ()
 
-    def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
+    def posed(self, asked: StructuredQuestion, study: SimulatedScene, words: Words) -> Query | None:
         """Return the query for a structured question about one of `finds`; None for another kind's question.
 
         By default None. TextError for a part that has no meaning.
@@ -153,7 +153,7 @@ class Kind(ABC):
         """Return the limit of the answer for ever later moments: inf for times; by default None for other answers."""
         return inf if self.measured(query).name == "time" else None
 
-    def time(self, query: Query, study: Study) -> float | None:
+    def time(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the time, s, by which the answer is determined; None if it never is. By default that of the moment."""
         return study.time(query.moment) if query.moment is not None else None
 
@@ -161,15 +161,15 @@ class Kind(ABC):
         """Return the channels that must be certified at that time; by default that of the target."""
         return (Channel(query.target.subject, query.target.quantity),) if query.target is not None else ()
 
-    def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
+    def doubt(self, query: Query, study: SimulatedScene, certificate: Certificate | None) -> str:
         """Return a short reason why the answer is not certified; empty if it is.
 
         By default its channels must be certified from the start to its time. The certificate is None if there is no
         second engine.
         """
-        return doubt(certificate, self.time(query, study), query.moment, self.channels(query))
+        return certification_gap(certificate, self.time(query, study), query.moment, self.channels(query))
 
-    def indifferent(self, query: Query, study: Study, other: Study) -> bool:
+    def indifferent(self, query: Query, study: SimulatedScene, other: SimulatedScene) -> bool:
         """Return whether another scene differs only in numbers that cannot affect such answers; by default False."""
         del query, study, other
         return False
@@ -192,26 +192,26 @@ class ValueKind(Kind):
 
     def moments(self) -> list[type[Moment]]:
         """Return the classes of moments of this kind; UnknownNameError if a moment declares an unknown kind."""
-        return [moment for moment in by_cause() if KINDS[moment.kind] is self]
+        return [moment for moment in moments_by_cause() if KINDS[moment.kind] is self]
 
-    def answer(self, query: Query, study: Study) -> float | None:
+    def answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the quantity in SI units at the moment, or for some moments just before; None without the moment."""
         assert query.target is not None
         assert query.moment is not None
         time = study.time(query.moment)
-        return None if time is None else query.target.value(study.trace.at(query.moment.side(time)))
+        return None if time is None else query.target.value(study.trace.at(query.moment.evaluation_time(time)))
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """Return the forms of the question, such as *what is the speed of A 0.80 s after release?*."""
         assert noun is not None
         return asking_then(query, words, noun)
 
-    def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+    def noun_phrases(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """Return noun phrases for the answer, such as *the speed of A when B first stops*."""
         assert noun is not None
         return naming_then(query, words, noun)
 
-    def told(self, query: Query, words: Words, noun: Noun | None, value: str) -> tuple[str, ...]:
+    def statements(self, query: Query, words: Words, noun: Noun | None, value: str) -> tuple[str, ...]:
         """Return statements of the result, such as *when B first stops, A is moving at 2.1 m/s*."""
         assert noun is not None
         return stating_then(query, words, noun, value)
@@ -220,14 +220,14 @@ class ValueKind(Kind):
         """Return the names of all quantities in the scene."""
         return tuple(quantities_named(words.mechanism))
 
-    def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
+    def posed(self, asked: StructuredQuestion, study: SimulatedScene, words: Words) -> Query | None:
         """Return the query for a quantity at a moment of this kind; None at other moments."""
         del study
         moment = moment_of(asked, words) if asked.when != EQUILIBRIUM else None
         asks = moment and KINDS[moment.kind] is self
         return Query(self.name, target_named(asked, words), moment) if asks else None
 
-    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+    def parsed(self, text: str, study: SimulatedScene, words: Words, targets: Targets) -> Iterator[Query]:
         """Yield a query for every quantity and every moment that a sentence names."""
         named = [target for target, noun in targets.items() if self.timeless or not noun.timeless]
         for cls in self.moments():
@@ -257,7 +257,7 @@ def kind(cls: type[K]) -> type[K]:
     return cls
 
 
-def by_share(rng: np.random.Generator) -> list[Kind]:
+def kinds_by_share(rng: np.random.Generator) -> list[Kind]:
     """Return all kinds with numeric answers in random order, weighted by share, as few motions offer all of them."""
     kinds = [kind for kind in KINDS.values() if not kind.names_one]
     shares = np.array([kind.share for kind in kinds])
@@ -265,14 +265,14 @@ def by_share(rng: np.random.Generator) -> list[Kind]:
     return [kinds[number] for number in order.tolist()]
 
 
-def by_cause() -> list[type[Moment]]:
+def moments_by_cause() -> list[type[Moment]]:
     """Return all classes of moments: first those that the motion determines, then those with a drawn number."""
     return sorted(MOMENTS.values(), key=lambda moment: not moment.event)
 
 
-def drawn(
+def draw_moment(
     classes: list[type[M]],
-    study: Study,
+    study: SimulatedScene,
     words: Words,
     rng: np.random.Generator,
     wanted: Callable[[M], bool] = lambda _: True,
@@ -291,8 +291,8 @@ def drawn(
     return None
 
 
-def _bears(study: Study, moment: Moment) -> bool:
+def _bears(study: SimulatedScene, moment: Moment) -> bool:
     time = study.time(moment)
-    if time is None or not has_met(study.trace, time, just_after=bool(moment.sided)):
+    if time is None or not has_collided(study.trace, time, just_after=bool(moment.sided)):
         return False
-    return time >= bears_from(study.trace) * (1.0 - AT_ONCE)
+    return time >= data_relevant_from(study.trace) * (1.0 - EVENT_TIME_RTOL)

@@ -9,10 +9,17 @@ import numpy as np
 
 from sim2reason.errors import TextError
 from sim2reason.questions.kinds import KINDS, Measured, kind
-from sim2reason.questions.kinds.parts.nested import NestedKind, NestedQuery, answered, inner_of, stripped, vouched
+from sim2reason.questions.kinds.parts.nested import (
+    NestedKind,
+    NestedQuery,
+    inner_of,
+    stripped,
+    usable_answer,
+    variant_certification_gap,
+)
 from sim2reason.questions.query import Noun, Query, Targets, targets
 from sim2reason.questions.structured import CHANGE, StructuredQuestion, measured, one_of, resolved
-from sim2reason.questions.study import Study, ways
+from sim2reason.questions.study import SimulatedScene, change_directions
 from sim2reason.questions.tolerance import NEARLY, TOLERANCE
 from sim2reason.questions.unknown import is_usual
 from sim2reason.questions.words import Words
@@ -22,7 +29,7 @@ GERUNDS: Mapping[float, str] = {2.0: "doubling", 0.5: "halving", 3.0: "tripling"
 OFTEN = (0.6, 0.25, 0.15)
 RATIO = "the ratio of the new value to the original value of"
 RATIOS = 0.85  # of comparisons: the share that asks for a ratio, not a difference
-CLEARLY = 0.1  # relative: least change of the answer
+MIN_RELATIVE_CHANGE = 0.1  # relative: least change of the answer
 POWERS = (-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0)
 """Of the factor of a number: what somebody guesses by mere proportionality must not be the answer."""
 
@@ -38,13 +45,13 @@ class ComparisonQuery(NestedQuery):
     ratio: bool = True
     grows: bool = True
 
-    def others(self, study: Study) -> list[Study | None]:
+    def others(self, study: SimulatedScene) -> list[SimulatedScene | None]:
         """Return the motion with the changed number."""
         return [self.changed(study)]
 
-    def changed(self, study: Study) -> Study | None:
+    def changed(self, study: SimulatedScene) -> SimulatedScene | None:
         """Return the motion with the number multiplied by the factor; None if there is none."""
-        return study.likewise({self.path: self.factor * float(study.scene.value(self.path))})
+        return study.with_same_change({self.path: self.factor * float(study.scene.value(self.path))})
 
 
 @kind
@@ -54,7 +61,7 @@ class ComparisonKind(NestedKind):
     name = "comparison"
     share = 0.04
 
-    def _worth(self, inner: Query, path: str, study: Study, rng: np.random.Generator) -> Query | None:
+    def _worth(self, inner: Query, path: str, study: SimulatedScene, rng: np.random.Generator) -> Query | None:
         """Return a comparison whose answer no simple proportionality gives, with equal courses of events; else None."""
         factor = list(GERUNDS)[int(rng.choice(len(OFTEN), p=OFTEN))]
         query = ComparisonQuery(self.name, inner.target, inner.moment, stripped(inner), path, factor)
@@ -62,22 +69,22 @@ class ComparisonKind(NestedKind):
         if not is_usual(study.scene, path, factor * float(study.scene.value(path))):
             return None
         other = query.changed(study)
-        before, after = answered(inner, study), answered(inner, other)
+        before, after = usable_answer(inner, study), usable_answer(inner, other)
         if other is None or before is None or after is None or min(before, after) <= _least(inner):
             return None
         if _is_guessed(after / before, factor) or _course(inner, study) != _course(inner, other):
             return None
         return replace(query, grows=query.ratio or after > before)
 
-    def answer(self, query: Query, study: Study) -> float | None:
+    def answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the ratio of the new answer to the original one, or their difference."""
         return _compared(query, study, loosely=False)
 
-    def loose_answer(self, query: Query, study: Study) -> float | None:
+    def loose_answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the same from the answers that a reader may give in either scene."""
         return _compared(query, study, loosely=True)
 
-    def time(self, query: Query, study: Study) -> float | None:
+    def time(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the time, s, by which both answers are determined; None if one never is."""
         assert isinstance(query, ComparisonQuery)
         other, inner = query.changed(study), query.inner
@@ -85,7 +92,7 @@ class ComparisonKind(NestedKind):
         known = [time for time in times if time is not None]
         return max(known) if len(known) == len(times) else None
 
-    def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
+    def doubt(self, query: Query, study: SimulatedScene, certificate: Certificate | None) -> str:
         """Return why either case is not certified; empty if both are."""
         assert isinstance(query, ComparisonQuery)
         inner = query.inner
@@ -93,7 +100,7 @@ class ComparisonKind(NestedKind):
         other = query.changed(study)
         if reason or other is None:
             return reason or "there is no motion with the other value"
-        return vouched(inner, other)
+        return variant_certification_gap(inner, other)
 
     def measured(self, query: Query) -> Measured:
         """Return the measure of a ratio, or of a difference in the unit of the inner answer."""
@@ -112,7 +119,7 @@ class ComparisonKind(NestedKind):
         forms = _ratio_forms(query, number) if query.ratio else _difference_forms(query, number)
         return tuple(form.format(name) for form, name in product(forms, self.names(query, words, noun)))
 
-    def former(self, query: Query, words: Words) -> tuple[str, ...]:
+    def former_sentences(self, query: Query, words: Words) -> tuple[str, ...]:
         """Return sentences such as *what would be the ratio of the new value to the original value of …*."""
         assert isinstance(query, ComparisonQuery)
         number = words.named.get(query.path)
@@ -122,7 +129,7 @@ class ComparisonKind(NestedKind):
         changed = f"{number} were {_done(query.factor)}"
         return tuple(f"what would be {RATIO} {name}, if {changed}?" for name in self.names(query, words, noun))
 
-    def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+    def noun_phrases(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """Return noun phrases such as *the factor by which doubling the mass of A would multiply the speed of B*."""
         assert isinstance(query, ComparisonQuery)
         number = words.named.get(query.path)
@@ -131,7 +138,7 @@ class ComparisonKind(NestedKind):
         names = self.names(query, words, noun)
         return tuple(f"the factor by which {GERUNDS[query.factor]} {number} would multiply {name}" for name in names)
 
-    def told(self, query: Query, words: Words, noun: Noun | None, value: str) -> tuple[str, ...]:
+    def statements(self, query: Query, words: Words, noun: Noun | None, value: str) -> tuple[str, ...]:
         """Return statements such as *doubling the mass of A would multiply the speed of B by 1.4*."""
         assert isinstance(query, ComparisonQuery)
         number = words.named.get(query.path)
@@ -140,7 +147,7 @@ class ComparisonKind(NestedKind):
         changing = f"{GERUNDS[query.factor]} {number}"
         return tuple(f"{changing} would multiply {name} by {value}" for name in self.names(query, words, noun))
 
-    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+    def parsed(self, text: str, study: SimulatedScene, words: Words, targets: Targets) -> Iterator[Query]:
         """Yield a query for every change of a number that a sentence names, with every inner question."""
         changes = [
             (path, factor, ratio, grows)
@@ -158,7 +165,7 @@ class ComparisonKind(NestedKind):
                 )
 
 
-def compared(inner: Query, asked: StructuredQuestion, study: Study, words: Words) -> ComparisonQuery:
+def compared(inner: Query, asked: StructuredQuestion, study: SimulatedScene, words: Words) -> ComparisonQuery:
     """Return the query for an answer's change with a number, as in *ramp.speed = 5 m/s* or *ramp.speed × 2*.
 
     TextError if the change names no number of the scene, or has no value for the number.
@@ -203,11 +210,11 @@ def _done(factor: float) -> str:
     return f"{GERUNDS[factor].removesuffix('ing')}ed"
 
 
-def _compared(query: Query, study: Study, *, loosely: bool) -> float | None:
+def _compared(query: Query, study: SimulatedScene, *, loosely: bool) -> float | None:
     assert isinstance(query, ComparisonQuery)
     inner = inner_of(query)
-    before = answered(inner, study, loosely=loosely)
-    after = answered(inner, query.changed(study), loosely=loosely) if before is not None else None
+    before = usable_answer(inner, study, loosely=loosely)
+    after = usable_answer(inner, query.changed(study), loosely=loosely) if before is not None else None
     if before is None or after is None:
         return None
     if query.ratio:
@@ -219,13 +226,13 @@ def _least(inner: Query) -> float:
     return KINDS[inner.kind].measured(inner).least
 
 
-def _course(inner: Query, study: Study) -> tuple[object, ...]:
+def _course(inner: Query, study: SimulatedScene) -> tuple[object, ...]:
     """Return the course of events until the answer is known, and the direction of each coordinate's change."""
     time = KINDS[inner.kind].time(inner, study) or 0.0
-    return study.trace.story(time), ways(study, time)
+    return study.trace.story(time), change_directions(study, time)
 
 
 def _is_guessed(ratio: float, factor: float) -> bool:
     """Return whether the ratio is nearly a simple power of the factor, or nearly one."""
     near = any(abs(factor**power / ratio - 1.0) <= NEARLY * TOLERANCE for power in POWERS)
-    return near or abs(log(ratio)) < CLEARLY
+    return near or abs(log(ratio)) < MIN_RELATIVE_CHANGE

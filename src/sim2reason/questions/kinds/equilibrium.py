@@ -12,17 +12,17 @@ from sim2reason.questions.period_words import equilibrium_called
 from sim2reason.questions.phrasing import asking
 from sim2reason.questions.query import Noun, Query, Target, Targets, quantities_named, target_named
 from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities import QUANTITIES
-from sim2reason.simulation.rest.equilibrium import equilibrium, lone_equilibrium
-from sim2reason.simulation.rest.oscillation import alike_at_rest, unrest
+from sim2reason.simulation.rest.equilibrium import equilibrium, unique_equilibrium
+from sim2reason.simulation.rest.oscillation import agree_at_rest, equilibrium_disagreement
 
 WHEN = ("in the position of {}", "at the position of {}", "in the {} position")
-STILL = 1e-6  # m or rad
+START_TOLERANCE = 1e-6  # m or rad
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +44,7 @@ class EquilibriumKind(Kind):
         assert query.target is not None
         return QUANTITIES[query.target.quantity].from_start
 
-    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+    def draw(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Return a query for a magnitude, not a weight, in a stable equilibrium away from the start; None without one.
 
         Nor a change in energy since the start. `doubt` refuses it where there is another equilibrium.
@@ -54,7 +54,7 @@ class EquilibriumKind(Kind):
         if not _worth(mechanism):
             return None
         rest = equilibrium(mechanism)
-        if rest is None or rest.free or float(np.abs(rest.coordinates).max()) <= STILL:
+        if rest is None or rest.free or float(np.abs(rest.coordinates).max()) <= START_TOLERANCE:
             return None
         start, there = study.trace.at(0.0), rest.state
         weights = [body.mass * float(np.linalg.norm(mechanism.gravity)) for body in mechanism.bodies]
@@ -71,13 +71,13 @@ class EquilibriumKind(Kind):
             return None
         return EquilibriumQuery(self.name, target, stable=not rest.linear)
 
-    def answer(self, query: Query, study: Study) -> float | None:
+    def answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the quantity in equilibrium, in SI units."""
         assert query.target is not None
         rest = equilibrium(study.mechanism)
         return query.target.value(rest.state) if rest is not None else None
 
-    def time(self, query: Query, study: Study) -> float | None:
+    def time(self, query: Query, study: SimulatedScene) -> float | None:
         """Return zero, as the answer does not depend on the motion."""
         del query, study
         return 0.0
@@ -87,16 +87,16 @@ class EquilibriumKind(Kind):
         del query
         return ()
 
-    def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
+    def doubt(self, query: Query, study: SimulatedScene, certificate: Certificate | None) -> str:
         """Return why the second engine, started at rest in equilibrium, disagrees; empty if it agrees."""
         del query, certificate
-        rest = lone_equilibrium(study.mechanism)
-        return "there is no equilibrium, or another one" if rest is None else unrest(rest)
+        rest = unique_equilibrium(study.mechanism)
+        return "there is no equilibrium, or another one" if rest is None else equilibrium_disagreement(rest)
 
-    def indifferent(self, query: Query, study: Study, other: Study) -> bool:
+    def indifferent(self, query: Query, study: SimulatedScene, other: SimulatedScene) -> bool:
         """Return whether the scenes differ only in initial velocities and in masses that do not affect equilibrium."""
         del query
-        return alike_at_rest(study.mechanism, other.mechanism, ("lengths", "forces", "stiffness"))
+        return agree_at_rest(study.mechanism, other.mechanism, ("lengths", "forces", "stiffness"))
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """Return sentences such as *in the position of equilibrium, what is the length of the spring?*."""
@@ -106,7 +106,7 @@ class EquilibriumKind(Kind):
         shapes = (shape for when in _whens(query) for shape in asking(query.target, noun, when))
         return tuple(dict.fromkeys(shapes))
 
-    def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+    def noun_phrases(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """Return noun phrases for the answer, such as *the length of the spring in the position of equilibrium*."""
         del words
         assert noun is not None
@@ -116,7 +116,7 @@ class EquilibriumKind(Kind):
         """Return the names of all quantities in the scene."""
         return tuple(quantities_named(words.mechanism))
 
-    def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
+    def posed(self, asked: StructuredQuestion, study: SimulatedScene, words: Words) -> Query | None:
         """Return the query for a quantity in equilibrium; None for a question about another moment."""
         if asked.when != EQUILIBRIUM:
             return None
@@ -128,7 +128,7 @@ class EquilibriumKind(Kind):
             raise TextError("find", "in equilibrium nothing moves", "find a length, an angle or a force there")
         return EquilibriumQuery(self.name, target, stable=not rest.linear)
 
-    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+    def parsed(self, text: str, study: SimulatedScene, words: Words, targets: Targets) -> Iterator[Query]:
         """Yield a query for every quantity that a sentence names."""
         del study, words
         if "equilibrium" in text:

@@ -7,9 +7,16 @@ from itertools import pairwise, product
 import numpy as np
 
 from sim2reason.questions.kinds import KINDS, Measured, kind
-from sim2reason.questions.kinds.parts.nested import NestedKind, NestedQuery, answered, inner_of, stripped, vouched
+from sim2reason.questions.kinds.parts.nested import (
+    NestedKind,
+    NestedQuery,
+    inner_of,
+    stripped,
+    usable_answer,
+    variant_certification_gap,
+)
 from sim2reason.questions.query import Noun, Query, Targets
-from sim2reason.questions.study import Study, ways
+from sim2reason.questions.study import SimulatedScene, change_directions
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.simulation.certify import Certificate
@@ -18,9 +25,9 @@ RATIO = 10.0
 TIMES = tuple(3e2 * RATIO**turn for turn in range(3))
 """Of the largest mass, or parts of the smallest: where the answer is looked at. No mass may be a million kilograms."""
 NEARER = 1e3  # factor on the mass for the second engine
-CLEARLY = 0.1  # relative: least difference between the limit and the answer with the actual mass
+MIN_RELATIVE_CHANGE = 0.1  # relative: least difference between the limit and the answer with the actual mass
 SETTLED = 1e-2  # relative: largest change of the answer between the last two masses
-SEEN = 0.02  # relative: largest distance from the limit in the second engine
+WITNESS_RTOL = 0.02  # relative: largest distance from the limit in the second engine
 MASS = "kg"
 
 
@@ -30,15 +37,15 @@ class LimitQuery(NestedQuery):
 
     large: bool = True
 
-    def others(self, study: Study) -> list[Study | None]:
+    def others(self, study: SimulatedScene) -> list[SimulatedScene | None]:
         """Return the motions in which the mass is far larger, or far smaller, than all others."""
         return self.extremes(study)
 
-    def extremes(self, study: Study, times: Sequence[float] = TIMES) -> list[Study | None]:
+    def extremes(self, study: SimulatedScene, times: Sequence[float] = TIMES) -> list[SimulatedScene | None]:
         """Return the motions with the mass multiplied by ever larger factors, or divided by them."""
         masses = [float(p.value) for p in study.scene.parameters if p.measure.unit == MASS and p.value]
         end = max(masses) if self.large else min(masses)
-        return [study.likewise({self.path: end * by if self.large else end / by}) for by in times]
+        return [study.with_same_change({self.path: end * by if self.large else end / by}) for by in times]
 
 
 @kind
@@ -50,35 +57,35 @@ class LimitKind(NestedKind):
     beyond_laws = True
     inner = ("start", "event", "time_to_event")
 
-    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+    def draw(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Return a random query; None if forces vary, as oscillations beside a huge mass are slow to integrate."""
         return None if changing(study.mechanism) else super().draw(study, words, targets, rng)
 
-    def _numbers(self, study: Study, words: Words, rng: np.random.Generator) -> Iterable[str]:
+    def _numbers(self, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Iterable[str]:
         """Return the addresses of the masses in random order, if there are several."""
         masses = {p.path for p in study.scene.parameters if p.measure.unit == MASS and p.value}
         return [path for path in super()._numbers(study, words, rng) if path in masses and len(masses) > 1]
 
-    def _worth(self, inner: Query, path: str, study: Study, rng: np.random.Generator) -> Query | None:
+    def _worth(self, inner: Query, path: str, study: SimulatedScene, rng: np.random.Generator) -> Query | None:
         """Return a query with a nonzero limit that the answer approaches monotonically; None if there is none."""
         del rng
         query = LimitQuery(self.name, inner.target, inner.moment, stripped(inner), path)
         least = KINDS[inner.kind].measured(inner).least
         for large in (True, False):  # without a mass most problems are others that are simpler
             query = replace(query, large=large)
-            found, here, (last,) = _limit(query, study), answered(inner, study), query.extremes(study, TIMES[-1:])
+            found, here, (last,) = _limit(query, study), usable_answer(inner, study), query.extremes(study, TIMES[-1:])
             if found is None or here is None or last is None or found <= least:
                 continue
-            if abs(found / here - 1.0) > CLEARLY and _way(inner, study) == _way(inner, last):
+            if abs(found / here - 1.0) > MIN_RELATIVE_CHANGE and _way(inner, study) == _way(inner, last):
                 return query
         return None
 
-    def answer(self, query: Query, study: Study) -> float | None:
+    def answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the limit, extrapolated from motions with masses that differ by powers of ten."""
         assert isinstance(query, LimitQuery)
         return _limit(query, study)
 
-    def time(self, query: Query, study: Study) -> float | None:
+    def time(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the time, s, by which the answer is determined in the actual motion and with the extreme mass."""
         assert isinstance(query, LimitQuery)
         inner = query.inner
@@ -87,19 +94,19 @@ class LimitKind(NestedKind):
         known = [time for time in times if time is not None]
         return max(known) if len(known) == len(times) else None
 
-    def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
+    def doubt(self, query: Query, study: SimulatedScene, certificate: Certificate | None) -> str:
         """Return why a motion with an answer close to the limit is not certified; empty if it is."""
         assert isinstance(query, LimitQuery)
         inner, (near,) = query.inner, query.extremes(study, (NEARER,))
         reason = KINDS[inner.kind].doubt(inner, study, certificate)
-        limit, close = _limit(query, study), answered(inner, near)
+        limit, close = _limit(query, study), usable_answer(inner, near)
         if reason or limit is None or close is None or near is None:
             return reason or "there is no limit"
-        if abs(close / limit - 1.0) > SEEN:
+        if abs(close / limit - 1.0) > WITNESS_RTOL:
             return "the limit is approached too slowly to be seen"
-        return vouched(inner, near)
+        return variant_certification_gap(inner, near)
 
-    def indifferent(self, query: Query, study: Study, other: Study) -> bool:
+    def indifferent(self, query: Query, study: SimulatedScene, other: SimulatedScene) -> bool:
         """Return True: to find which numbers do not matter in the limit is the point of the question."""
         del query, study, other
         return True
@@ -128,7 +135,7 @@ class LimitKind(NestedKind):
         )
         return tuple(form.format(name) for form, name in product(forms, self.names(query, words, noun)))
 
-    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+    def parsed(self, text: str, study: SimulatedScene, words: Words, targets: Targets) -> Iterator[Query]:
         """Yield a query for every limit of a quantity and mass that a sentence names."""
         numbers = [path for path, number in words.named.items() if f"{number} " in text]
         if not numbers or not any(said in text for said in ("approach", "limit", "all other masses")):
@@ -138,9 +145,9 @@ class LimitKind(NestedKind):
                 yield LimitQuery(self.name, inner.target, inner.moment, stripped(inner), path, large)
 
 
-def _limit(query: LimitQuery, study: Study) -> float | None:
+def _limit(query: LimitQuery, study: SimulatedScene) -> float | None:
     """Return the limit, extrapolated by a parabola in the inverse mass, or in the mass."""
-    answers = [answered(query.inner, other, loosely=True) for other in query.extremes(study)]
+    answers = [usable_answer(query.inner, other, loosely=True) for other in query.extremes(study)]
     found = [answer for answer in answers if answer is not None]
     if len(found) < len(TIMES) or abs(found[-1] - found[-2]) > SETTLED * abs(found[-1]):
         return None
@@ -148,7 +155,7 @@ def _limit(query: LimitQuery, study: Study) -> float | None:
     return lines[1] + (lines[1] - lines[0]) / (RATIO**2 - 1.0)
 
 
-def _way(inner: Query, study: Study) -> tuple[object, ...]:
+def _way(inner: Query, study: SimulatedScene) -> tuple[object, ...]:
     """Return the course of events until the answer is known, and the directions of moving coordinates."""
     time = KINDS[inner.kind].time(inner, study) or 0.0
-    return study.trace.story(time), ways(study, time)
+    return study.trace.story(time), change_directions(study, time)

@@ -6,21 +6,21 @@ from itertools import pairwise, product
 
 import numpy as np
 
-from sim2reason.questions.dependence import Dependence
+from sim2reason.questions.dependence import AnswerFunction
 from sim2reason.questions.kinds import KINDS, Measured, kind
 from sim2reason.questions.kinds.parts.nested import (
     NestedKind,
     NestedQuery,
-    answered,
     inner_of,
     is_plain,
     stripped,
-    vouched,
+    usable_answer,
+    variant_certification_gap,
 )
 from sim2reason.questions.query import Noun, Query, Targets
-from sim2reason.questions.stationary import FEW, StationaryPoint, StationaryValue
-from sim2reason.questions.study import COARSE, Study, ways
-from sim2reason.questions.unknown import Unknown, is_usual, range_of, some
+from sim2reason.questions.stationary import FEW, ExtremeSearch, StationaryValue
+from sim2reason.questions.study import COARSE_STEP_ERROR, SimulatedScene, change_directions
+from sim2reason.questions.unknown import Unknown, draw_unknowns, is_usual, range_of
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
@@ -29,10 +29,12 @@ from sim2reason.simulation.trace import FINEST
 DRAWS = {"start": 1, "event": 3, "period": 1}  # weights of the kinds of inner questions
 CLOSELY = 2  # candidate pairs of a question and a number that are examined closely
 PLACES = 0.6  # of such questions: the share that asks for the number, not the extreme answer
-CLEARLY = 0.05  # relative: least difference between the extreme and the answers at the ends of the usual range
+MIN_RELATIVE_CHANGE = (
+    0.05  # relative: least difference between the extreme and the answers at the ends of the usual range
+)
 STRIDE = 6  # stride through the points of a range
 ASIDE = 0.15  # relative: distance on either side at which the second engine is compared
-SEEN = 2e-3  # relative: least difference of the answers there, so that the engines can resolve it
+WITNESS_RTOL = 2e-3  # relative: least difference of the answers there, so that the engines can resolve it
 RIGHT = 90.0  # degrees: a trivial optimum
 SAID = {True: ("greatest", "as large"), False: ("least", "as small")}
 EXTREMES = "greatest", "least"  # words that a noun phrase must not contain to ask for its extreme
@@ -52,15 +54,15 @@ class OptimumQuery(NestedQuery):
         """Return the address of the number, which the text leaves open."""
         return self.path
 
-    def extreme(self, study: Study) -> StationaryValue | None:
+    def extreme(self, study: SimulatedScene) -> StationaryValue | None:
         """Return the extreme in a scene, searched near a known one or over the usual range; None if there is none."""
         error = study.trace.tolerance or FINEST
-        return study.once(
+        return study.memoize(
             ("extreme", self.inner, self.path, self.greatest, self.about), lambda: self._found(study, error)
         )
 
-    def _found(self, study: Study, error: float) -> StationaryValue | None:
-        point = StationaryPoint(Dependence(self.inner, study, self.path, error))
+    def _found(self, study: SimulatedScene, error: float) -> StationaryValue | None:
+        point = ExtremeSearch(AnswerFunction(self.inner, study, self.path, error))
         if self.about:
             found = point.near(self.about, greatest=self.greatest)
             if found is not None:
@@ -68,7 +70,7 @@ class OptimumQuery(NestedQuery):
         found = point.among(usual_values(study, self.path))
         return found if found is not None and found.greatest is self.greatest else None
 
-    def place(self, study: Study) -> float | None:
+    def place(self, study: SimulatedScene) -> float | None:
         """Return the optimal value of the number in a scene; None if there is none."""
         found = self.extreme(study)
         return found.place if found is not None else None
@@ -84,7 +86,7 @@ class OptimumKind(NestedKind):
     hides = True
     inner = ("start", "event", "period")
 
-    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+    def draw(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Return a random query whose answer has an interior extreme and is worth asking; None if there is none."""
         if study.mechanism is not study.scene.mechanism:
             return None
@@ -95,7 +97,7 @@ class OptimumKind(NestedKind):
         found = (self._worth(*pairs[number], study, rng) for number in order[:CLOSELY])
         return next((query for query in found if query is not None), None)
 
-    def _drawn(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> list[Query]:
+    def _drawn(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> list[Query]:
         """Return random inner queries of other kinds."""
         found = dict[Query, None]()
         for name in self.inner:
@@ -105,19 +107,19 @@ class OptimumKind(NestedKind):
                     found[inner] = None
         return list(found)
 
-    def _numbers(self, study: Study, words: Words, rng: np.random.Generator) -> Iterable[str]:
+    def _numbers(self, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Iterable[str]:
         """Return addresses of numbers that the text may leave unknown, angles and lengths first."""
-        return [unknown.path for unknown in sorted(some(words.unknowns, study.scene, rng), key=_is_no_shape)]
+        return [unknown.path for unknown in sorted(draw_unknowns(words.unknowns, study.scene, rng), key=_is_no_shape)]
 
     def _can_be_about(self, name: str) -> bool:
         """Return whether a phrase does not itself name an extreme value."""
         return super()._can_be_about(name) and not any(word in name for word in EXTREMES)
 
-    def _worth(self, inner: Query, path: str, study: Study, rng: np.random.Generator) -> Query | None:
+    def _worth(self, inner: Query, path: str, study: SimulatedScene, rng: np.random.Generator) -> Query | None:
         """Return a query with a distinct, smooth extreme in the usual range; None if there is none."""
         values = usual_values(study, path)
-        answers = Dependence(inner, study, path, COARSE)
-        rough = StationaryPoint(answers).among(values) if len(values) > 2 else None
+        answers = AnswerFunction(inner, study, path, COARSE_STEP_ERROR)
+        rough = ExtremeSearch(answers).among(values) if len(values) > 2 else None
         unit = next(p.measure.unit for p in study.scene.parameters if p.path == path)
         right = unit == "deg" and rough is not None and abs(rough.place - RIGHT) < 1.0
         if rough is None or right or not is_usual(study.scene, path, rough.place) or rough.value <= _least(inner):
@@ -133,7 +135,7 @@ class OptimumKind(NestedKind):
         place = query.place(study)
         return replace(query, about=place) if place is not None else None
 
-    def answer(self, query: Query, study: Study) -> float | None:
+    def answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the optimal number, or the extreme answer."""
         assert isinstance(query, OptimumQuery)
         found = query.extreme(study)
@@ -141,12 +143,12 @@ class OptimumKind(NestedKind):
             return None
         return found.place if query.asks_place else found.value
 
-    def expecting(self, query: Query, answer: float) -> Query:
+    def with_likely_answer(self, query: Query, answer: float) -> Query:
         """Return a query that contains the likely optimum."""
         assert isinstance(query, OptimumQuery)
         return replace(query, about=answer) if query.asks_place else query
 
-    def time(self, query: Query, study: Study) -> float | None:
+    def time(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the time, s, of the inner moment in the recorded motion; zero if it does not occur there."""
         inner = inner_of(query)
         return KINDS[inner.kind].time(inner, study) or 0.0
@@ -164,24 +166,28 @@ class OptimumKind(NestedKind):
         del query
         return ()
 
-    def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
+    def doubt(self, query: Query, study: SimulatedScene, certificate: Certificate | None) -> str:
         """Return why the extreme is not unique in the range, or not confirmed by both engines; empty if it is."""
         del certificate
         assert isinstance(query, OptimumQuery)
         found = query.extreme(study)
         if found is None:
             return "there is no extreme"
-        answers = Dependence(query.inner, study, query.path, COARSE)
+        answers = AnswerFunction(query.inner, study, query.path, COARSE_STEP_ERROR)
         whole = range_of(study.scene, query.path)[::STRIDE]
         seen = [answer for value in whole if (answer := answers(value)) is not None]
         if any((answer > found.value) is query.greatest and answer != found.value for answer in seen):
             return "elsewhere the answer is beyond the extreme"
         for side in (-ASIDE, 0.0, ASIDE):
             value = answers(found.place * (1.0 + side))
-            if value is None or (side and abs(value / found.value - 1.0) < SEEN):
+            if value is None or (side and abs(value / found.value - 1.0) < WITNESS_RTOL):
                 return "the extreme is too flat to be told"
-            other = study.likewise({query.path: found.place * (1.0 + side)})
-            if reason := vouched(query.inner, other) if other is not None else "there is no motion beside the extreme":
+            other = study.with_same_change({query.path: found.place * (1.0 + side)})
+            if (
+                reason := variant_certification_gap(query.inner, other)
+                if other is not None
+                else "there is no motion beside the extreme"
+            ):
                 return reason
         return ""
 
@@ -214,7 +220,7 @@ class OptimumKind(NestedKind):
             if shape[0].isalpha()
         )
 
-    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+    def parsed(self, text: str, study: SimulatedScene, words: Words, targets: Targets) -> Iterator[Query]:
         """Yield a query for every extreme of a quantity that a sentence names, with every unknown number."""
         extremes = [
             great
@@ -230,7 +236,7 @@ class OptimumKind(NestedKind):
                 )
 
 
-def _turns(inner: Query, path: str, study: Study) -> bool:
+def _turns(inner: Query, path: str, study: SimulatedScene) -> bool:
     """Return whether an answer has one interior extreme over a few values of a number."""
     values = usual_values(study, path)
     if len(values) < FEW:
@@ -238,11 +244,11 @@ def _turns(inner: Query, path: str, study: Study) -> bool:
     found, courses = list[float](), set[tuple[float, ...]]()
     for value in (values[n * (len(values) - 1) // (FEW - 1)] for n in range(FEW)):
         other = study.with_values({path: value})
-        answer = answered(inner, other, loosely=True)
+        answer = usable_answer(inner, other, loosely=True)
         if other is None or answer is None:
             return False
         found.append(answer)
-        courses.add(ways(other, KINDS[inner.kind].time(inner, other) or 0.0))
+        courses.add(change_directions(other, KINDS[inner.kind].time(inner, other) or 0.0))
         if len(courses) > 1:
             return False  # where something turns round, a size passes through zero
     rises = [after > before for before, after in pairwise(found)]
@@ -253,7 +259,7 @@ def _is_no_shape(unknown: Unknown) -> bool:
     return unknown.unit not in ("deg", "m")
 
 
-def usual_values(study: Study, path: str) -> list[float]:
+def usual_values(study: SimulatedScene, path: str) -> list[float]:
     """Return points of the usual range of a number, in ascending order."""
     values = range_of(study.scene, path)
     return [value for value in values if is_usual(study.scene, path, value)][::2]
@@ -264,7 +270,7 @@ def _is_clear(found: StationaryValue, end: float | None) -> bool:
     if end is None:
         return False
     beyond = (found.value - end) if found.greatest else (end - found.value)
-    return beyond > CLEARLY * abs(found.value)
+    return beyond > MIN_RELATIVE_CHANGE * abs(found.value)
 
 
 def _least(inner: Query) -> float:

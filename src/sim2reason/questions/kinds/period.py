@@ -12,7 +12,7 @@ from sim2reason.questions.period_words import COUNTS, PeriodQuery, attracted_by,
 from sim2reason.questions.query import Noun, Query, Targets
 from sim2reason.questions.recurrence import Repetition
 from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion, resolved
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
 from sim2reason.simulation.certify import Certificate
@@ -20,8 +20,8 @@ from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities.subjects.bodies import TurningBodies
 from sim2reason.simulation.quantities.subjects.pairs import pair
 from sim2reason.simulation.quantities.subjects.paths import is_pulley_wheel
-from sim2reason.simulation.rest.equilibrium import equilibrium, lone_equilibrium, steady
-from sim2reason.simulation.rest.oscillation import Oscillations, alike_at_rest, disagreement, oscillations
+from sim2reason.simulation.rest.equilibrium import equilibrium, steady, unique_equilibrium
+from sim2reason.simulation.rest.oscillation import Oscillations, agree_at_rest, mode_disagreement, oscillations
 
 MEASURES = {
     "period": Measured("period", "s", least=1e-2),
@@ -33,8 +33,8 @@ PEOPLE = {PENDULUM: Measured("length of a simple pendulum of the same period", "
 """Measures that recipes never ask for: the length of the simple pendulum whose small swings have the same period."""
 OFTEN = (0.6, 0.25, 0.15)
 EVEN = 0.5
-MANY = 3  # modes: with more, no frequency can be found on paper
-APART = 0.05  # relative: least difference between distinguishable modes
+MAX_MODES = 3  # modes: with more, no frequency can be found on paper
+MIN_MODE_SEPARATION = 0.05  # relative: least difference between distinguishable modes
 BEYOND, WITHIN = 0.06, 1e-3  # relative: the period of small oscillations differs from, or equals, that of a large one
 
 
@@ -51,7 +51,7 @@ class PeriodKind(Kind):
         assert isinstance(query, PeriodQuery)
         return not query.small
 
-    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+    def draw(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Return a query for the period of the motion or of small oscillations; the latter only if the two differ."""
         del targets
         motion = self._repeating(study, words, rng)
@@ -60,7 +60,7 @@ class PeriodKind(Kind):
         small = self._small(study, words, rng)
         return motion if small is None or (motion is not None and rng.random() < EVEN) else small
 
-    def _small(self, study: Study, words: Words, rng: np.random.Generator) -> PeriodQuery | None:
+    def _small(self, study: SimulatedScene, words: Words, rng: np.random.Generator) -> PeriodQuery | None:
         """Return a query for small oscillations about a stable equilibrium with few modes; None without one.
 
         `doubt` refuses them where there is another one: to look for that takes longer than all else here.
@@ -69,19 +69,19 @@ class PeriodKind(Kind):
         if _is_simple_pendulum(mechanism):
             return None  # two numbers of the text, and a formula that everybody knows
         modes, rest = _modes(mechanism), equilibrium(mechanism)
-        if modes is None or rest is None or len(modes.frequencies) > MANY:
+        if modes is None or rest is None or len(modes.frequencies) > MAX_MODES:
             return None
         of, count = _oscillating(words, free=rest.free > 0), len(modes.frequencies)
         gaps = np.diff(modes.frequencies) / modes.frequencies[1:]
         plain = rest.linear or count == 1 or len(mechanism.lines) <= count
-        if of is None or not plain or (count > 1 and float(gaps.min()) < APART):
+        if of is None or not plain or (count > 1 and float(gaps.min()) < MIN_MODE_SEPARATION):
             return None
         rank = int(rng.integers(2)) * (count - 1)
         stable = not rest.linear and len(of) < 2  # of two against each other no place is told
         small = PeriodQuery(self.name, None, None, _measure(words, rng), small=True, stable=stable)
         return replace(small, of=of, rank=rank, modes=count)
 
-    def _repeating(self, study: Study, words: Words, rng: np.random.Generator) -> PeriodQuery | None:
+    def _repeating(self, study: SimulatedScene, words: Words, rng: np.random.Generator) -> PeriodQuery | None:
         """Return a query for a periodic motion whose period is not nearly that of small oscillations; else None."""
         names = list(movers(words)) if steady(study.mechanism) else []
         heavy = [name for name in names if study.mechanism.body[name].mass]
@@ -95,7 +95,7 @@ class PeriodKind(Kind):
             return PeriodQuery(self.name, None, None, measure, of=(name,))
         return None
 
-    def answer(self, query: Query, study: Study) -> float | None:
+    def answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the period or frequency of the motion or, from the mechanism alone, of small oscillations."""
         assert isinstance(query, PeriodQuery)
         if query.small:
@@ -112,7 +112,7 @@ class PeriodKind(Kind):
         found = {"period": period, "frequency": 1.0 / period, "angular frequency": 2.0 * pi / period}
         return {**found, PENDULUM: length or None}[query.measure]
 
-    def time(self, query: Query, study: Study) -> float | None:
+    def time(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the end of the first period, s; zero for small oscillations, which do not depend on the motion."""
         assert isinstance(query, PeriodQuery)
         return 0.0 if query.small else study.time(Repetition(query.of[0]))
@@ -129,25 +129,25 @@ class PeriodKind(Kind):
         assert isinstance(query, PeriodQuery)
         return () if query.small else (Channel(query.of[0], "displacement"), Channel(query.of[0], "velocity"))
 
-    def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
+    def doubt(self, query: Query, study: SimulatedScene, certificate: Certificate | None) -> str:
         """Return why small oscillations are not certified: another equilibrium, or a different period in one engine."""
         assert isinstance(query, PeriodQuery)
         if not query.small:
             return Kind.doubt(self, query, study, certificate)
-        modes, rest = _modes(study.mechanism), lone_equilibrium(study.mechanism)
+        modes, rest = _modes(study.mechanism), unique_equilibrium(study.mechanism)
         if rest is None or modes is None:
             return "there is no oscillation, or another equilibrium"
-        return disagreement(rest, modes, query.rank)
+        return mode_disagreement(rest, modes, query.rank)
 
     def measured(self, query: Query) -> Measured:
         """Return the measure of a period, frequency, angular frequency or length."""
         assert isinstance(query, PeriodQuery)
         return {**MEASURES, **PEOPLE}[query.measure]
 
-    def indifferent(self, query: Query, study: Study, other: Study) -> bool:
+    def indifferent(self, query: Query, study: SimulatedScene, other: SimulatedScene) -> bool:
         """Return whether the scenes differ only in the initial motion and in numbers that shift the equilibrium."""
         del query
-        return alike_at_rest(study.mechanism, other.mechanism, ("inertia", "stiffness"))
+        return agree_at_rest(study.mechanism, other.mechanism, ("inertia", "stiffness"))
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """Return sentences such as *find the period of small oscillations of the block about its equilibrium*."""
@@ -155,7 +155,7 @@ class PeriodKind(Kind):
         assert isinstance(query, PeriodQuery)
         return sentences(query, words) if query.measure in MEASURES else ()
 
-    def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+    def noun_phrases(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """Return noun phrases such as *the period of small oscillations of the block about its equilibrium*."""
         del noun
         assert isinstance(query, PeriodQuery)
@@ -165,7 +165,7 @@ class PeriodKind(Kind):
         """Return the names of the measures: period, frequency, angular frequency, and a length where there is g."""
         return (*MEASURES, *(PEOPLE if any(words.mechanism.gravity) else ()))
 
-    def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
+    def posed(self, asked: StructuredQuestion, study: SimulatedScene, words: Words) -> Query | None:
         """Return the query for the period of the motion, or of the slowest small oscillation about equilibrium."""
         if asked.when == EQUILIBRIUM:
             modes = _modes(study.mechanism)
@@ -177,7 +177,7 @@ class PeriodKind(Kind):
     def _of(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
         return (resolved("of", asked.of, movers(words)),) if asked.of else ()
 
-    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+    def parsed(self, text: str, study: SimulatedScene, words: Words, targets: Targets) -> Iterator[Query]:
         """Yield a query for every measure and mode of every body that a sentence names."""
         del study, targets
         if not any(word in text for word in ("period", "frequenc", "scillation", "revolution", "repeat")):

@@ -12,16 +12,16 @@ from sim2reason.questions.kinds import Kind, Measured, kind
 from sim2reason.questions.outcomes import OUTCOMES, PossibleOutcome
 from sim2reason.questions.query import Noun, Query, Targets
 from sim2reason.questions.structured import StructuredQuestion, resolved
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.tolerance import NEARLY, TOLERANCE
-from sim2reason.questions.trial import Trial
-from sim2reason.questions.unknown import is_usual, some
+from sim2reason.questions.trial import ThresholdSearch
+from sim2reason.questions.unknown import draw_unknowns, is_usual
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import WITNESS, Certificate
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import FINEST
 
-CLOSE = NEARLY * TOLERANCE  # relative: search distance from the known threshold in a changed mechanism
+SEARCH_RTOL = NEARLY * TOLERANCE  # relative: search distance from the known threshold in a changed mechanism
 FAR = 4.0  # factor: search distance for an incorrect answer
 ASKING = {"what is": "?", "find": ".", "determine": ".", "calculate": "."}
 SIDE = 5e-3  # relative: distance on either side at which the second engine is compared
@@ -51,7 +51,7 @@ class ThresholdQuery(Query):
         """Return the subject of the outcome."""
         return self.outcome.name if self.outcome is not None else ""
 
-    def trial(self, study: Study) -> Trial:
+    def trial(self, study: SimulatedScene) -> ThresholdSearch:
         """Return the threshold search for the outcome in a scene."""
         assert self.outcome is not None
         return _shared_trial(study, self.outcome, self.parameter)
@@ -66,16 +66,16 @@ class ThresholdKind(Kind):
     costly = True
     hides = True
 
-    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+    def draw(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Return a query for an outcome that changes exactly once in a wide range of a number; None without one."""
         del targets
         found = [outcome for cls in OUTCOMES.values() for outcome in cls.found(words)]
         if not found:
             return None
         outcome = found[int(rng.integers(len(found)))]
-        for unknown in some(words.unknowns, study.scene, rng):
+        for unknown in draw_unknowns(words.unknowns, study.scene, rng):
             path = unknown.path
-            change = study.once(("usual change", outcome, path), partial(_usual_change, study, outcome, path))
+            change = study.memoize(("usual change", outcome, path), partial(_usual_change, study, outcome, path))
             if change is not None:
                 critical, beyond = change
                 happens = bool(rng.random() < 0.5)
@@ -84,7 +84,7 @@ class ThresholdKind(Kind):
                 )
         return None
 
-    def answer(self, query: Query, study: Study) -> float | None:
+    def answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the threshold, searched near a known one or else everywhere; None if there is none.
 
         Of a changed mechanism only where it is close to that: there other values are tried with the same change. None
@@ -93,10 +93,10 @@ class ThresholdKind(Kind):
         assert isinstance(query, ThresholdQuery)
         trial = query.trial(study)
         if study.mechanism is not study.scene.mechanism:
-            return trial.close_to(query.about, CLOSE) if study.change is not None and query.about else None
+            return trial.close_to(query.about, SEARCH_RTOL) if study.change is not None and query.about else None
         return trial.near(query.about) if query.about else trial.change()
 
-    def loose_answer(self, query: Query, study: Study) -> float | None:
+    def loose_answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the threshold with the queried sense of change, nearby or between a few values of the whole range."""
         assert isinstance(query, ThresholdQuery)
         trial, above = query.trial(study), query.greatest is not query.happens
@@ -105,22 +105,22 @@ class ThresholdKind(Kind):
             return query.about
         return trial.rough_change(above=above, error=error)
 
-    def expecting(self, query: Query, answer: float) -> Query:
+    def with_likely_answer(self, query: Query, answer: float) -> Query:
         """Return a query that contains the likely threshold."""
         assert isinstance(query, ThresholdQuery)
         return replace(query, about=answer)
 
-    def far_answer(self, query: Query, study: Study) -> float | None:
+    def far_answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the threshold in a misread scene, searched for over a wide range."""
         assert isinstance(query, ThresholdQuery)
         return query.trial(study).within(query.about, FAR) if study.change is not None and query.about else None
 
-    def time(self, query: Query, study: Study) -> float | None:
+    def time(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the start, t = 0, as the recorded motion does not determine the answer."""
         del query, study
         return 0.0
 
-    def indifferent(self, query: Query, study: Study, other: Study) -> bool:
+    def indifferent(self, query: Query, study: SimulatedScene, other: SimulatedScene) -> bool:
         """Return whether the scenes differ only in gravity, without which no such outcome could occur."""
         del query
         return replace(other.mechanism, gravity=study.mechanism.gravity) == study.mechanism
@@ -135,12 +135,12 @@ class ThresholdKind(Kind):
         del query
         return ()
 
-    def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
+    def doubt(self, query: Query, study: SimulatedScene, certificate: Certificate | None) -> str:
         """Return why the threshold is not unique, or not confirmed by the second engine; empty if it is."""
         del certificate
         assert isinstance(query, ThresholdQuery)
         assert query.outcome is not None
-        first, second = query.trial(study), Trial(study, query.outcome, query.parameter, WITNESS)
+        first, second = query.trial(study), ThresholdSearch(study, query.outcome, query.parameter, WITNESS)
         if not first.changes_only_at(query.about):
             return "the outcome changes at other values too"
         sides = (query.about * (1.0 - SIDE), query.about * (1.0 + SIDE))
@@ -149,9 +149,9 @@ class ThresholdKind(Kind):
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """Return sentences such as *what is the mass of B above which A begins to slip?*."""
-        return tuple(shape for called in self.called(query, words, noun) for shape in _asking(called))
+        return tuple(shape for called in self.noun_phrases(query, words, noun) for shape in _asking(called))
 
-    def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+    def noun_phrases(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """Return noun phrases such as *the mass of B above which A begins to slip*."""
         del noun
         assert isinstance(query, ThresholdQuery)
@@ -171,7 +171,7 @@ class ThresholdKind(Kind):
         possible = any(outcome.candidates(words) for outcome in OUTCOMES.values())
         return tuple(unknown.path for unknown in words.unknowns) if possible else ()
 
-    def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
+    def posed(self, asked: StructuredQuestion, study: SimulatedScene, words: Words) -> Query | None:
         """Return the query for the critical value of a number, such as *ramp.plane.angle* for the outcome *slides*."""
         said = asked.when.replace("_", " ")
         spelled = {name.replace("_", " "): cls for name, cls in OUTCOMES.items()}
@@ -187,7 +187,7 @@ class ThresholdKind(Kind):
         below = trial(critical * (1.0 - SIDE)) is True
         return ThresholdQuery(self.name, None, None, outcome, asked.find, unit, greatest=below, about=critical)
 
-    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+    def parsed(self, text: str, study: SimulatedScene, words: Words, targets: Targets) -> Iterator[Query]:
         """Yield a query for every outcome of a subject that a sentence names, with every unknown number."""
         del study, targets
         outcomes = [outcome for cls in OUTCOMES.values() for outcome in cls.parsed(text, words)]
@@ -196,14 +196,14 @@ class ThresholdKind(Kind):
                 yield ThresholdQuery(self.name, None, None, outcome, unknown.path, unknown.unit, greatest, happens)
 
 
-def _shared_trial(study: Study, outcome: PossibleOutcome, path: str) -> Trial:
+def _shared_trial(study: SimulatedScene, outcome: PossibleOutcome, path: str) -> ThresholdSearch:
     """Return the threshold search of an outcome and a number, which all questions about a study share."""
-    return study.once(("trial", outcome, path), partial(Trial, study, outcome, path))
+    return study.memoize(("trial", outcome, path), partial(ThresholdSearch, study, outcome, path))
 
 
-def _usual_change(study: Study, outcome: PossibleOutcome, path: str) -> tuple[float, bool | None] | None:
+def _usual_change(study: SimulatedScene, outcome: PossibleOutcome, path: str) -> tuple[float, bool | None] | None:
     """Return the threshold in the usual range, and whether the outcome occurs above it; None without a threshold."""
-    trial = Trial(study, outcome, path)
+    trial = ThresholdSearch(study, outcome, path)
     critical = trial.usual_change()
     if critical is None or not is_usual(study.scene, path, critical):
         return None

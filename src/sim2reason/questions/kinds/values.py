@@ -2,12 +2,19 @@
 
 import numpy as np
 
-from sim2reason.questions.choices import changed, has_formula_of_time, is_something, lasts, only_falls, pick
-from sim2reason.questions.kinds import ValueKind, drawn, kind
+from sim2reason.questions.choices import (
+    has_formula_of_time,
+    is_constant,
+    is_large_enough,
+    is_worth_asking_at,
+    only_falls,
+    pick,
+)
+from sim2reason.questions.kinds import ValueKind, draw_moment, kind
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.times import AllAlong, AtStart
 from sim2reason.questions.query import Query, Targets
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
@@ -22,22 +29,24 @@ class EventKind(ValueKind):
     name = "event"
     share = 0.3
 
-    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+    def draw(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Return a query for a random quantity at a random event that does not reveal it; None if there is none."""
-        moment = drawn(self.moments(), study, words, rng)
+        moment = draw_moment(self.moments(), study, words, rng)
         return self.at(moment, study, words, targets, rng) if moment is not None else None
 
     def at(
-        self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
+        self, moment: Moment, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator
     ) -> Query | None:
         """Return a query for a quantity that varies near the moment and is not stated; None if there is none."""
         del words
         if moment.kind != self.name:
             return None
-        offered = [target for target in targets if Channel(target.subject, target.quantity) not in moment.tells]
+        offered = [
+            target for target in targets if Channel(target.subject, target.quantity) not in moment.revealed_channels
+        ]
         if moment.own:
             offered = [target for target in offered if target.subject in moment.subjects] or offered
-        target = pick(offered, rng, changed(study, moment))
+        target = pick(offered, rng, is_worth_asking_at(study, moment))
         return Query(self.name, target, moment) if target is not None else None
 
 
@@ -52,25 +61,25 @@ class StartKind(ValueKind):
     share = 0.25
     timeless = True
 
-    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+    def draw(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Return a query for a nonzero quantity at the start, or for a constant one; None if there is none.
 
         None if the text gives irrelevant data, such as fuel or a speed that no equation contains, or if the answer
         follows from Newton's second law in one line.
         """
         mechanism, trace = study.mechanism, study.trace
-        if not drawn(self.moments(), study, words, rng) or mechanism.burns:
+        if not draw_moment(self.moments(), study, words, rng) or mechanism.burns:
             return None
         if _one_line(mechanism) or _speeds_idle(mechanism):
             return None
         here, immediate = trace.at(0.0), [t for t in targets if QUANTITIES[t.quantity].immediate]
-        target = pick(immediate, rng, lambda target: is_something(target.value(here), target, study))
+        target = pick(immediate, rng, lambda target: is_large_enough(target.value(here), target, study))
         if target is None:
             return None
-        return Query(self.name, target, AllAlong() if lasts(target, trace) else AtStart())
+        return Query(self.name, target, AllAlong() if is_constant(target, trace) else AtStart())
 
     def at(
-        self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
+        self, moment: Moment, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator
     ) -> Query | None:
         """Return a query at the start; None for any other moment."""
         return self.draw(study, words, targets, rng) if moment.kind == self.name else None
@@ -105,20 +114,20 @@ class StateKind(ValueKind):
     name = "state"
     share = 0.06  # at most 30 % of all that passes the filters
 
-    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+    def draw(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Return a query for a changed quantity at a random time away from events; None if there is none.
 
         None where no short formula gives the motion as a function of time.
         """
         if not has_formula_of_time(study.mechanism):
             return None
-        moment = drawn(self.moments(), study, words, rng)
+        moment = draw_moment(self.moments(), study, words, rng)
         return self.at(moment, study, words, targets, rng) if moment is not None else None
 
     def at(
-        self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
+        self, moment: Moment, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator
     ) -> Query | None:
         """Return a query for a quantity that differs from its initial value at the moment; None if there is none."""
         del words
-        target = pick(targets, rng, changed(study, moment)) if moment.kind == self.name else None
+        target = pick(targets, rng, is_worth_asking_at(study, moment)) if moment.kind == self.name else None
         return Query(self.name, target, moment) if target is not None else None

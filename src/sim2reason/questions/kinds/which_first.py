@@ -5,13 +5,13 @@ from itertools import combinations
 
 import numpy as np
 
-from sim2reason.questions.kinds import Measured, by_cause, drawn, kind
+from sim2reason.questions.kinds import Measured, draw_moment, kind, moments_by_cause
 from sim2reason.questions.kinds.parts.which import OR, WhichKind, WhichQuery
 from sim2reason.questions.moments import Clause, Happening, Moment
 from sim2reason.questions.moments.parts.reached import moment_of
 from sim2reason.questions.query import Noun, Query, Targets
 from sim2reason.questions.structured import StructuredQuestion
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 
 TIME = "time_to_event"
@@ -29,20 +29,20 @@ class WhichFirstKind(WhichKind):
     share = 0.12
     is_least = True
 
-    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+    def draw(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Return a query for an event of the motion and another event, or that of another subject; None without one."""
         del targets
 
         def wanted(moment: Happening) -> bool:
             return _clause(moment, words) is not None and not moment.is_plain(study)
 
-        moment = drawn(_happenings(), study, words, rng, wanted)
+        moment = draw_moment(_happenings(), study, words, rng, wanted)
         if moment is None:
             return None
         offered = [other for other in type(moment).found(study, words, rng) if wanted(other)]
         same = [other.having([value for value, _ in moment.stated]) for other in offered]
         draws = 0 if moment.stated or _moves_as_one(study) else OTHERS  # else what happens first is a matter of places
-        further = (drawn(_happenings(), study, words, rng, wanted) for _ in range(draws))
+        further = (draw_moment(_happenings(), study, words, rng, wanted) for _ in range(draws))
         others = [*_shuffled(same, rng)[:PAIRS], *(other for other in further if other and not other.stated)]
         for other in others:
             if set(moment.subjects).isdisjoint(other.subjects) and study.time(other) is not None:
@@ -96,7 +96,7 @@ class WhichFirstKind(WhichKind):
         del words
         return ("time",)
 
-    def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
+    def posed(self, asked: StructuredQuestion, study: SimulatedScene, words: Words) -> Query | None:
         """Return the query for two moments, as in *block A stopped or block B stopped*; None without the *or*."""
         first, found, second = asked.when.partition(OR)
         if not found:
@@ -104,7 +104,7 @@ class WhichFirstKind(WhichKind):
         moments = (moment_of(StructuredQuestion("time", when=when), words) for when in (first, second))
         return self.oriented(_query(*moments), study)
 
-    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+    def parsed(self, text: str, study: SimulatedScene, words: Words, targets: Targets) -> Iterator[Query]:
         """Yield a query for each two events that a text names."""
         del targets
         if not text.lower().startswith(("which ", "find which ", "determine which ")):
@@ -119,9 +119,9 @@ class WhichFirstKind(WhichKind):
         return deeds.pop() if len(deeds) == 1 else ""
 
 
-def _moves_as_one(study: Study) -> bool:
+def _moves_as_one(study: SimulatedScene) -> bool:
     """Return whether all speeds keep constant ratios, as in a motion with one degree of freedom."""
-    return study.once("moves as one", lambda: int(np.linalg.matrix_rank(study.trace.scan.v, rtol=PROPORTION)) < 2)
+    return study.memoize("moves as one", lambda: int(np.linalg.matrix_rank(study.trace.scan.v, rtol=PROPORTION)) < 2)
 
 
 def _query(first: Moment, second: Moment) -> WhichQuery:
@@ -129,7 +129,7 @@ def _query(first: Moment, second: Moment) -> WhichQuery:
 
 
 def _happenings() -> list[type[Happening]]:
-    return [cls for cls in by_cause() if issubclass(cls, Happening)]
+    return [cls for cls in moments_by_cause() if issubclass(cls, Happening)]
 
 
 def _shuffled(moments: Sequence[Happening], rng: np.random.Generator) -> list[Happening]:

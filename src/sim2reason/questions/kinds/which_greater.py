@@ -12,7 +12,7 @@ from sim2reason.questions.kinds.parts.which import OR, WhichKind, WhichQuery
 from sim2reason.questions.moments.parts.reached import moment_of
 from sim2reason.questions.query import Noun, Query, Target, Targets, quantities_named, target_named, targets
 from sim2reason.questions.structured import StructuredQuestion
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities import QUANTITIES
@@ -34,7 +34,7 @@ class WhichGreaterKind(WhichKind):
     share = 0.06
     is_least = False
 
-    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+    def draw(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Return a query for a quantity of two subjects at one moment; None if there is none."""
         offered = {target: targets[target] for group in _alike(targets) for target in group}
         shares = np.array([KINDS[name].share for name in INNER])
@@ -47,7 +47,7 @@ class WhichGreaterKind(WhichKind):
         return None
 
     def _with_another(
-        self, inner: Query, study: Study, words: Words, offered: Targets, rng: np.random.Generator
+        self, inner: Query, study: SimulatedScene, words: Words, offered: Targets, rng: np.random.Generator
     ) -> Query | None:
         target, moment = inner.target, inner.moment
         assert target is not None
@@ -56,7 +56,7 @@ class WhichGreaterKind(WhichKind):
             if other.quantity != target.quantity or other == target:
                 continue
             rival = KINDS[inner.kind].at(moment, study, words, {other: offered[other]}, rng)
-            told = Channel(other.subject, other.quantity) in moment.tells
+            told = Channel(other.subject, other.quantity) in moment.revealed_channels
             if rival is None or rival.moment != moment or told:
                 continue
             query = self.worth(_query(inner, rival), study, words)
@@ -122,7 +122,7 @@ class WhichGreaterKind(WhichKind):
         """Return the names of all quantities in the scene."""
         return tuple(quantities_named(words.mechanism))
 
-    def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
+    def posed(self, asked: StructuredQuestion, study: SimulatedScene, words: Words) -> Query | None:
         """Return the query for two subjects, as in *block A or block B*; None without the *or*."""
         first, found, second = asked.of.partition(OR)
         if not found:
@@ -134,7 +134,7 @@ class WhichGreaterKind(WhichKind):
         )
         return self.oriented(_query(*pair), study)
 
-    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+    def parsed(self, text: str, study: SimulatedScene, words: Words, targets: Targets) -> Iterator[Query]:
         """Yield a query for each quantity, two subjects and moment that a text names."""
         del targets
         if not text.lower().startswith(("which ", "determine which ")):

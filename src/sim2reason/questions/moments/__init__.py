@@ -8,7 +8,7 @@ from typing import ClassVar, Self
 import numpy as np
 
 from sim2reason.base.registry import Registry
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.channels import Channel
@@ -61,31 +61,31 @@ class Moment(ABC):
         del numbers
         return self
 
-    def across(self, trace: Trace) -> Sequence[float] | None:
+    def mirrored_values(self, trace: Trace) -> Sequence[float] | None:
         """Return the `stated` numbers mirrored at the initial value; None, as by default, if there is one side only."""
         del trace
         return None
 
     @property
-    def tells(self) -> tuple[Channel, ...]:
+    def revealed_channels(self) -> tuple[Channel, ...]:
         """Return the channels that the words of the moment reveal, so that none is asked for; empty by default."""
         return ()
 
     @property
-    def ahead(self) -> float | None:
+    def stated_time(self) -> float | None:
         """Return a moment's stated time, s, or 0 for the start; None if the motion determines the time."""
         if self.event or self.channels:
             return None
         return next((time for time, _ in self.stated), 0.0 if self.kind == "start" else None)
 
     @property
-    def comes_round(self) -> bool:
+    def requires_return(self) -> bool:
         """Return whether the moment never occurs if one of its bodies escapes to infinity; False by default."""
         return False
 
     @classmethod
     @abstractmethod
-    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+    def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """Return the moments of this class in a motion that are worth asking about."""
 
     @classmethod
@@ -125,7 +125,7 @@ class Moment(ABC):
         """Return True for just after an event, False for just before, None if the words name no side."""
         return None
 
-    def side(self, time: float) -> float:
+    def evaluation_time(self, time: float) -> float:
         """Return the time, s, at which quantities are evaluated: the moment itself, or just before it."""
         return float(np.nextafter(time, 0.0)) if self.sided is False else time  # events belong to what follows them
 
@@ -174,7 +174,7 @@ class Happening(Moment):
             f"between {since} and the moment when {told}",
         )
 
-    def is_plain(self, study: Study) -> bool:
+    def is_plain(self, study: SimulatedScene) -> bool:
         """Return whether the time follows without physics, so that it is not asked for; False by default."""
         del study
         return False

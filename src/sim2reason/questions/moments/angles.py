@@ -9,8 +9,8 @@ import numpy as np
 from sim2reason.questions.moments import MOMENTS, Clause
 from sim2reason.questions.moments.parts.occurrence import Verb, when_phrases
 from sim2reason.questions.moments.parts.passage import Passage, Threshold
-from sim2reason.questions.study import Study
-from sim2reason.questions.words import Words, spoken
+from sim2reason.questions.study import SimulatedScene
+from sim2reason.questions.words import Words, rounded_as_written
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities.positions import Deflection, deflection_at_start
@@ -43,11 +43,11 @@ class Deflected(Threshold):
         low, high = float(np.nanmin(angles)), float(np.nanmax(angles))
         if high - low < FEWEST:
             return None
-        angle = spoken(5.0 * max(1, round((low + rng.uniform(0.15, 0.85) * (high - low)) / 5.0)))
+        angle = rounded_as_written(5.0 * max(1, round((low + rng.uniform(0.15, 0.85) * (high - low)) / 5.0)))
         return angle if low < angle < high else None
 
     @property
-    def tells(self) -> tuple[Channel, ...]:
+    def revealed_channels(self) -> tuple[Channel, ...]:
         """Return the channels of the line's angle and of its rotation, which the angle determines."""
         return (*self.channels, Channel(self.name, "angle turned"))
 
@@ -56,7 +56,7 @@ class Deflected(Threshold):
         beyond = Deflection.evaluate(state, self.name) - self.value
         return beyond if deflection_at_start(state, self.name) < self.value else -beyond
 
-    def across(self, trace: Trace) -> Sequence[float] | None:
+    def mirrored_values(self, trace: Trace) -> Sequence[float] | None:
         """Return the angle mirrored at the initial one, in degrees."""
         start = deflection_at_start(trace.state, self.name)
         other = start * start / self.value
@@ -107,7 +107,7 @@ class Orbited(Passage):
         return found
 
     @classmethod
-    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+    def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """Return all such fractions of each orbit that occur."""
         del rng
         return [moment for name in cls.candidates(words) for part in PARTS if (moment := cls(name, part)).comes(study)]
@@ -121,7 +121,7 @@ class Orbited(Passage):
                 yield from (cls(name, part) for part in PARTS)
 
     @property
-    def comes_round(self) -> bool:
+    def requires_return(self) -> bool:
         """Return whether the angle is a full turn, which a body on a hyperbola never completes."""
         return self.degrees == ALL_ROUND
 
@@ -169,7 +169,7 @@ class Orbited(Passage):
         return f"the line from {center} to {planet} {auxiliary}turned through {self.degrees}°"
 
 
-MOST = 330.0  # degrees
+MAX_TURN = 330.0  # degrees
 
 
 @MOMENTS.register("turned_through")
@@ -193,11 +193,11 @@ class TurnedThrough(Threshold):
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
         """Return a random part of the greatest angle, a multiple of 5° (10° from 100° on); None if there is none."""
         reached = float(np.abs(AngleTurned.evaluate(trace.scan, name)).max())
-        angle = spoken(5.0 * max(1, round(rng.uniform(0.2, 0.9) * min(reached, MOST) / 5.0)))
+        angle = rounded_as_written(5.0 * max(1, round(rng.uniform(0.2, 0.9) * min(reached, MAX_TURN) / 5.0)))
         return angle if angle < reached else None
 
     @property
-    def tells(self) -> tuple[Channel, ...]:
+    def revealed_channels(self) -> tuple[Channel, ...]:
         """Return the channels of the angle turned and of the angle with the vertical."""
         return (*self.channels, Channel(self.name, "deflection"))
 

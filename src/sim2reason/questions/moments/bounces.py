@@ -11,15 +11,15 @@ from sim2reason.questions.crossing import crossings
 from sim2reason.questions.moments import MOMENTS, Clause
 from sim2reason.questions.moments.parts.occurrence import Occurrence, VelocityJump, Verb
 from sim2reason.questions.moments.parts.reached import DistanceThreshold
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words, ordinal, round_number
-from sim2reason.scenes.dsl.mechanism import Meeting
+from sim2reason.scenes.dsl.mechanism import CollisionPair
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.simulation.quantities.positions import Height
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
-from sim2reason.simulation.quantities.subjects.paths import EVEN
+from sim2reason.simulation.quantities.subjects.paths import DIRECTION_TOL
 from sim2reason.simulation.trace import Event, Trace
 
 GROUND, WALL, WALLS = "the ground", "the wall", "a wall"
@@ -40,7 +40,7 @@ class Bounced(VelocityJump):
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the bodies that can hit only the ground, or only walls, with their phrases."""
         called = words.called(cls.of).items()
-        return {name: said for name, said in called if struck(words, name)}
+        return {name: said for name, said in called if obstacle_phrase(words, name)}
 
     def is_this(self, event: Event, trace: Trace) -> bool:
         """Return whether an event is a collision of the body with a fixed obstacle."""
@@ -49,11 +49,11 @@ class Bounced(VelocityJump):
 
     def does(self, words: Words) -> Verb:
         """Return the verb phrase, such as *hits the ground*."""
-        what = struck(words, self.name)
+        what = obstacle_phrase(words, self.name)
         return Verb(self.verb.told.format(what=what), self.verb.asked.format(what=what))
 
 
-def struck(words: Words, name: str) -> str:
+def obstacle_phrase(words: Words, name: str) -> str:
     """Return the phrase for the obstacle, such as *the ground* or *a wall*; empty for none or for several types."""
     met = [meeting for meeting in words.mechanism.meetings if meeting.names == (name,)]
     if met and all(_is_upright(meeting) for meeting in met):
@@ -63,9 +63,9 @@ def struck(words: Words, name: str) -> str:
     return ""
 
 
-def _is_upright(meeting: Meeting) -> bool:
+def _is_upright(meeting: CollisionPair) -> bool:
     """Return whether a body falls onto the obstacle."""
-    return meeting.normal is not None and meeting.normal[2] > 1.0 - EVEN
+    return meeting.normal is not None and meeting.normal[2] > 1.0 - DIRECTION_TOL
 
 
 @MOMENTS.register("landed")
@@ -86,7 +86,7 @@ class Landed(Occurrence):
         found: dict[str, str] = {}
         for name, said in words.called(cls.of).items():
             body = words.mechanism.body[name]
-            down = any(c.axis[2] > 1.0 - EVEN and c.lower > -inf for c in body.coordinates)
+            down = any(c.axis[2] > 1.0 - DIRECTION_TOL and c.lower > -inf for c in body.coordinates)
             if down and len(body.coordinates) > 1 and body.parent is None and name not in words.mechanism.contacts:
                 found[name] = said
         return found
@@ -138,7 +138,9 @@ class TopAfterBounce(Occurrence):
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the phrases of the bodies that bounce off the ground."""
-        return {name: said for name, said in Bounced.candidates(words).items() if struck(words, name) == GROUND}
+        return {
+            name: said for name, said in Bounced.candidates(words).items() if obstacle_phrase(words, name) == GROUND
+        }
 
     @property
     def channels(self) -> tuple[Channel, ...]:
@@ -170,7 +172,7 @@ class TopAfterBounce(Occurrence):
 
 
 LOW, HIGH = 1.1, 1.6  # of the height of the top after the first bounce: range of random heights
-MOST = 200  # greatest number of bounces examined
+MAX_BOUNCES = 200  # greatest number of bounces examined
 
 
 @MOMENTS.register("stayed_below")
@@ -184,7 +186,7 @@ class StayedBelow(DistanceThreshold):
     verb = Verb("no longer rises as high as", "no longer rise as high as")
 
     @classmethod
-    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+    def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """Return a moment for each body, with a random height that it no longer reaches after one of its bounces."""
         drawn = ((name, cls.drawn(name, study.trace, rng)) for name in cls.candidates(words))
         moments = [cls(name, height) for name, height in drawn if height is not None]
@@ -202,7 +204,7 @@ class StayedBelow(DistanceThreshold):
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the phrases of the bodies that bounce off the ground."""
-        return {name: said for name, said in words.called(cls.of).items() if struck(words, name) == GROUND}
+        return {name: said for name, said in words.called(cls.of).items() if obstacle_phrase(words, name) == GROUND}
 
     @property
     def channels(self) -> tuple[Channel, ...]:
@@ -211,7 +213,7 @@ class StayedBelow(DistanceThreshold):
 
     def time(self, trace: Trace) -> float | None:
         """Return the time, s, of the first bounce after which the body stays below the height; None without one."""
-        for number in range(1, MOST):
+        for number in range(1, MAX_BOUNCES):
             top = TopAfterBounce(self.name, number).time(trace)
             if top is None:
                 return None

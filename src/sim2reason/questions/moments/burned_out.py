@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from sim2reason.questions.moments import MOMENTS
 from sim2reason.questions.moments.parts.occurrence import Occurrence, Verb
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
@@ -32,11 +32,11 @@ class BurnedOut(Occurrence):
         )
 
     @property
-    def tells(self) -> tuple[Channel, ...]:
+    def revealed_channels(self) -> tuple[Channel, ...]:
         """Return the channel of the body's mass, which the text gives."""
         return (Channel(self.name, "mass"),)
 
-    def is_plain(self, study: Study) -> bool:
+    def is_plain(self, study: SimulatedScene) -> bool:
         """Return True, as fuel mass and burn rate give the time."""
         del study
         return True

@@ -9,16 +9,16 @@ import numpy as np
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.moments.bounces import Bounced
 from sim2reason.questions.moments.parts.occurrence import VelocityJump, Verb
-from sim2reason.questions.moments.parts.turning_points import meets_once, moves_freely
-from sim2reason.questions.study import Study
+from sim2reason.questions.moments.parts.turning_points import collides_once, moves_freely
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
-from sim2reason.scenes.dsl.mechanism import Meeting
+from sim2reason.scenes.dsl.mechanism import CollisionPair
 from sim2reason.scenes.dsl.state import State
 from sim2reason.simulation.quantities.kinematics import Velocity
-from sim2reason.simulation.quantities.subjects.pairs import AND, Pairs, members
+from sim2reason.simulation.quantities.subjects.pairs import PAIR_SEPARATOR, Pairs, members
 from sim2reason.simulation.trace import Event, Trace
 
-SAME = 1e-9  # relative: least change of a relative velocity
+VELOCITY_RTOL = 1e-9  # relative: least change of a relative velocity
 
 
 @MOMENTS.register("collided")
@@ -36,7 +36,7 @@ class Collided(VelocityJump):
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the pairs of bodies that can collide, with their phrases."""
-        met = {AND.join(meeting.names) for meeting in words.mechanism.meetings}
+        met = {PAIR_SEPARATOR.join(meeting.names) for meeting in words.mechanism.meetings}
         return {name: said for name, said in words.called(cls.of).items() if name in met}
 
     @classmethod
@@ -52,14 +52,14 @@ class Collided(VelocityJump):
 
     def count(self, words: Words) -> int | None:
         """Return the ordinal of the collision for its phrase; None if the bodies can collide only once."""
-        return None if self.number == 1 and meets_once(words.mechanism) else self.number
+        return None if self.number == 1 and collides_once(words.mechanism) else self.number
 
     def is_this(self, event: Event, trace: Trace) -> bool:
         """Return whether an event is a collision of the two bodies."""
         del trace
         return event.kind == "collision" and set(event.subjects) == set(self.subjects)
 
-    def is_plain(self, study: Study) -> bool:
+    def is_plain(self, study: SimulatedScene) -> bool:
         """Return whether the bodies approach in uniform relative motion, so that their collision time is trivial."""
         time = study.time(self)
         if time is None:
@@ -67,7 +67,7 @@ class Collided(VelocityJump):
         times = np.array([0.0, 0.5 * time, np.nextafter(time, 0.0)])
         one, other = (Velocity.evaluate(study.trace.sample(times), body) for body in self.subjects)
         apart = one - other
-        return bool(np.abs(apart - apart[0]).max() <= SAME * np.abs(apart).max())
+        return bool(np.abs(apart - apart[0]).max() <= VELOCITY_RTOL * np.abs(apart).max())
 
 
 STILL = 1e-9  # of the greatest speed: lower closing speeds are rounding
@@ -84,7 +84,7 @@ class LastCollision(Moment):
     event = True
 
     @classmethod
-    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+    def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """Return the moment if there are several collisions and a last one."""
         del words, rng
         several = sum(event.kind == "collision" for event in study.trace.events) >= FEWEST
@@ -113,7 +113,7 @@ class LastCollision(Moment):
         met = [frozenset(event.subjects) for event in trace.events if event.kind == "collision"]
         one, *other = next(held.names for held in trace.mechanism.meetings if frozenset(held.names) == met[-1])
         number = met.count(met[-1])
-        return Collided(AND.join((one, *other)), number) if other else Bounced(one, number)
+        return Collided(PAIR_SEPARATOR.join((one, *other)), number) if other else Bounced(one, number)
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """Return the phrases for the moment, such as *just after the last collision*."""
@@ -134,7 +134,7 @@ def _is_over(trace: Trace) -> bool:
     return not any(_closes(end, meeting, STILL * fastest) for meeting in trace.mechanism.meetings)
 
 
-def _closes(end: State, meeting: Meeting, still: float) -> bool:
+def _closes(end: State, meeting: CollisionPair, still: float) -> bool:
     """Return whether two bodies in uniform motion will collide."""
     b = end.vector(end.frames.center(meeting.b).place)[0]
     apart, parting = b, Velocity.evaluate(end, meeting.b)[0]

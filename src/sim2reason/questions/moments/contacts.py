@@ -6,10 +6,17 @@ from typing import Self
 
 import numpy as np
 
-from sim2reason.questions.choices import still
+from sim2reason.questions.choices import rest_speed
 from sim2reason.questions.moments import MOMENTS, Clause
-from sim2reason.questions.moments.parts.occurrence import Occurrence, SlipChange, VelocityJump, Verb, rolls, slip
-from sim2reason.questions.study import Study
+from sim2reason.questions.moments.parts.occurrence import (
+    Occurrence,
+    SlipChange,
+    VelocityJump,
+    Verb,
+    can_roll,
+    slip_velocity,
+)
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism, Prop
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
@@ -135,10 +142,10 @@ class StoppedSlipping(SlipChange):
         """Return the rolling bodies and those on moving carriers, with their phrases."""
         mechanism = words.mechanism
         called = words.called(cls.of).items()
-        return {n: said for n, said in called if rolls(words, n) or mechanism.body[n].parent is not None}
+        return {n: said for n, said in called if can_roll(words, n) or mechanism.body[n].parent is not None}
 
     @classmethod
-    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+    def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """Return the moments worth asking about: none if the body reversed its slip before, as that is ambiguous."""
         found = super(StoppedSlipping, cls).found(study, words, rng)
         return [moment for moment in found if not moment.turned_back(study.trace)]
@@ -146,13 +153,13 @@ class StoppedSlipping(SlipChange):
     def turned_back(self, trace: Trace) -> bool:
         """Return whether the body slips in both senses before it stops slipping."""
         time = self.time(trace)
-        slips = slip(trace.scan, self.name)
+        slips = slip_velocity(trace.scan, self.name)
         before = slips[trace.scan.times < (time or 0.0)]
-        slight = still(trace, slips)
+        slight = rest_speed(trace, slips)
         return bool((before > slight).any() and (before < -slight).any())
 
     def _verb(self, words: Words) -> Verb:
-        surface, verb = words.fills(self.of, self.name)["surface"], VERBS[rolls(words, self.name)]
+        surface, verb = words.fills(self.of, self.name)["surface"], VERBS[can_roll(words, self.name)]
         return Verb(verb.told.format(surface=surface), verb.asked.format(surface=surface))
 
     def phrases(self, words: Words) -> tuple[str, ...]:

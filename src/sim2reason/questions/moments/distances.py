@@ -13,7 +13,7 @@ from sim2reason.questions.moments.parts.occurrence import Verb, when_phrases
 from sim2reason.questions.moments.parts.passage import Passage, acting_on
 from sim2reason.questions.moments.parts.reached import DistanceThreshold
 from sim2reason.questions.moments.parts.turning_points import Apsis, goes_straight_up
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.constancy import may_turn_back
 from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism
@@ -37,7 +37,7 @@ class Away(DistanceThreshold):
     verb = Verb("is", "", "is")
 
     @classmethod
-    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+    def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """Return a moment with a random distance; none for a projectile, whose range and height are asked for instead.
 
         In fields that turn the velocity the moment is rare, as the angle of the velocity is more instructive.
@@ -236,8 +236,8 @@ def _turns_back(trace: Trace, name: str, until: float) -> bool:
     return bool(speeds.min(initial=0.0) * speeds.max(initial=0.0) < -1e-9 * float(np.abs(speeds).max(initial=0.0)) ** 2)
 
 
-BACK = 1e-5  # of the greatest distance: largest distance from the starting point at a return
-SLOW = 1e-3  # of the greatest speed: a slower body turns back at the starting point
+RETURN_DISTANCE_RTOL = 1e-5  # of the greatest distance: largest distance from the starting point at a return
+RETURN_SPEED_RTOL = 1e-3  # of the greatest speed: a slower body turns back at the starting point
 
 
 @MOMENTS.register("returned")
@@ -269,8 +269,8 @@ class Returned(Passage):
         fastest = float(np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1).max())
         for time in crossings(trace, self.excess):
             there = trace.at(time)
-            if float(np.linalg.norm(Displacement.evaluate(there, self.name))) <= BACK * farthest:
-                slow = float(np.linalg.norm(Velocity.evaluate(there, self.name))) <= SLOW * fastest
+            if float(np.linalg.norm(Displacement.evaluate(there, self.name))) <= RETURN_DISTANCE_RTOL * farthest:
+                slow = float(np.linalg.norm(Velocity.evaluate(there, self.name))) <= RETURN_SPEED_RTOL * fastest
                 return self._turn(trace, time) if slow else time
         return None
 

@@ -9,7 +9,13 @@ import numpy as np
 
 from sim2reason.questions.moments import MOMENTS, Clause
 from sim2reason.questions.moments.parts.occurrence import Occurrence, Verb, when_phrases
-from sim2reason.questions.moments.parts.passage import SLIGHT, ActingFields, FieldPassage, Threshold, begins
+from sim2reason.questions.moments.parts.passage import (
+    COMPONENT_RTOL,
+    ActingFields,
+    FieldPassage,
+    Threshold,
+    initial_rates,
+)
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.fields import Push
 from sim2reason.scenes.dsl.mechanism import Mechanism
@@ -43,10 +49,10 @@ class AcrossField(FieldPassage):
         own = mechanism.body[self.name].coordinates
         along = sum(inner(way, one.axis) * one.speed for one in own)
         speed = math.hypot(*(one.speed for one in own))
-        return self.again if abs(along) <= SLIGHT * speed and speed else self.verb
+        return self.again if abs(along) <= COMPONENT_RTOL * speed and speed else self.verb
 
     @property
-    def tells(self) -> tuple[Channel, ...]:
+    def revealed_channels(self) -> tuple[Channel, ...]:
         """Return the channels of forces and energies, which follow at once from the velocity or displacement."""
         told = ("acceleration", "net force", "electric potential energy")
         return tuple(Channel(self.name, quantity) for quantity in told)
@@ -58,14 +64,14 @@ class AcrossField(FieldPassage):
             return None
         fastest = float(np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1).max())
         here = float(np.linalg.norm(Velocity.evaluate(trace.at(time), self.name)))
-        return time if here > SLIGHT * fastest else None
+        return time if here > COMPONENT_RTOL * fastest else None
 
     def excess(self, state: State) -> Array:
         """Return the velocity component along the field, negative at first, m/s, (n,)."""
         way = np.array(_field_direction(state.mechanism, self.name))
-        velocity, acceleration = begins(state, self.name)
+        velocity, acceleration = initial_rates(state, self.name)
         along = float(velocity @ way)
-        first = along if abs(along) > SLIGHT * float(np.linalg.norm(velocity)) else float(acceleration @ way)
+        first = along if abs(along) > COMPONENT_RTOL * float(np.linalg.norm(velocity)) else float(acceleration @ way)
         return -np.sign(first) * (Velocity.evaluate(state, self.name) @ way)
 
 
@@ -115,17 +121,17 @@ class VelocityReturned(FieldPassage):
 
     def time(self, trace: Trace) -> float | None:
         """Return the period of the velocity, s; None for a body that starts from rest and comes to rest again."""
-        velocity, acceleration = begins(trace.state, self.name)
+        velocity, acceleration = initial_rates(trace.state, self.name)
         return FieldPassage.time(self, trace) if velocity.any() and acceleration.any() else None
 
     def excess(self, state: State) -> Array:
         """Return the change of the velocity times the initial acceleration, m²/s³, (n,)."""
-        velocity, acceleration = begins(state, self.name)
+        velocity, acceleration = initial_rates(state, self.name)
         return (Velocity.evaluate(state, self.name) - velocity) @ acceleration
 
 
 ANGLES = (30.0, 45.0, 60.0, 90.0, 120.0, 150.0)  # degrees, such as teachers choose
-MOST = 180.0  # degrees: larger turns are ambiguous
+MAX_TURN_ANGLE = 180.0  # degrees: larger turns are ambiguous
 
 
 @MOMENTS.register("velocity_turned")
@@ -155,21 +161,21 @@ class VelocityTurned(FieldPassage, Threshold):
         return met[int(rng.integers(len(met)))] if met else None
 
     @property
-    def tells(self) -> tuple[Channel, ...]:
+    def revealed_channels(self) -> tuple[Channel, ...]:
         """Return the channels that the direction of the velocity determines; its magnitude may still be asked for."""
         return tuple(Channel(self.name, told) for told in ("acceleration", "net force"))
 
     def time(self, trace: Trace) -> float | None:
         """Return the time, s, at which the velocity first has that direction; None if it never has or never turns."""
-        velocity, acceleration = begins(trace.state, self.name)
+        velocity, acceleration = initial_rates(trace.state, self.name)
         size = hypot(*velocity.tolist()) * hypot(*acceleration.tolist())
-        square = abs(float(velocity @ acceleration)) <= SLIGHT * size or bool(trace.state.mechanism.forces[1:])
-        turns = 0.0 < self.value < MOST and size > 0.0 and square
+        square = abs(float(velocity @ acceleration)) <= COMPONENT_RTOL * size or bool(trace.state.mechanism.forces[1:])
+        turns = 0.0 < self.value < MAX_TURN_ANGLE and size > 0.0 and square
         return FieldPassage.time(self, trace) if turns else None
 
     def excess(self, state: State) -> Array:
         """Return the component of the velocity perpendicular to that direction, m/s, (n,)."""
-        (vx, vy, _), acceleration = begins(state, self.name)
+        (vx, vy, _), acceleration = initial_rates(state, self.name)
         sign = 1.0 if vx * acceleration[1] >= vy * acceleration[0] else -1.0
         turn = sign * radians(self.value)
         x, y = vx * cos(turn) - vy * sin(turn), vx * sin(turn) + vy * cos(turn)

@@ -11,9 +11,9 @@ from sim2reason.questions.moments import MOMENTS
 from sim2reason.questions.moments.parts.occurrence import Occurrence, VelocityJump, Verb
 from sim2reason.questions.moments.parts.passage import Passage
 from sim2reason.questions.moments.parts.turning_points import SpringTurn
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Elastic, Inextensible, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.channels import Channel
@@ -94,7 +94,7 @@ class NaturalLength(Passage):
     again: ClassVar[Verb] = Verb("has its natural length again", "have its natural length again")
 
     @classmethod
-    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+    def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """Return the moments of springs that are strained at the start."""
         del rng
         strained = (cls(name) for name in cls.candidates(words) if not _relaxed(words.mechanism, name))
@@ -114,7 +114,7 @@ class NaturalLength(Passage):
         return min((time for time in found if time is not None), default=None)
 
     @property
-    def tells(self) -> tuple[Channel, ...]:
+    def revealed_channels(self) -> tuple[Channel, ...]:
         """Return the channels of the extension, length and force, which are given then."""
         return self.channels
 
@@ -123,4 +123,4 @@ def _relaxed(mechanism: Mechanism, name: str) -> bool:
     """Return whether a spring has its natural length at the start."""
     line = mechanism.line[name]
     assert isinstance(line.law, Elastic)
-    return abs(start(mechanism).length(line) - line.law.length) <= RELAXED * line.law.length
+    return abs(initial_frames(mechanism).length(line) - line.law.length) <= RELAXED * line.law.length

@@ -7,11 +7,11 @@ from typing import Self
 
 import numpy as np
 
-from sim2reason.questions.choices import apart, bears_from
+from sim2reason.questions.choices import data_relevant_from, is_clear_of_events
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.recurrence import drift_return, first_return, rest_for_good, uniform_from
-from sim2reason.questions.study import Study
-from sim2reason.questions.words import Words, round_number, spoken
+from sim2reason.questions.study import SimulatedScene
+from sim2reason.questions.words import Words, round_number, rounded_as_written
 from sim2reason.simulation.trace import Trace, ending
 
 
@@ -24,7 +24,7 @@ class AtStart(Moment):
     label = "start"
 
     @classmethod
-    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+    def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """Return the only moment of this class."""
         del study, words, rng
         return [cls()]
@@ -75,14 +75,14 @@ class AtTime(Moment):
     after: float  # s, as spoken
 
     @classmethod
-    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+    def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """Return a random time away from events and late enough for all given data to matter, rounded if possible."""
         del words
         earliest, latest = (share * study.trace.stable_until for share in (EARLIEST, LATEST))
-        earliest = min(max(earliest, bears_from(study.trace)), latest)
+        earliest = min(max(earliest, data_relevant_from(study.trace)), latest)
         drawn = float(rng.uniform(earliest, latest))
-        moments = (cls(after) for after in (round_number(drawn, earliest, latest), spoken(drawn)))
-        fitting = (m for m in moments if m.time(study.trace) is not None and apart(m.after, study.trace))
+        moments = (cls(after) for after in (round_number(drawn, earliest, latest), rounded_as_written(drawn)))
+        fitting = (m for m in moments if m.time(study.trace) is not None and is_clear_of_events(m.after, study.trace))
         return [*islice(fitting, 1)]
 
     @classmethod
@@ -146,7 +146,7 @@ class WholeMotion(Moment):
     ends: bool = True  # whether it may end at all, and not only repeat itself
 
     @classmethod
-    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+    def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """Return the whole motion if it is periodic, possibly with a displacement; else nothing."""
         del words, rng
         if study.time(cls(ends=False)) is not None:
@@ -162,7 +162,7 @@ class WholeMotion(Moment):
         yield cls()
 
     @property
-    def comes_round(self) -> bool:
+    def requires_return(self) -> bool:
         """Return True, as the initial state must recur."""
         return True
 

@@ -7,24 +7,24 @@ from typing import ClassVar
 
 import numpy as np
 
-from sim2reason.questions.choices import STILL, still
+from sim2reason.questions.choices import REST_SPEED_RTOL, rest_speed
 from sim2reason.questions.crossing import crossings
 from sim2reason.questions.moments import MOMENTS
 from sim2reason.questions.moments.parts.occurrence import Occurrence, Verb
 from sim2reason.questions.moments.parts.passage import Passage
 from sim2reason.questions.moments.parts.turning_points import TurningPoint, goes_straight_up
-from sim2reason.questions.recurrence import ends_at_rest, nothing_new
-from sim2reason.questions.study import Study
+from sim2reason.questions.recurrence import ends_at_rest, has_known_continuation
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.scenes.dsl.vectors import add, scale
 from sim2reason.simulation.quantities.kinematics import Acceleration, Displacement, Velocity
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
-from sim2reason.simulation.quantities.subjects.paths import EVEN, chain, extended, rides, ways_of
+from sim2reason.simulation.quantities.subjects.paths import DIRECTION_TOL, chain, extended, point_directions, rides
 from sim2reason.simulation.trace import Event, Trace
 
-AS_FAST = 1e-6  # relative: smaller differences of speeds are rounding
+SPEED_RTOL = 1e-6  # relative: smaller differences of speeds are rounding
 
 
 @MOMENTS.register("fastest")
@@ -45,16 +45,16 @@ class Fastest(Passage):
 
     def time(self, trace: Trace) -> float | None:
         """Return the time of greatest speed, s; None if a greater speed may follow."""
-        if not nothing_new(trace):
+        if not has_known_continuation(trace):
             return None
         greatest = float(np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1).max())
         for time in crossings(trace, self.excess):
-            if float(np.linalg.norm(Velocity.evaluate(trace.at(time), self.name))) >= (1.0 - AS_FAST) * greatest:
+            if float(np.linalg.norm(Velocity.evaluate(trace.at(time), self.name))) >= (1.0 - SPEED_RTOL) * greatest:
                 return time
         return None
 
 
-SLOW = 0.1  # of the greatest speed: a sampled minimum below may touch zero between samples
+TOUCH_SPEED_RTOL = 0.1  # of the greatest speed: a sampled minimum below may touch zero between samples
 
 
 @MOMENTS.register("stopped")
@@ -120,26 +120,26 @@ class Stopped(Occurrence):
         end = trace.stable_until
         times = [e.time for e in trace.events if 0.0 < e.time <= end and self.is_this(e, trace)]
         touched = self._touches(trace, end) if self.may_touch else ()
-        near = STILL * float(trace.scan.times[-1])
+        near = REST_SPEED_RTOL * float(trace.scan.times[-1])
         times += [time for time in touched if all(abs(time - event.time) > near for event in trace.events)]
         return sorted(times)[self.number - 1] if len(times) >= self.number else None
 
     def _touches(self, trace: Trace, before: float) -> Iterator[float]:
         """Yield the times before `before`, s, at which the body's speed is zero without an event."""
         times, speeds = trace.scan.times, np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1)
-        early = speeds[times < before * (1.0 - SLOW)]
+        early = speeds[times < before * (1.0 - TOUCH_SPEED_RTOL)]
         lowest = early[1:-1][(early[1:-1] <= early[:-2]) & (early[1:-1] < early[2:])]
-        if not len(lowest) or float(lowest.min()) > SLOW * float(speeds.max()):
+        if not len(lowest) or float(lowest.min()) > TOUCH_SPEED_RTOL * float(speeds.max()):
             return
 
         def gains(state: State) -> Array:
             return np.einsum("ij,ij->i", Velocity.evaluate(state, self.name), Acceleration.evaluate(state, self.name))
 
         for time in crossings(trace, gains):
-            if time >= before * (1.0 - STILL):
+            if time >= before * (1.0 - REST_SPEED_RTOL):
                 return
             fastest = float(speeds[times <= time].max())  # so far: how long it is followed decides nothing
-            if float(np.linalg.norm(Velocity.evaluate(trace.at(time), self.name))) <= STILL * fastest:
+            if float(np.linalg.norm(Velocity.evaluate(trace.at(time), self.name))) <= REST_SPEED_RTOL * fastest:
                 yield time
 
     def is_this(self, event: Event, trace: Trace) -> bool:
@@ -147,8 +147,8 @@ class Stopped(Occurrence):
         if event.kind not in self.kinds:
             return False
         times, speeds = trace.scan.times, np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1)
-        slowest = still(trace, speeds)
-        before = speeds[times < event.time - STILL * times[-1]]  # the scan knows both sides of an event, too
+        slowest = rest_speed(trace, speeds)
+        before = speeds[times < event.time - REST_SPEED_RTOL * times[-1]]  # the scan knows both sides of an event, too
         moved = len(before) > 0 and float(before[-1]) > slowest
         return moved and float(speeds[np.searchsorted(times, event.time)]) <= slowest
 
@@ -163,8 +163,8 @@ def _spins_on(mechanism: Mechanism, name: str) -> bool:
 def _starts(mechanism: Mechanism, name: str) -> bool:
     """Return whether the body's centre of mass moves at the start."""
     speeds = {coordinate.name: coordinate.speed for coordinate in mechanism.coordinates}
-    ways = ways_of(mechanism, name, mechanism.body[name].center)
-    return hypot(*add(*(scale(speeds[number], way) for number, way in ways.items()))) > EVEN
+    ways = point_directions(mechanism, name, mechanism.body[name].center)
+    return hypot(*add(*(scale(speeds[number], way) for number, way in ways.items()))) > DIRECTION_TOL
 
 
 @MOMENTS.register("halted")
@@ -184,7 +184,7 @@ class Halted(Stopped):
             return False
         times, speeds = trace.scan.times, _speeds(trace, self.name)
         return (
-            bool((speeds[times >= event.time] <= still(trace, speeds)).all())
+            bool((speeds[times >= event.time] <= rest_speed(trace, speeds)).all())
             and Stopped(self.name).time(trace) != event.time
         )
 
@@ -223,7 +223,7 @@ class LowestPoint(TurningPoint):
     verb = Verb("passes through the lowest point of its path", "pass through the lowest point of its path")
     local_verb = Verb("stops falling", "stop falling")
 
-    def comes(self, study: Study) -> bool:
+    def comes(self, study: SimulatedScene) -> bool:
         """Return whether the body passes the lowest point, as opposed to an arm that reverses there."""
         if not super(LowestPoint, self).comes(study):  # slots make another class of this one, which super() misses
             return False

@@ -12,7 +12,7 @@ SETTING = frozenset(
 """Nouns that sentences about any scene may have."""
 
 
-def absent(sentence: str, scene: Scene) -> str:
+def missing_object(sentence: str, scene: Scene) -> str:
     """Return a clause that names an object of a sentence that the scene lacks; empty if there is none."""
     asked, told = _words(sentence), _words(describe(scene).text)
     present = {noun for body in scene.bodies.values() for noun in body.nouns}

@@ -81,7 +81,7 @@ def verb_forms() -> frozenset[str]:
     return AUXILIARIES.union(_bases())
 
 
-def based(text: str) -> str:
+def with_base_forms(text: str) -> str:
     """Return a text with base forms of its verbs, without auxiliaries and empty words."""
     bases = _bases()
     words = (bases.get(word, word) for word in text.split())
@@ -153,7 +153,7 @@ def paraphrased(clause: str) -> Iterator[str]:
         return
     clause, across = _ON_OTHER_SIDE.subn("", _ON_ITS_WAY.sub("", clause))
     text = " ".join(WAY.sub(lambda found: f" <{way_of(found['way'])}> ", clause).split())
-    text = based(text)
+    text = with_base_forms(text)
     ways = " ".join(re.findall("<.+?>", text))
     bare = " ".join(re.sub("<.+?>", " ", text).split())
     for told, plain in HEADS.items():

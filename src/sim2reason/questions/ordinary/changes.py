@@ -7,7 +7,7 @@ from itertools import product
 from sim2reason.questions.ordinary.change_readers import IMPULSE
 from sim2reason.questions.ordinary.clause_heads import HOME
 from sim2reason.questions.ordinary.clauses import whens
-from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.hearing import ALL, TokenizedSentence
 from sim2reason.questions.ordinary.readers import CHANGE, JUMP, LOSS, Main
 from sim2reason.questions.ordinary.vocabulary import GAINED, GROUNDS, LOWEST, ONCE, pattern
 from sim2reason.questions.ordinary.whens import AFTER, DURING, THEN, When
@@ -118,7 +118,7 @@ _ABOVE_LOWEST = pattern(
 )
 
 
-def above_lowest(question: str, clause: str, side: str, heard: Heard) -> Iterator[tuple[Main, When]]:
+def above_lowest(question: str, clause: str, side: str, heard: TokenizedSentence) -> Iterator[tuple[Main, When]]:
     """Yield the height of a body above the lowest point of its path at a moment that a clause names."""
     found = _ABOVE_LOWEST.fullmatch(question) if clause else None
     if found is None or not heard.subjects:
@@ -129,7 +129,7 @@ def above_lowest(question: str, clause: str, side: str, heard: Heard) -> Iterato
         yield Main("displacement", who, "vertical"), When(told, AFTER, (*when.ways, (who, GAINED)), when.rank)
 
 
-def _slack(heard: Heard) -> Iterator[tuple[Main, When]]:
+def _slack(heard: TokenizedSentence) -> Iterator[tuple[Main, When]]:
     """Yield the time for which a string is slack."""
     found = _SLACK.fullmatch(heard.text)
     if found is not None:
@@ -137,7 +137,7 @@ def _slack(heard: Heard) -> Iterator[tuple[Main, When]]:
         yield Main("time"), When(f"{line} went taut{MINUS}{line} went slack", AFTER, (("", GAINED),))
 
 
-def differences(heard: Heard) -> Iterator[tuple[Main, When]]:
+def differences(heard: TokenizedSentence) -> Iterator[tuple[Main, When]]:
     """Yield the questions of a sentence about an interval between two moments, each as main clause and moment."""
     whole = heard.subject("@0@") if heard.subjects else ""
     for told in _BETWEEN:
@@ -169,7 +169,7 @@ def differences(heard: Heard) -> Iterator[tuple[Main, When]]:
             yield Main("displacement", whole, "vertical"), When(f"{whole} {top}", AFTER, ((whole, LOWEST),))
 
 
-def _times(one: str, other: str, heard: Heard, who: str) -> Iterator[tuple[Main, When]]:
+def _times(one: str, other: str, heard: TokenizedSentence, who: str) -> Iterator[tuple[Main, When]]:
     """Yield the time from one moment to another; *the first and the second bounce* share a noun."""
     if _AGAIN.search(other) or _AGAIN.search(one):
         return
@@ -191,7 +191,7 @@ def _times(one: str, other: str, heard: Heard, who: str) -> Iterator[tuple[Main,
             yield Main("time"), When(told, AFTER, (("", GAINED),), early.rank + late.rank)
 
 
-def after_bounce(question: str, clause: str, side: str, heard: Heard) -> Iterator[tuple[Main, When]]:
+def after_bounce(question: str, clause: str, side: str, heard: TokenizedSentence) -> Iterator[tuple[Main, When]]:
     """Yield the height above the ground of the highest point after a bounce."""
     found, bounced = _TOP.fullmatch(question), _BOUNCE.fullmatch(clause)
     if side != AFTER or found is None or bounced is None or not heard.subjects:

@@ -8,7 +8,7 @@ from sim2reason.questions.moments.parts.reached import AGAIN
 from sim2reason.questions.ordinary import moment_readers as read
 from sim2reason.questions.ordinary import place_readers as place
 from sim2reason.questions.ordinary.base_forms import paraphrased
-from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.hearing import TokenizedSentence
 from sim2reason.questions.ordinary.moment_readers import Reader, is_time
 from sim2reason.questions.ordinary.multiples import PAST
 from sim2reason.questions.ordinary.vocabulary import GOES_DOWN, GOES_UP, pattern
@@ -20,7 +20,7 @@ _ON_ONE_SIDE = re.compile(r" (?:on|at) (?:its )?(?P<side>left|right)(?:(?: |-)ha
 _LATER = re.compile(r"(?P<n>#\d+#) (?:after|past|following) (?P<event>.+)")
 
 
-def whens(clause: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
+def whens(clause: str, heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield every moment that a clause may mean, for any subject of the sentence if the clause names no subject."""
     going = _ON_THE_WAY.search(clause)
     if going is not None and going.start() > 0:
@@ -36,7 +36,7 @@ def whens(clause: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
     yield from found or _later(clause, heard, subject)
 
 
-def _later(clause: str, heard: Heard, subject: str) -> Iterator[When]:
+def _later(clause: str, heard: TokenizedSentence, subject: str) -> Iterator[When]:
     """Yield the moment that a clause such as *2 s after the collision* means."""
     found = _LATER.fullmatch(clause)
     if found is None or not is_time(heard.number(found["n"])):
@@ -46,20 +46,20 @@ def _later(clause: str, heard: Heard, subject: str) -> Iterator[When]:
             yield replace(when, told=f"{heard.number(found['n'])}{PAST}{when.told}", side=THEN)
 
 
-def _named_first(clause: str, heard: Heard, subject: str) -> str:
+def _named_first(clause: str, heard: TokenizedSentence, subject: str) -> str:
     """Return the first subject that a clause names, or else the given one."""
     token = re.search(r"@\d+@", clause)
     return heard.subject(token[0]) if token is not None else subject
 
 
-def _on_one_side(clause: str, beside: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
+def _on_one_side(clause: str, beside: str, heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the turning point that a clause such as *stops on the left* means, presuming that it is on that side."""
     who = _named_first(clause, heard, subject)
     for when in whens(f"{clause} on other side", heard, subject, side):
         yield replace(when, ways=(*when.ways, (who, beside)))
 
 
-def _on_the_way(clause: str, way: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
+def _on_the_way(clause: str, way: str, heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield every moment that a clause may mean, presuming that a body goes up, or down, at that moment."""
     who = _named_first(clause, heard, subject)
     for when in whens(clause, heard, subject, side):
@@ -69,7 +69,7 @@ def _on_the_way(clause: str, way: str, heard: Heard, subject: str, side: str) ->
             yield replace(when, told=f"{AGAIN}{when.told}", ways=ways)
 
 
-def _of_tables(clause: str, heard: Heard, subject: str, side: str) -> Iterator[When]:
+def _of_tables(clause: str, heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     for told, reader in CLAUSES.items():
         found = pattern(told).fullmatch(clause)
         if found is None:

@@ -7,7 +7,7 @@ from sim2reason.questions.ordinary.named_lines import group
 from sim2reason.questions.ordinary.vocabulary import ANYTHING
 from sim2reason.questions.words import Words
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
-from sim2reason.simulation.quantities.subjects.paths import EVEN, center_path
+from sim2reason.simulation.quantities.subjects.paths import DIRECTION_TOL, center_path
 
 ALIKE = 1e-9  # relative: masses that differ by less are equal
 PAIR = 2
@@ -43,7 +43,7 @@ def _lettered(words: Words) -> Mapping[str, Mapping[str, str]]:
 def _hanging(names: list[str], words: Words) -> list[str]:
     """Return the bodies that move straight up and down and lie on nothing."""
     free = (name for name in names if name not in words.mechanism.contacts)
-    return [name for name in free if all(abs(way[2]) > 1.0 - EVEN for way in _ways(name, words))]
+    return [name for name in free if all(abs(way[2]) > 1.0 - DIRECTION_TOL for way in _ways(name, words))]
 
 
 def _ways(name: str, words: Words) -> Iterator[tuple[float, float, float]]:

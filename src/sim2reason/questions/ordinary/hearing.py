@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from sim2reason.questions.moments.parts.occurrence import rolls
+from sim2reason.questions.moments.parts.occurrence import can_roll
 from sim2reason.questions.ordinary.asides import without_asides, without_leads
 from sim2reason.questions.ordinary.base_forms import verb_forms
 from sim2reason.questions.ordinary.described_bodies import with_letters
@@ -81,7 +81,7 @@ _ARTICLES = re.compile(r"\b(?:the|an|a)\b ?")
 
 
 @dataclass(frozen=True, slots=True)
-class Heard:
+class TokenizedSentence:
     """A tokenized sentence, with the phrases and numbers that its tokens represent."""
 
     text: str
@@ -97,10 +97,10 @@ class Heard:
         return self.numbers[int(token.strip("#"))]
 
 
-def hear(sentence: str, words: Words) -> Heard:
+def tokenize(sentence: str, words: Words) -> TokenizedSentence:
     """Return a sentence with tokens for the scene's subjects and for numbers; pronouns become the first subject."""
     if len(sentence) > LONGEST:
-        return Heard("", (), ())
+        return TokenizedSentence("", (), ())
     sentence = _HALF.sub(r"\1 0.5 \2", _AND_HALF.sub(_and_half, sentence))
     text = plainly(sentence, words.units).replace("\N{NO-BREAK SPACE}", " ").strip().rstrip("?.!").replace("? ", ". ")
     subjects: list[str] = []
@@ -136,7 +136,7 @@ def hear(sentence: str, words: Words) -> Heard:
     smooth = all(face.friction == 0.0 for face in words.mechanism.faces)
     text = without_leads(" ".join(_without_pronouns(text, subjects).split()), numbers, smooth=smooth)
     text = without_asides(text)
-    return Heard(reworded(text), tuple(subjects), numbers)
+    return TokenizedSentence(reworded(text), tuple(subjects), numbers)
 
 
 def _and_half(found: re.Match[str]) -> str:
@@ -244,7 +244,7 @@ def _movers(words: Words) -> list[str]:
 
 def _of_only(text: str, words: Words) -> str:
     """Return a text with the token of the only body in place of *it*, *its* and, if the body rolls, *the centre*."""
-    if all(name in words.mechanism.contacts and rolls(words, name) for name in words.called(Bodies())):
+    if all(name in words.mechanism.contacts and can_roll(words, name) for name in words.called(Bodies())):
         text = _CENTER_ALONE.sub("@0@", text)
     return re.sub(r"\bits (?=[a-z])", "@0@ 's ", re.sub(r"\bit (?!takes?\b)", "@0@ ", text))
 

@@ -7,7 +7,7 @@ from sim2reason.questions.ordinary import change_readers as change
 from sim2reason.questions.ordinary import force_readers as force
 from sim2reason.questions.ordinary import shape_readers as shape
 from sim2reason.questions.ordinary import value_readers as read
-from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.hearing import TokenizedSentence
 from sim2reason.questions.ordinary.loosely import plainly_ordered
 from sim2reason.questions.ordinary.paraphrased_mains import paraphrased
 from sim2reason.questions.ordinary.readers import (
@@ -25,7 +25,7 @@ from sim2reason.questions.ordinary.stretches import STRETCHES
 from sim2reason.questions.ordinary.vocabulary import LEVEL, SMOOTH, pattern
 
 
-def mains(question: str, heard: Heard) -> Iterator[Main]:
+def mains(question: str, heard: TokenizedSentence) -> Iterator[Main]:
     """Yield every meaning of a main clause; nothing if the clause matches no known frame."""
     found = list(_framed(question, heard))
     plain = dict.fromkeys(plainly_ordered(question)) if not found else ()
@@ -34,7 +34,7 @@ def mains(question: str, heard: Heard) -> Iterator[Main]:
     yield from found or (main for told in plain for main in _framed(told, heard))
 
 
-def _framed(question: str, heard: Heard) -> Iterator[Main]:
+def _framed(question: str, heard: TokenizedSentence) -> Iterator[Main]:
     for told, reader in frames().items():
         found = pattern(told).fullmatch(question)
         if found is not None:

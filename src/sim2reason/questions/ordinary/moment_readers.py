@@ -6,7 +6,7 @@ from dataclasses import replace
 from math import tau
 
 from sim2reason.questions.ordinary.clause_heads import HOME
-from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.hearing import ALL, TokenizedSentence
 from sim2reason.questions.ordinary.multiples import LONG
 from sim2reason.questions.ordinary.vocabulary import (
     CARRIED_AT_REST,
@@ -18,7 +18,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     SETS_OFF,
     STRAIGHT,
     WAYS,
-    meant,
+    matching_entry,
 )
 from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, ONLY_LINE, THEN, When, ways_of
 
@@ -29,11 +29,11 @@ _SLOPING = re.compile(rf"\b(?:{GROUNDS}|uphill|downhill|its path)\b")
 _LENGTH = re.compile(r" (?:m|km|cm|mm|au)$")
 _FROM_START = re.compile(rf"(?:\bis|\bare|\bbe|@)(?: first| again)? #\d+# (?:away )?from (?:{HOME})")
 LAST = 10  # the rank of what is meant only where all else is not there
-Reader = Callable[[re.Match[str], Heard, str, str], Iterator[When]]
+Reader = Callable[[re.Match[str], TokenizedSentence, str, str], Iterator[When]]
 """From what matched, the sentence, the subject of the question, and the side, to all moments that may be meant."""
 
 
-def subject_of(found: re.Match[str], heard: Heard, subject: str) -> str:
+def subject_of(found: re.Match[str], heard: TokenizedSentence, subject: str) -> str:
     """Return the phrase for the subject of a clause, by default that of the question."""
     return heard.subject(found.groupdict().get("s")) or subject
 
@@ -41,7 +41,7 @@ def subject_of(found: re.Match[str], heard: Heard, subject: str) -> str:
 def simply(name: str, side: str = "") -> Reader:
     """Return a reader for a named moment of one subject, such as *stopped*."""
 
-    def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+    def read(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
         groups = found.groupdict()
         number = groups.get("number") or ""
         who = subject_of(found, heard, subject)
@@ -57,7 +57,7 @@ def simply(name: str, side: str = "") -> Reader:
 def turned_back(name: str, way: str) -> Reader:
     """Return a reader for the highest or lowest point of a path or, on a straight path, for the stop of the body."""
 
-    def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+    def read(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
         who = subject_of(found, heard, subject)
         yield When(f"{who} {name}", asked)
         yield When(f"{who} stopped", asked, ((who, way),), rank=LAST)
@@ -68,7 +68,7 @@ def turned_back(name: str, way: str) -> Reader:
 def alone(name: str) -> Reader:
     """Return a reader for a moment that is unique in a scene, whatever subject is named."""
 
-    def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+    def read(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
         del found, heard, subject
         yield When(name, asked)
 
@@ -78,7 +78,7 @@ def alone(name: str) -> Reader:
 def jump(*names: str) -> Reader:
     """Return a reader for an event at which velocities jump: just before the event, just after the event, or both."""
 
-    def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+    def read(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
         who, groups = subject_of(found, heard, subject), found.groupdict()
         number = groups.get("number") or ""
         for name in names:
@@ -92,14 +92,14 @@ def jump(*names: str) -> Reader:
     return read
 
 
-def _both(who: str, heard: Heard) -> str:
+def _both(who: str, heard: TokenizedSentence) -> str:
     """Return the two bodies that a plural phrase means; empty unless it means two."""
     joint = [said for said in (who, *heard.subjects) if said.startswith(f"{ALL} ")]
     both = joint[0].removeprefix(f"{ALL} ") if joint else ""
     return both if both.count(" & ") == 1 else ""
 
 
-def meet(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+def meet(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
     """Yield the collision of two named bodies: just before the impact, just after the impact, or both."""
     del subject
     both = f"{heard.subject(found['s'])} & {heard.subject(found['t'])}"
@@ -107,13 +107,13 @@ def meet(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterat
         yield When(f"{both} collided{' before' if side == BEFORE else ''}", side)
 
 
-def meet_again(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+def meet_again(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
     """Yield a numbered collision of two named bodies."""
     for when in meet(found, heard, subject, asked):
         yield replace(when, told=f"{found['number']} {when.told}")
 
 
-def met(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+def met(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
     """Yield the collision of the question's subject with a named body."""
     if subject and subject != heard.subject(found["t"]) and not subject.startswith(f"{ALL} "):
         both = f"{subject} & {heard.subject(found['t'])}"
@@ -121,7 +121,7 @@ def met(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterato
             yield When(f"{both} collided{' before' if side == BEFORE else ''}", side)
 
 
-def landed(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def landed(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the landing and the bounce of a body, just before the impact unless the question asks for just after."""
     who = subject_of(found, heard, subject)
     number = found.groupdict().get("number") or ""
@@ -131,7 +131,7 @@ def landed(found: re.Match[str], heard: Heard, subject: str, side: str) -> Itera
     yield from jump("edge landed")(found, heard, subject, side)
 
 
-def joined(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+def joined(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
     """Yield the moment from which bodies move together, when slipping ends."""
     yield When("stopped slipping", BEFORE if asked == BEFORE else AFTER)
     both = _both(subject_of(found, heard, subject), heard)
@@ -142,16 +142,16 @@ def joined(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iter
 def rather(reader: Reader) -> Reader:
     """Return a reader for the moments of another reader, tried only after all other meanings of a clause."""
 
-    def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+    def read(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
         yield from (replace(when, rank=when.rank + LAST) for when in reader(found, heard, subject, asked))
 
     return read
 
 
-def moved(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def moved(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body has moved a given distance, or the given time if the number is a time."""
     who, number = subject_of(found, heard, subject), heard.number(found["n"])
-    axis = meant(WAYS, found.groupdict().get("way") or "")
+    axis = matching_entry(WAYS, found.groupdict().get("way") or "")
     ways = tuple((said, way) for said, way in ways_of(found, who) if way != axis or axis not in LINES)
     if is_time(number):
         yield When(f"at {number}", side, ways)
@@ -168,49 +168,49 @@ def moved(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterat
             yield When(f"displacement of {who} along vertical = {sign}{number}", side, ways, rank=LAST)
 
 
-def covered(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def covered(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when the subject of a question has moved a length that stands alone, as in *after 3 m*."""
     number = heard.number(found["n"])
     if side in (AFTER, DURING) and _LENGTH.search(number) is not None:
         yield When(f"{subject} moved {number}", side)
 
 
-def relatively(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def relatively(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body has moved a distance along its carrier."""
     who = heard.subject(found["s"]) or subject
     told = f"displacement relative to its carrier of {who} = {heard.number(found['n'])}"
     yield When(told, side, ((who, f"{ON}{heard.subject(found['t'])}"),) if found["t"] else ())
 
 
-def returned(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def returned(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body on a straight line is back where it started."""
     who = subject_of(found, heard, subject)
     yield When(f"displacement of {who} along {ONLY_LINE} = 0 m", side)
     yield When(f"{who} returned", side)
 
 
-def stops_going(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def stops_going(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body that moves in one direction comes to rest."""
     for when in simply("stopped")(found, heard, subject, side):
         yield replace(when, ways=(*when.ways, *ways_of(found, subject_of(found, heard, subject))))
 
 
-def has_component(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def has_component(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a component of a velocity has a given value, downwards if the body falls."""
     who, sign = subject_of(found, heard, subject), "-" if found["sense"] in ("falls", "down") else ""
     yield When(f"velocity of {who} along {found['axis']} = {sign}{heard.number(found['n'])}", side)
 
 
-def at_place(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def at_place(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a coordinate of a body has a given value."""
     who, axis = subject_of(found, heard, subject), found["axis"]
     value = f"{'-' if found['sign'] else ''}{heard.number(found['n'])}"
     yield When(f"{axis} coordinate of {who} = {value}", side)
 
 
-def quantity_is(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def quantity_is(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a quantity named by a noun has a given value."""
-    name, who = meant(QUANTITIES, found["q"]), subject_of(found, heard, subject)
+    name, who = matching_entry(QUANTITIES, found["q"]), subject_of(found, heard, subject)
     if name == "compression":
         yield When(f"extension of {who} along stretched = -{heard.number(found['n'])}", side, ((who, COMPRESSED),))
     if name not in ("height", "distance", "length", "force", "compression", "deceleration"):
@@ -219,13 +219,13 @@ def quantity_is(found: re.Match[str], heard: Heard, subject: str, side: str) -> 
         yield When(f"height above the ground of {who} = {heard.number(found['n'])}", side)
 
 
-def directed(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def directed(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when the vertical component of a velocity or an acceleration has a given value."""
     sign = "-" if found["up"] == "down" else ""
     yield When(f"{found['q']} of {subject_of(found, heard, subject)} along up = {sign}{heard.number(found['n'])}", side)
 
 
-def at(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def at(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield a stated time; a time counted from lift-off only if the body lifts off at once."""
     number = heard.number(found["n"])
     ways = ((subject, SETS_OFF),) if LIFT_OFF.search(heard.text) is not None else ()
@@ -233,23 +233,23 @@ def at(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[
         yield When(f"at {number}", THEN if side == AFTER else side, ways)
 
 
-def second(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def second(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the end of the first second."""
     del found, heard, subject
     yield When("at 1 s", side)
 
 
-def has_speed(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def has_speed(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body has a given speed."""
     yield When(f"velocity of {subject_of(found, heard, subject)} = {heard.number(found['n'])}", side)
 
 
-def angle(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def angle(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a line makes a given angle with the vertical."""
     yield When(f"{subject_of(found, heard, subject)} deflected {heard.number(found['n'])}", side)
 
 
-def turned(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def turned(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body has turned through a given angle."""
     who, number = subject_of(found, heard, subject), heard.number(found["n"])
     yield When(f"{who} turned through {number}", side)
@@ -265,7 +265,7 @@ def apsis(name: str) -> Reader:
     They are the two that are named, or the body of which the question is asked and its only partner.
     """
 
-    def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
+    def read(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
         named = [heard.subject(found.groupdict().get(key)).removeprefix(f"{ALL} ") for key in "st"]
         both = " & ".join(said for said in named if said)
         for rank, who in enumerate(dict.fromkeys((both or subject, subject, ""))):

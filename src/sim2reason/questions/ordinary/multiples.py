@@ -4,12 +4,12 @@ import re
 from dataclasses import replace
 
 from sim2reason.errors import TextError
-from sim2reason.questions.following import Followed, FollowedMotion
+from sim2reason.questions.following import FollowedMotion, SimulatedAnswer
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.times import WholeMotion
-from sim2reason.questions.posing import PosedQuestion, posed
+from sim2reason.questions.posing import PosedQuestion, pose_question
 from sim2reason.questions.query import Query
 from sim2reason.questions.structured import START, StructuredQuestion
 from sim2reason.questions.words import Words
@@ -48,7 +48,7 @@ def in_numbers(asked: StructuredQuestion, motion: FollowedMotion, words: Words) 
         initial = _greatest(StructuredQuestion(f"greatest {SPEEDS.get(find, find)}", found["of"] or ""), motion, words)
     else:
         when = "burned out" if found["ref"] == AT_BURNOUT else START
-        initial = posed(StructuredQuestion(find, found["of"] or "", when), motion, words)
+        initial = pose_question(StructuredQuestion(find, found["of"] or "", when), motion, words)
     value = initial.followed(motion).answer
     if not value:
         raise TextError("when", f"the {find} is zero at the start, or never greatest", "give a value")
@@ -58,7 +58,7 @@ def in_numbers(asked: StructuredQuestion, motion: FollowedMotion, words: Words) 
 
 def _greatest(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
     """Return the question for a greatest value of a periodic motion, as others have no clear maximum."""
-    found = posed(asked, motion, words)
+    found = pose_question(asked, motion, words)
     moment = found.query.moment
     assert isinstance(moment, WholeMotion)
     return replace(found, query=replace(found.query, moment=replace(moment, ends=False)))
@@ -72,7 +72,7 @@ def _settled(asked: StructuredQuestion, motion: FollowedMotion, words: Words) ->
     until, unit, before = motion.study.scene.horizon, words.mechanism.units.time, list[float]()
     for _ in range(DOUBLINGS):
         told = replace(asked, when=f"at {until:.15g} {unit}")
-        question = posed(told, motion, words)
+        question = pose_question(told, motion, words)
         followed = question.followed(motion)
         answer = followed.answer
         if answer is None:
@@ -86,7 +86,7 @@ def _settled(asked: StructuredQuestion, motion: FollowedMotion, words: Words) ->
     raise TextError("when", "it never settles down", "name a moment")
 
 
-def _nothing_greater(query: Query, followed: Followed) -> bool:
+def _nothing_greater(query: Query, followed: SimulatedAnswer) -> bool:
     """Return whether an extreme recurs again and again, or else remains unequalled by far.
 
     Where many periods mix, the extremes of the second half of the motion come near to those of the first half, and
@@ -106,7 +106,7 @@ def _nothing_greater(query: Query, followed: Followed) -> bool:
 
 def _later(asked: StructuredQuestion, found: re.Match[str], motion: FollowedMotion, words: Words) -> StructuredQuestion:
     """Return a question with a time counted from the start, for one counted from a collision."""
-    began = posed(StructuredQuestion("time", "", found["event"]), motion, words)
+    began = pose_question(StructuredQuestion("time", "", found["event"]), motion, words)
     answer = began.followed(motion).answer
     if answer is None or began.unit(words) != found["unit"] or asked.find == "time":
         raise TextError("when", "there is no such collision", "name a moment")

@@ -5,10 +5,10 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import NamedTuple
 
-from sim2reason.questions.ordinary.base_forms import PLACES, WAY, based, way_of
+from sim2reason.questions.ordinary.base_forms import PLACES, WAY, way_of, with_base_forms
 from sim2reason.questions.ordinary.clause_heads import START_WORDS, S
-from sim2reason.questions.ordinary.hearing import Heard
-from sim2reason.questions.ordinary.vocabulary import either, meant
+from sim2reason.questions.ordinary.hearing import TokenizedSentence
+from sim2reason.questions.ordinary.vocabulary import either, matching_entry
 
 OUTCOMES: Mapping[str, tuple[str, bool]] = {
     r"roll without (?:slip|slide|skid)(?:ping)?|not (?:begin |start )?(?:to )?(?:slip|skid)|without slip(?:ping)?": (
@@ -88,7 +88,7 @@ class DecidingNumber(NamedTuple):
     least: bool | None
 
 
-def limits(heard: Heard, numbers: Mapping[str, str]) -> Iterator[DecidingNumber]:
+def limits(heard: TokenizedSentence, numbers: Mapping[str, str]) -> Iterator[DecidingNumber]:
     """Yield every number that a sentence may ask for by an outcome, if this accounts for every word."""
     text = " ".join(WAY.sub(lambda found: f" <{way_of(found['way'])}> ", _HEAVY.sub(_mass, heard.text)).split())
     asked = _parameter(tuple(numbers.values())).search(text)
@@ -99,7 +99,7 @@ def limits(heard: Heard, numbers: Mapping[str, str]) -> Iterator[DecidingNumber]
     rest = f"{text[: asked.start()]} {text[asked.end() :]}"
     has = _HAS.search(rest) if not (asked["own"] or asked["of"]) else None
     owner = heard.subject(asked["own"] or asked["of"] or (has["who"] if has is not None else None))
-    rest = based(_ASIDES.sub(" ", rest if has is None else f"{rest[: has.start()]} {rest[has.end() :]}"))
+    rest = with_base_forms(_ASIDES.sub(" ", rest if has is None else f"{rest[: has.start()]} {rest[has.end() :]}"))
     for told, (does, happens) in OUTCOMES.items():
         found = re.search(rf"(?<![\w@])(?:{told})(?![\w@])", rest)
         if found is None:
@@ -113,7 +113,7 @@ def limits(heard: Heard, numbers: Mapping[str, str]) -> Iterator[DecidingNumber]
         if len(subjects) <= 1 and not set(words) - _LOOSE:
             alone = has["who"] if has is not None and not _ALL.search(others) else None
             of = heard.subject(subjects[0] if subjects else alone)
-            name = meant(numbers, asked["p"])
+            name = matching_entry(numbers, asked["p"])
             owner = owner or (of if does == "rests" and name == "mass" else "")
             yield DecidingNumber(name, owner, does, happens, of, least)
             return

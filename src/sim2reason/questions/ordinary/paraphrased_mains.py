@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator
 from functools import cache
 
-from sim2reason.questions.ordinary.base_forms import PLACES, WAY, based, way_of
+from sim2reason.questions.ordinary.base_forms import PLACES, WAY, way_of, with_base_forms
 from sim2reason.questions.ordinary.main_rows import ALL_COLLISIONS, ROWS, SIZES, VERBS, S
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, PHRASES, QUANTITIES, either
 from sim2reason.questions.ordinary.wanted_row import WantedRow
@@ -63,7 +63,7 @@ def paraphrased(question: str) -> Iterator[str]:
     if re.search(r"\b(?:does|do|did|will) @\d+@ (?:get )?(?:stretch|compress|extend|shorten|lengthen)", question):
         return  # a change of the length, maybe not counted from the natural length
     text = " ".join(WAY.sub(lambda found: f" <{way_of(found['way'])}> ", _singular(question)).split())
-    text = _WORK_OUT.sub("find", based(text))
+    text = _WORK_OUT.sub("find", with_base_forms(text))
     for row in ROWS:
         yield from _filled(row, text)
 

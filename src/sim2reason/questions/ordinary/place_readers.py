@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from sim2reason.questions.moments.parts.reached import AGAIN
-from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.hearing import TokenizedSentence
 from sim2reason.questions.ordinary.moment_readers import LAST, LIFT_OFF, apsis, is_time, returned, subject_of
 from sim2reason.questions.ordinary.multiples import AT_BURNOUT, GREATEST, LONG, TIMES
 from sim2reason.questions.ordinary.vocabulary import (
@@ -31,80 +31,80 @@ from sim2reason.questions.ordinary.vocabulary import (
     STRETCHED,
     UNDER,
     UNMOVED,
-    meant,
+    matching_entry,
 )
 from sim2reason.questions.ordinary.whens import BEFORE, When
 
 FACTORS = {"double": 2, "twice": 2, "treble": 3, "triple": 3, "three": 3, "quadruple": 4, "four": 4, "ten": 10}
 
 
-def level(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def level(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a line is horizontal."""
     yield When(f"{subject_of(found, heard, subject)} deflected 90 deg", side)
 
 
-def sets_off(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def sets_off(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the start, presuming that a body starts to move at once; before it, for values independent of motion."""
     way = UNMOVED if side == BEFORE else SETS_OFF
     yield When("at start", ways=((subject_of(found, heard, subject), way),))
 
 
-def stays_below(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def stays_below(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the bounce after which a body no longer rises to a given height above the ground."""
     del subject
     yield When(f"{heard.subject(found['s'])} stayed below {heard.number(found['n'])}", side)
 
 
-def orbited(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def orbited(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body has completed half or a quarter of its orbit."""
     del subject
     pair = " & ".join(heard.subject(found[key]) for key in "st" if found[key])
     yield When(f"{pair} orbited {180 if found['turns'] == 'half' else 90} deg", side)
 
 
-def under(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def under(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a swinging body is vertically below its carrier on a level line."""
     del subject
     who = heard.subject(found["s"])
     yield When(f"{who} lowest point", side, ((who, f"{UNDER}{heard.subject(found['t'])}"),))
 
 
-def at_height(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def at_height(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body is at a height above the ground."""
     yield When(f"height above the ground of {subject_of(found, heard, subject)} = {heard.number(found['n'])}", side)
 
 
-def vertically(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def vertically(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body is a given height above, or below, its starting point."""
     who, down = subject_of(found, heard, subject), (found["way"] or "").startswith("down")
     told = f"displacement of {who} along vertical = {'-' if down else ''}{heard.number(found['n'])}"
     yield When(told, side)
 
 
-def crosses(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def crosses(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the first moment after the start when a body is on an axis."""
     who, other = subject_of(found, heard, subject), "y" if found["axis"] == "x" else "x"
     yield When(f"{other} coordinate of {who} = 0", side)
 
 
-def fastest(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def fastest(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment at which a body is fastest."""
     yield When(f"{subject_of(found, heard, subject)} fastest", side)
 
 
-def lifts_off(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def lifts_off(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body leaves the face on which it moves, or a rocket the ground."""
     who = subject_of(found, heard, subject)
     yield from (When(f"{who} {told}", side) for told in ("left face", "lifted off"))
     yield When("at start", ways=((who, LIFTS),))
 
 
-def back_at_height(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def back_at_height(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body is as high again as it was at the start."""
     yield When(f"displacement of {subject_of(found, heard, subject)} along vertical = 0 m", side)
 
 
-def back_at_origin(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def back_at_origin(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body that starts at the origin is back there."""
     who = subject_of(found, heard, subject)
     for when in returned(found, heard, subject, side):
@@ -112,26 +112,26 @@ def back_at_origin(found: re.Match[str], heard: Heard, subject: str, side: str) 
     yield When(f"x coordinate of {who} = 0", side, ((who, ONE_LINE),), rank=1)
 
 
-def from_origin(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def from_origin(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body is a given distance from the origin."""
     who = subject_of(found, heard, subject)
     yield When(f"distance from the origin of {who} = {heard.number(found['n'])}", side)
 
 
-def multiple(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def multiple(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a quantity is a multiple of its initial value."""
-    who, find = subject_of(found, heard, subject), meant(QUANTITIES, found["q"])
+    who, find = subject_of(found, heard, subject), matching_entry(QUANTITIES, found["q"])
     yield When(f"{find} of {who} = {FACTORS[found['times'].split()[0]]}{TIMES}", side)
 
 
-def across(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def across(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the stop of a body beyond the lowest point of its path, or at a point without acceleration."""
     who = subject_of(found, heard, subject)
     yield When(f"{who} stopped", side, ((who, ACROSS),))
     yield When("stopped", side, ((who, ACROSS), (who, STANDS)))
 
 
-def begun(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def begun(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the start; for a lift-off only if the body lifts off at once."""
     if LIFT_OFF.search(found[0]) is not None or LIFT_OFF.search(heard.text) is not None:
         yield When("at start", ways=((subject, SETS_OFF),))
@@ -139,14 +139,14 @@ def begun(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterat
         yield When("at start", ways=(("", UNMOVED),) if side == BEFORE else ())
 
 
-def apart(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def apart(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when two bodies are a given distance apart."""
     del subject
     if not is_time(heard.number(found["n"])):
         yield When(f"distance = {heard.number(found['n'])}", side)
 
 
-def balanced(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def balanced(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body on one spring is at equilibrium, or at a given distance from equilibrium."""
     number = found.groupdict().get("n")
     told = f"extension = {heard.number(number)}" if number else "natural length"
@@ -156,7 +156,7 @@ def balanced(found: re.Match[str], heard: Heard, subject: str, side: str) -> Ite
         yield When(f"{subject_of(found, heard, subject)} fastest", side, (("", BALANCED),))
 
 
-def strained(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def strained(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a spring is stretched or compressed by a given length."""
     who = subject_of(found, heard, subject)
     squeezed = found["strain"] == "compressed"
@@ -165,17 +165,17 @@ def strained(found: re.Match[str], heard: Heard, subject: str, side: str) -> Ite
     yield When(told, side, ((who, way),))
 
 
-def long(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def long(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a spring has a given length."""
     yield When(f"spring length of {subject_of(found, heard, subject)} = {heard.number(found['n'])}", side)
 
 
-def natural(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def natural(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a spring has its natural length."""
     yield When(f"{subject_of(found, heard, subject)} natural length", side)
 
 
-def parallel(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def parallel(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the first moment after the start when a body moves parallel to an axis, in either direction."""
     other = "y" if found["axis"] == "x" else "x"
     yield When(f"velocity of {subject_of(found, heard, subject)} along {other} = 0 m/s", side)
@@ -185,36 +185,36 @@ REVOLUTIONS = {"half": "0.5", "quarter": "0.25", "one": "1", "two": "2", "three"
 FRACTIONS = {"half": "0.5", "halved": "0.5", "third": "0.333333333333", "quarter": "0.25", "tenth": "0.1"}
 
 
-def revolved(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def revolved(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body has made a number of revolutions."""
     yield When(f"revolutions made of {subject_of(found, heard, subject)} = {REVOLUTIONS[found['turns']]}", side)
 
 
-def burnt(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def burnt(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a given mass of fuel has been burnt."""
     yield When(f"fuel burnt of {subject_of(found, heard, subject)} = {heard.number(found['n'])}", side)
 
 
-def share_burnt(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def share_burnt(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a fraction of the fuel has been burnt."""
     del heard, subject
     yield When(f"fuel burnt = {FRACTIONS[found['times']]}{AT_BURNOUT}", side)
 
 
-def fraction(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def fraction(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a quantity is a fraction of its greatest or its initial value."""
-    who, find = subject_of(found, heard, subject), meant(QUANTITIES, found["q"])
+    who, find = subject_of(found, heard, subject), matching_entry(QUANTITIES, found["q"])
     greatest = re.search(r"maximum|greatest|largest|highest", found.groupdict().get("ref") or "") is not None
     yield When(f"{find} of {who} = {FRACTIONS[found['times']]}{GREATEST if greatest else TIMES}", side)
 
 
-def lost_share(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def lost_share(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a quantity has lost a fraction of its initial value."""
-    who, find = subject_of(found, heard, subject), meant(QUANTITIES, found["q"])
+    who, find = subject_of(found, heard, subject), matching_entry(QUANTITIES, found["q"])
     yield When(f"{find} of {who} = {1.0 - float(FRACTIONS[found['times']]):.12g}{TIMES}", side)
 
 
-def heads(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def heads(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the first two moments after the start when a body moves along an axis, presuming the named sense."""
     who, other = subject_of(found, heard, subject), "y" if found["axis"] == "x" else "x"
     sign = "+" if found["heading"] in ("positive", "+") else "-"
@@ -223,7 +223,7 @@ def heads(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterat
         yield When(told, side, ((who, f"{HEADING}{sign}{found['axis']}"),))
 
 
-def for_good(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def for_good(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment from which a body stays at rest: its last stop, or a late time if a medium resists."""
     who = subject_of(found, heard, subject)
     yield When(f"{who} halted", side)
@@ -231,30 +231,30 @@ def for_good(found: re.Match[str], heard: Heard, subject: str, side: str) -> Ite
     yield When(f"{who} stopped", side, ((who, RESTS),), rank=1)
 
 
-def after_long(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def after_long(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield a moment so late that the quantity asked for no longer changes."""
     del found, heard, subject
     yield When(LONG, side)
 
 
-def turns(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def turns(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the first moment at which a body stops moving along an axis."""
     yield When(f"velocity of {subject_of(found, heard, subject)} along {found['axis']} = 0 m/s", side)
 
 
-def nearest(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def nearest(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when two bodies are closest: if a spring joins them, that of greatest compression."""
     yield from apsis("closest")(found, heard, subject, side)
     yield When("most compressed", side, (("", SPRUNG),), rank=LAST)
 
 
-def most_apart(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def most_apart(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when two bodies are farthest apart: if a spring joins them, that of greatest extension."""
     yield from apsis("farthest")(found, heard, subject, side)
     yield When("most stretched", side, (("", SPRUNG),), rank=LAST)
 
 
-def extreme_coordinate(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def extreme_coordinate(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment at which a coordinate of a body is greatest or least, presuming that it turns back there."""
     who, axis = subject_of(found, heard, subject), found["axis"]
     way = f"{FARTHEST}{'+' if found['most'] else '-'}{axis}"
@@ -262,7 +262,7 @@ def extreme_coordinate(found: re.Match[str], heard: Heard, subject: str, side: s
     yield When(f"{AGAIN}velocity of {who} along {axis} = 0 m/s", side, ((who, way),))
 
 
-def near_end(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+def near_end(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment at which a body is nearest to the fixed end of its spring, if only the spring acts on it."""
     who = subject_of(found, heard, subject)
     spring = heard.subject(found["t"])

@@ -36,7 +36,7 @@ from sim2reason.questions.words import ORDINALS, Words
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.simulation.quantities.subjects.bodies import RIGHT, Bodies, TurningBodies
-from sim2reason.simulation.quantities.subjects.pairs import AND, Pairs, members
+from sim2reason.simulation.quantities.subjects.pairs import PAIR_SEPARATOR, Pairs, members
 from sim2reason.simulation.quantities.subjects.paths import center_path, turning_axes
 from sim2reason.simulation.quantities.subjects.rods import SwingingLines
 from sim2reason.simulation.trace import Event
@@ -164,7 +164,7 @@ def _met(told: str, words: Words) -> str:
     if not pairs and len(named) == 2:
         by_phrase = {said: name for name, said in words.called(Bodies()).items()}
         if named <= by_phrase.keys():
-            return f"{AND.join(by_phrase[said] for said in sorted(named))} {found[3]}"
+            return f"{PAIR_SEPARATOR.join(by_phrase[said] for said in sorted(named))} {found[3]}"
     return f"{pairs[0]} {found[3]}" if len(pairs) == 1 else told
 
 
@@ -188,7 +188,7 @@ def _fits(reading: Reading, words: Words) -> bool:
 
 def _apsis(asked: StructuredQuestion, words: Words) -> str:
     """Return the moment of an extreme distance in one of several orbits, which never all repeat; else empty."""
-    pulled = {AND.join((pull.a, pull.b)) for pull in words.mechanism.attractions}
+    pulled = {PAIR_SEPARATOR.join((pull.a, pull.b)) for pull in words.mechanism.attractions}
     apsides = {"greatest distance": "farthest", "least distance": "closest"}
     return (
         f"{asked.of} {apsides[asked.find]}" if len(pulled) > 1 and asked.find in apsides and asked.of in pulled else ""

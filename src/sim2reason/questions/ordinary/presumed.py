@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from sim2reason.questions.following import Followed
+from sim2reason.questions.following import SimulatedAnswer
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.ordinary.hearing import ALL
 from sim2reason.questions.ordinary.presumed_of_scenes import PRESUMED, borne, held
@@ -23,7 +23,7 @@ from sim2reason.questions.ordinary.vocabulary import (
 )
 from sim2reason.questions.ordinary.whens import AFTER
 from sim2reason.questions.query import Query, Target
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.state import State
 from sim2reason.simulation.quantities import QUANTITIES
@@ -78,10 +78,10 @@ def steady(target: Target, trace: Trace, *, during: bool, vanishes: bool, vector
     return "" if during or rests or gone or same else "it changes when something happens, and no moment is named"
 
 
-def two_sided(query: Query, study: Study, side: str) -> bool:
+def two_sided(query: Query, study: SimulatedScene, side: str) -> bool:
     """Return whether the quantity of a query jumps at the query's moment while the question names no side."""
     moment, target = query.moment, query.target
-    if moment is None or target is None or moment.sided is not None or moment.ahead is not None or side == AFTER:
+    if moment is None or target is None or moment.sided is not None or moment.stated_time is not None or side == AFTER:
         return False
     time = study.time(moment)
     if time is None:
@@ -102,7 +102,7 @@ def bounces_before(moment: Stopped, trace: Trace) -> bool:
     return hits and float(np.linalg.norm(Acceleration.evaluate(trace.at(time), moment.name))) > EVEN
 
 
-def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -> Iterator[str]:
+def presumed(reading: Reading, followed: SimulatedAnswer, query: Query, words: Words) -> Iterator[str]:
     """Yield a clause for each presumption of a reading that fails, and an empty string for each that holds."""
     trace = followed.study.trace
     time = followed.study.time(query.moment) if query.moment is not None else None
@@ -171,7 +171,7 @@ def _lies(who: str, face: str, words: Words) -> bool:
     return bool(name) and words.mechanism.body[name].parent == named(face, words)
 
 
-def _from_origin(who: str, axis: str, study: Study, words: Words) -> bool:
+def _from_origin(who: str, axis: str, study: SimulatedScene, words: Words) -> bool:
     """Return whether a body starts at the origin of an axis; false where heights count from the ground."""
     name, start = named(who, words), study.trace.at(0.0)
     if not name or Height().subjects(words.mechanism):

@@ -7,10 +7,10 @@ from typing import NamedTuple
 import numpy as np
 
 from sim2reason.errors import TextError
-from sim2reason.questions.following import Followed
+from sim2reason.questions.following import SimulatedAnswer
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.parts.occurrence import rolls, slip
+from sim2reason.questions.moments.parts.occurrence import can_roll, slip_velocity
 from sim2reason.questions.ordinary.vocabulary import (
     ALOFT,
     CARRIED_AT_REST,
@@ -60,7 +60,7 @@ class Case(NamedTuple):
     """A case of a presumption to test: a subject, the motion, the query and the instant, s."""
 
     who: str
-    followed: Followed
+    followed: SimulatedAnswer
     query: Query
     then: float
     words: Words
@@ -169,10 +169,10 @@ def _rising(case: Case) -> bool:
 def _rolling(case: Case) -> bool:
     """Return whether a body has rolled without slipping since the start; true for a body that cannot roll on a face."""
     name, trace = named(case.who, case.words), case.followed.study.trace
-    if name not in case.words.mechanism.contacts or not rolls(case.words, name):
+    if name not in case.words.mechanism.contacts or not can_roll(case.words, name):
         return True
     scan = trace.scan
-    slipping = np.abs(slip(scan, name))[scan.times <= case.then]
+    slipping = np.abs(slip_velocity(scan, name))[scan.times <= case.then]
     return float(slipping.max(initial=0.0)) <= STEADY * float(np.abs(scan.v).max(initial=0.0))
 
 

@@ -4,7 +4,7 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.hearing import ALL, TokenizedSentence
 from sim2reason.questions.ordinary.whens import When
 
 GAIN, LOSS, JUMP, CHANGE = CHANGES = "gain", "loss", "loss in an impact", "change"
@@ -32,10 +32,10 @@ class Main:
     rank: int = 0
 
 
-Reader = Callable[[re.Match[str], Heard], Iterator[Main]]
+Reader = Callable[[re.Match[str], TokenizedSentence], Iterator[Main]]
 
 
-def each(heard: Heard, token: str | None) -> tuple[str, ...]:
+def each(heard: TokenizedSentence, token: str | None) -> tuple[str, ...]:
     """Return the subjects of a token: a single subject, or all members of a joint phrase."""
     said = heard.subject(token)
     return tuple(said.removeprefix(f"{ALL} ").split(" & ")) if said.startswith(f"{ALL} ") else (said,)
@@ -44,7 +44,7 @@ def each(heard: Heard, token: str | None) -> tuple[str, ...]:
 def of_one(*finds: str, needs: str = MOMENT) -> Reader:
     """Return a reader for one or several quantities of the subject that a main clause names."""
 
-    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
         for of in each(heard, found.groupdict().get("s")):
             yield from (Main(find, of, needs=needs) for find in finds)
 
@@ -54,7 +54,7 @@ def of_one(*finds: str, needs: str = MOMENT) -> Reader:
 def of_none(*finds: str, needs: str = MOMENT) -> Reader:
     """Return a reader for quantities of the only subject in the scene that has them, whatever subject is named."""
 
-    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
         del found, heard
         yield from (Main(find, needs=needs) for find in finds)
 
@@ -64,7 +64,7 @@ def of_none(*finds: str, needs: str = MOMENT) -> Reader:
 def of_pair(*finds: str, needs: str = MOMENT) -> Reader:
     """Return a reader for quantities of the pair that a main clause names or, if it names none, of the only pair."""
 
-    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
         groups = found.groupdict()
         named = [said for key in "st" if groups.get(key) for said in each(heard, groups[key])]
         if len(named) == 2 and named[0] == named[1]:
@@ -82,7 +82,7 @@ def of_pair(*finds: str, needs: str = MOMENT) -> Reader:
 def implied(find: str, *whens: str, needs: str = FREE) -> Reader:
     """Return a reader for a quantity that implies its moment, as the time in the air implies the landing."""
 
-    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
         who = heard.subject(found.groupdict().get("s"))
         for rank, when in enumerate(whens):
             told = When(when.format(s=who).strip())

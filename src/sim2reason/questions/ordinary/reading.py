@@ -5,11 +5,11 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from sim2reason.questions.following import Followed, FollowedMotion
-from sim2reason.questions.ordinary.base_forms import PLACES, based
+from sim2reason.questions.following import FollowedMotion, SimulatedAnswer
+from sim2reason.questions.ordinary.base_forms import PLACES, with_base_forms
 from sim2reason.questions.ordinary.changes import above_lowest, after_bounce, changed, differences
 from sim2reason.questions.ordinary.clauses import whens
-from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.hearing import ALL, TokenizedSentence
 from sim2reason.questions.ordinary.mains import mains
 from sim2reason.questions.ordinary.multiples import LATE, LONG
 from sim2reason.questions.ordinary.readers import CHANGES, CLAUSED, FREE, LANDING, MOMENT, STRETCH, Main
@@ -34,7 +34,7 @@ _TAKES = (
 )
 _LASTS = r"how long (?:does |do |will )?(@\d+@) (?:[a-z]+ (?:on @\d+@ )?)(before|until) (.+)"
 _LASTS_LOOSELY = r"(?:for )?how long (?:is |does |do |will |are |has )?(@\d+@) (.*?)(before|until|till) (.+)"
-_GOING = frozenset(" ".join(based(" ".join(MOTIONS.values())).split()).split()) | {
+_GOING = frozenset(" ".join(with_base_forms(" ".join(MOTIONS.values())).split()).split()) | {
     "in",
     "stay",
     "remain",
@@ -88,7 +88,7 @@ class Reading:
     happens: bool = True
 
 
-def readings(heard: Heard) -> tuple[Reading, ...]:
+def readings(heard: TokenizedSentence) -> tuple[Reading, ...]:
     """Return all readings of a sentence; empty if the sentence is not understood."""
     for told in (heard, _together(heard)):
         between = [_with(main, when) for main, when in differences(told)]
@@ -103,7 +103,7 @@ def _tells(reading: Reading) -> bool:
     return reading.asked.find != "time" or not (reading.asked.when.startswith("at ") or reading.asked.when == LONG)
 
 
-def _together(heard: Heard) -> Heard:
+def _together(heard: TokenizedSentence) -> TokenizedSentence:
     """Return a sentence in which two subjects joined by *and* are one, so that the question is asked of both."""
     found = _BOTH.search(heard.text)
     if found is None:
@@ -149,7 +149,7 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
     goes_on = re.fullmatch(_LASTS_LOOSELY, text)
     if (
         goes_on is not None
-        and not set(PLACES.sub(" ", based(goes_on[2])).split()) - _GOING
+        and not set(PLACES.sub(" ", with_base_forms(goes_on[2])).split()) - _GOING
         and not _LATER_ONE.search(goes_on[4])
     ):
         yield "when", goes_on[4], THEN
@@ -159,7 +159,7 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
         yield "when", _INVERTED.sub(r"\g<who> \g<verb>", time["clause"]), THEN
 
 
-def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[Reading]:
+def _of_parts(question: str, clause: str, side: str, heard: TokenizedSentence) -> Iterator[Reading]:
     between = (*after_bounce(question, clause, side, heard), *above_lowest(question, clause, side, heard))
     yield from (_with(main, when) for main, when in between)
     for main in mains(question, heard):
@@ -201,7 +201,7 @@ def _not_meant(main: Main, when: When, clause: str, side: str) -> bool:
     return LATE.match(when.told) is not None and main.needs in (STRETCH, *CHANGES)
 
 
-def _on_the_way(main: Main, clause: str, side: str, heard: Heard) -> Iterator[Reading]:
+def _on_the_way(main: Main, clause: str, side: str, heard: TokenizedSentence) -> Iterator[Reading]:
     """Yield readings for the upward or downward part of a path, until the body turns back or slipping stops."""
     alone = heard.subject("@0@") if len(heard.subjects) == 1 else ""
     adds_up = main.needs == STRETCH or main.find in TURNED
@@ -277,7 +277,7 @@ class Understood:
 
     asked: StructuredQuestion
     posed: PosedQuestion
-    followed: Followed
+    followed: SimulatedAnswer
 
 
 class Reader(NamedTuple):
@@ -287,6 +287,6 @@ class Reader(NamedTuple):
     reading that the scene answers.
     """
 
-    read: Callable[[Heard, FollowedMotion, Words], Understood | None]
-    readings: Callable[[Heard, FollowedMotion, Words], list[Reading]]
+    read: Callable[[TokenizedSentence, FollowedMotion, Words], Understood | None]
+    readings: Callable[[TokenizedSentence, FollowedMotion, Words], list[Reading]]
     first_of: Callable[[list[Reading], FollowedMotion, Words], Understood | None]

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
-from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.hearing import ALL, TokenizedSentence
 from sim2reason.questions.ordinary.readers import CLAUSED, FREE, LOSS, MOMENT, Main, Reader, each
 from sim2reason.questions.ordinary.vocabulary import (
     BESIDE,
@@ -29,35 +29,35 @@ _UPRIGHT = re.compile(rf"\b(?:{'|'.join(f'{MOTIONS[DOWN]} {MOTIONS[UP]}'.split()
 MASS_CENTER = "velocity of the centre of mass"
 
 
-def mass_center(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def mass_center(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the velocity of the centre of mass of all bodies, if the sentence names all together, or none."""
     who = heard.subject(found["s"])
     if not who or who == EVERYTHING or who.startswith(f"{ALL} "):
         yield Main(MASS_CENTER, ways=((who, ALL),) if who.startswith(f"{ALL} ") else ())
 
 
-def amplitude(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def amplitude(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the amplitude of an oscillation: in metres for a body on a line, as an angle for a swinging one."""
     for of in each(heard, found["s"]):
         yield Main(AMPLITUDE, of, needs=FREE)
         yield Main("greatest deflection", of, needs=FREE)
 
 
-def own_axis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def own_axis(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the moment of inertia of a body about its own axis, or about its centre of mass if that is on the axis."""
     of = heard.subject(found["s"])
     yield Main("moment of inertia about the axis", of)
     yield Main("moment of inertia", of, ways=((of, CENTERED),))
 
 
-def from_axis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def from_axis(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the distance of a body from an axis of coordinates, which is its other coordinate."""
     other = "y" if found["axis"] == "x" else "x"
     for of in each(heard, found["s"]):
         yield Main(f"{other} coordinate", of, needs=CLAUSED)
 
 
-def on_line(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def on_line(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the coordinate of a body on the only line on which the body moves, if that line is an axis of the text."""
     yield from (Main("x coordinate", of, needs=CLAUSED, ways=((of, ONE_LINE),)) for of in each(heard, found["s"]))
 
@@ -65,7 +65,7 @@ def on_line(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 SIDES = {"above": ("x", "+"), "below": ("x", "-"), "right": ("y", "+"), "left": ("y", "-")}
 
 
-def beside_axis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def beside_axis(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the distance of a body from an axis of coordinates on a named side, by default where it is farthest."""
     axis, sign = SIDES[found["side"]]
     other = "y" if axis == "x" else "x"
@@ -80,7 +80,7 @@ def beside_axis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
             yield Main(f"{other} coordinate", of, needs=CLAUSED, ways=(beside,))
 
 
-def acceleration_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def acceleration_on(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the acceleration of a body relative to the body that carries it."""
     of, on = heard.subject(found["s"]), heard.subject(found["t"])
     yield Main("acceleration relative to its carrier", of, needs=MOMENT, ways=((of, f"{ON}{on}"),))
@@ -89,7 +89,7 @@ def acceleration_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 def relatively(name: str) -> Reader:
     """Return a reader for a quantity of a body relative to the body that carries it."""
 
-    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
         of, on = heard.subject(found["s"]), heard.subject(found["t"])
         ways = ((of, f"{ON}{on}"), *ways_of(found, of))
         yield Main(f"{name} relative to its carrier", of, needs=CLAUSED, ways=ways)
@@ -99,7 +99,7 @@ def relatively(name: str) -> Reader:
     return read
 
 
-def far_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def far_on(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the distance that a body slides on its carrier, up to a moment or until it stops slipping."""
     of, on = heard.subject(found["s"]), heard.subject(found["t"])
     along = ((of, LIES),) if re.search(r"\b(?:along|over|across)\b", heard.text) is not None else ()
@@ -108,25 +108,25 @@ def far_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     yield replace(main, needs=FREE, when=When(f"{of} stopped slipping", AFTER))
 
 
-def down(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def down(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the vertical velocity of a body that also moves sideways, presuming that it moves down."""
     for of in each(heard, found["s"]):
         yield Main("velocity", of, "vertical", needs=CLAUSED, ways=((of, "down"), (of, SIDEWAYS)))
 
 
-def moving(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def moving(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the time for which a body moves, until it comes to rest for good."""
     of = heard.subject(found["s"])
     yield Main("time", needs=FREE, when=When(f"{of} halted"))
     yield Main("time", needs=FREE, when=When(f"{of} stopped", ways=((of, RESTS),)), rank=1)
 
 
-def work_of_spring(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def work_of_spring(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the work of a spring, as the first subject, on a body, as the second one."""
     yield from spring_work(found["s"], found["t"], heard)
 
 
-def spring_work(spring: str, on: str, heard: Heard) -> Iterator[Main]:
+def spring_work(spring: str, on: str, heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the work of a spring with one fixed end on the body at the other: the energy that the spring loses."""
     of, other = heard.subject(spring), heard.subject(on)
     yield Main("spring energy", of, needs=LOSS, ways=((other or of, f"{HELD}{of}"),))
@@ -138,7 +138,7 @@ def far_end(turn: str = "") -> Reader:
     At a `turn`, its extreme length is the same each time if nothing but the spring acts.
     """
 
-    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
         said = [heard.subject(found[key]) for key in "st" if found[key]]
         springs = [of for of in said if "spring" in of]
         bodies = [of for of in said if of not in springs]

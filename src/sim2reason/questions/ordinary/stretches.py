@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from sim2reason.questions.ordinary import sum_readers as sums
-from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.hearing import TokenizedSentence
 from sim2reason.questions.ordinary.readers import (
     FREE,
     STRETCH,
@@ -23,7 +23,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     QUANTITIES,
     RISING,
     SMALL,
-    meant,
+    matching_entry,
     pattern,
 )
 from sim2reason.questions.ordinary.whens import AFTER, ONLY_LINE, When, ways_of
@@ -36,8 +36,8 @@ PULLS = "rod force", "tension", "spring force", "rod pull"
 def _extreme(size: str) -> Reader:
     """Return a reader for the greatest or least value of a quantity over a stretch of the motion."""
 
-    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-        name = meant(QUANTITIES, found.groupdict()["q"])
+    def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+        name = matching_entry(QUANTITIES, found.groupdict()["q"])
         name = NAMES.get(name, name)
         if name in ("rod force", "tension"):
             yield from (
@@ -60,8 +60,8 @@ def _extreme(size: str) -> Reader:
 def _pairs(size: str) -> Reader:
     """Return a reader for the greatest or least value of a quantity of a pair, or of a subject without a pair."""
 
-    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-        name = meant(QUANTITIES, found.groupdict()["q"])
+    def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+        name = matching_entry(QUANTITIES, found.groupdict()["q"])
         if name != "distance":
             yield from _extreme(size)(found, heard)
             return
@@ -79,40 +79,40 @@ def _rise(of: str) -> Iterator[Main]:
         yield Main("greatest height", of, needs=FREE, ways=((of, "up"),), when=When(f"{of} {when}"), rank=rank)
 
 
-def _highest(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def _highest(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the height of a body above the ground at the highest point or, failing that, where the body stops."""
     for of in each(heard, found.groupdict().get("s")):
         yield Main("height above the ground", of, needs=FREE, when=When(f"{of} highest point"))
         yield Main("height above the ground", of, needs=FREE, when=When(f"{of} stopped"), rank=1)
 
 
-def _before_landing(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def _before_landing(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the greatest height of a body above the ground before it lands, presuming that it rises first."""
     for main in _highest(found, heard):
         yield replace(main, ways=((main.of, "up"),))
 
 
-def _range(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def _range(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the horizontal displacement of a body at its landing or, failing that, at its first bounce."""
     for of in each(heard, found.groupdict().get("s")):
         yield Main("displacement", of, "horizontal", FREE, when=When(f"{of} landed".strip()))
         yield Main("displacement", of, "horizontal", FREE, when=When(f"{of} bounced".strip()), rank=1)
 
 
-def _gets(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def _gets(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the greatest height of a body above its start and, at a lower priority, above the ground."""
     yield from _above_start(found, heard)
     yield from (replace(main, rank=main.rank + 1) for main in _highest(found, heard))
 
 
-def _above_start(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def _above_start(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the greatest height of a body above its start, presuming that the body rises."""
     for of in each(heard, found.groupdict().get("s")):
         yield Main("greatest height", of, needs=STRETCH, ways=(("", RISING),))
         yield from _rise(of)
 
 
-def _keeps_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def _keeps_on(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the time for which a body moves in one direction, until it turns back."""
     for of in each(heard, found["s"]):
         if ways := ways_of(found, of):
@@ -122,7 +122,7 @@ def _keeps_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
             yield Main("time", needs=FREE, ways=carried, when=still, rank=1)
 
 
-def _apsis(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def _apsis(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the distance of two bodies at the nearest or farthest point of an orbit, such as the perihelion."""
     del heard
     near = pattern("NEAREST").fullmatch(found["apsis"]) is not None
@@ -134,14 +134,14 @@ def _at_once(*finds: str) -> Reader:
     return of_pair(*finds, needs=STRETCH)
 
 
-def _fall(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def _fall(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the time until a body lands, presuming that it never rises."""
     for main in implied("time", "{s} landed", "{s} bounced")(found, heard):
         yield replace(main, ways=((heard.subject(found["s"]), FALLS),))
 
 
 def _period(name: str) -> Reader:
-    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
         ways = (("", SMALL),) if re.search(r"\bsmall\b", found[0]) else ()
         for of in each(heard, found.groupdict().get("s")):
             yield Main(name, of, needs=FREE, ways=ways)

@@ -5,11 +5,11 @@ from dataclasses import replace
 from math import isclose
 
 from sim2reason.errors import TextError
-from sim2reason.questions.following import Followed, FollowedMotion, eventful
+from sim2reason.questions.following import FollowedMotion, SimulatedAnswer, simulate_until_event
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.questions.moments.turning_points import Halted, Stopped
-from sim2reason.questions.ordinary.hearing import Heard, hear
+from sim2reason.questions.ordinary.hearing import TokenizedSentence, tokenize
 from sim2reason.questions.ordinary.multiples import in_numbers
 from sim2reason.questions.ordinary.placing import placed
 from sim2reason.questions.ordinary.presumed import bounces_before, presumed, steady, two_sided
@@ -22,7 +22,7 @@ from sim2reason.questions.ordinary.whatif.making_so import number_making_so
 from sim2reason.questions.ordinary.whatif.two_motions import after_removal_of_things, goes_on_otherwise
 from sim2reason.questions.ordinary.whatif.understanding import in_changed_scene
 from sim2reason.questions.ordinary.whens import DURING, addressed, seen_from
-from sim2reason.questions.posing import PosedQuestion, posed
+from sim2reason.questions.posing import PosedQuestion, pose_question
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.words import Words
 
@@ -34,7 +34,7 @@ _RESTATED = re.compile(
     r"(?P<other>(?:how|what|when|after|at|with|find) [^()]+)\)?"
 )
 """A question that is said a second time in other words."""
-SAME = 1e-6  # relative: answers that differ by less are equal
+ANSWER_RTOL = 1e-6  # relative: answers that differ by less are equal
 
 
 def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understood | None:
@@ -45,7 +45,7 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
     Raises:
         TextError: the sentence has several readings with different answers, or a presumption of the sentence fails.
     """
-    heard = hear(sentence, words)
+    heard = tokenize(sentence, words)
     said = _RESTATED.fullmatch(heard.text)
     if said is None:
         return _meant(heard, motion, words)
@@ -56,7 +56,7 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
     return other
 
 
-def _meant(heard: Heard, motion: FollowedMotion, words: Words) -> Understood | None:
+def _meant(heard: TokenizedSentence, motion: FollowedMotion, words: Words) -> Understood | None:
     """Return the question that a tokenized sentence asks, and its answer; None if it is not understood."""
     found = (
         of_small_oscillations(heard, motion, words, READER)
@@ -75,7 +75,7 @@ def _meant(heard: Heard, motion: FollowedMotion, words: Words) -> Understood | N
     return found
 
 
-def understood_as_it_is(heard: Heard, motion: FollowedMotion, words: Words) -> Understood | None:
+def understood_as_it_is(heard: TokenizedSentence, motion: FollowedMotion, words: Words) -> Understood | None:
     """Return the question of a tokenized sentence about the unchanged scene, and its answer; None without one.
 
     Raises:
@@ -84,9 +84,9 @@ def understood_as_it_is(heard: Heard, motion: FollowedMotion, words: Words) -> U
     return first_of(questions_of(heard, motion, words), motion, words)
 
 
-def questions_of(heard: Heard, motion: FollowedMotion, words: Words) -> list[Reading]:
+def questions_of(heard: TokenizedSentence, motion: FollowedMotion, words: Words) -> list[Reading]:
     """Return all readings of a tokenized sentence whose subjects and moments exist in the scene."""
-    events = eventful(motion).study.trace.events if words.mechanism.meetings else ()
+    events = simulate_until_event(motion).study.trace.events if words.mechanism.meetings else ()
     found = [*placed(readings(heard), words, events), *numbers_wanted(heard, motion.study.scene, words)]
     return [each for each in found if _from_origin(each)] if _ORIGIN.search(heard.text) and starts_off(words) else found
 
@@ -144,13 +144,13 @@ def _posed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> P
     """Return the posed question, with addresses in place of unknown phrases; None if it has no meaning."""
     for told in dict.fromkeys((asked, addressed(asked, words), seen_from(asked, words))):
         try:
-            return posed(in_numbers(told, motion, words), motion, words)
+            return pose_question(in_numbers(told, motion, words), motion, words)
         except TextError:
             continue
     return None
 
 
-def _unfit(reading: Reading, question: PosedQuestion, followed: Followed, words: Words) -> str:
+def _unfit(reading: Reading, question: PosedQuestion, followed: SimulatedAnswer, words: Words) -> str:
     """Return why a reading is not the meaning of a sentence; empty if it may be."""
     if followed.answer is None:
         return ""
@@ -182,7 +182,7 @@ def _wrong_end(reading: Reading, question: PosedQuestion) -> str:
 def _agree(found: list[Understood], words: Words) -> None:
     """Raise TextError, which lists all readings of a sentence, if the readings have different answers."""
     answers = [each.followed.answer for each in found]
-    if all(isclose(answer or 0.0, answers[0] or 0.0, rel_tol=SAME, abs_tol=1e-12) for answer in answers):
+    if all(isclose(answer or 0.0, answers[0] or 0.0, rel_tol=ANSWER_RTOL, abs_tol=1e-12) for answer in answers):
         return
     told = dict.fromkeys(each.posed.sentence(words) or each.asked.told for each in found)
     raise TextError("question", "it can be read in several ways", f"did you mean: {' or: '.join(told)}")

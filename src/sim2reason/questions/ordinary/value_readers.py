@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
-from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.hearing import TokenizedSentence
 from sim2reason.questions.ordinary.multiples import LONG
 from sim2reason.questions.ordinary.readers import (
     CLAUSED,
@@ -37,7 +37,7 @@ from sim2reason.questions.ordinary.vocabulary import (
     SOLE,
     UP,
     WAYS,
-    meant,
+    matching_entry,
 )
 from sim2reason.questions.ordinary.whens import AFTER, EVERYTHING, When, ways_of
 from sim2reason.questions.posing import PLUS, SUMMED
@@ -50,11 +50,11 @@ SINKING = frozenset(
 FORCES = "tension", "rod force", "rod pull", "spring force"  # of what lies along a line
 
 
-def quantity(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def quantity(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the quantity that a main clause names by a noun, for each subject."""
     groups = found.groupdict()
-    name = meant(QUANTITIES, groups["q"])
-    axis = meant(WAYS, groups["way"]) if groups.get("way") else groups.get("axis") or ""
+    name = matching_entry(QUANTITIES, groups["q"])
+    axis = matching_entry(WAYS, groups["way"]) if groups.get("way") else groups.get("axis") or ""
     along = axis if axis in AXES else ""
     if name in SUMMED and re.search(r"\b(?:total|combined)\b", found[0]) and len(each(heard, groups.get("s"))) > 1:
         yield Main(name, PLUS.join(each(heard, groups.get("s"))))
@@ -93,12 +93,12 @@ def named(name: str, of: str, along: str, ways: tuple[tuple[str, str], ...]) -> 
         yield Main(name, of, along, ways=ways)
 
 
-def fast(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def fast(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the speed of a body, or how fast it turns."""
     groups = found.groupdict()
-    turns = groups.get("motion") and meant(MOTIONS, groups["motion"], " ") == "turn"
+    turns = groups.get("motion") and matching_entry(MOTIONS, groups["motion"], " ") == "turn"
     for of in each(heard, groups["s"]):
-        way = meant(WAYS, groups["way"]) if groups.get("way") else ""
+        way = matching_entry(WAYS, groups["way"]) if groups.get("way") else ""
         find, along = "angular velocity" if turns else "speed", way if way in AXES else ""
         told = ways_of(found, of)
         sideways = ((of, ONE_WAY),) if any(axis in ("up", "down") for _, axis in told) else ()
@@ -107,28 +107,28 @@ def fast(found: re.Match[str], heard: Heard) -> Iterator[Main]:
             yield Main(find, of, "vertical", ways=((of, "down"), (of, SIDEWAYS)))
 
 
-def far_flown(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def far_flown(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the horizontal displacement of a body at its landing."""
     yield from (Main("displacement", of, "horizontal", needs=LANDING) for of in each(heard, found["s"]))
 
 
-def far_stopped(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def far_stopped(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the displacement of a body when the body comes to rest for good."""
     for of in each(heard, found["s"]):
         yield Main("displacement", of, needs=FREE, ways=((of, RESTS),), when=When(f"{of} stopped", AFTER))
 
 
-def balanced(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def balanced(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the value of a quantity in equilibrium, where every body would stay at rest."""
     yield from (replace(main, needs=FREE, when=When("equilibrium")) for main in quantity(found, heard))
 
 
-def initial(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def initial(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the initial value of a quantity, just after the start."""
     yield from (replace(main, needs=FREE, when=When("at start")) for main in quantity(found, heard))
 
 
-def final(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def final(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the final value of a quantity, after each event that may be the last to change that quantity."""
     for main in quantity(found, heard):
         for when in ("burned out", "stopped slipping", "collided", "last collision"):
@@ -137,28 +137,28 @@ def final(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         yield replace(main, needs=FREE, when=When(LONG, AFTER))
 
 
-def common(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def common(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the common speed of bodies that move together, at a named moment or after slipping has stopped."""
     for of in each(heard, found["s"]):
         yield Main("speed", of, needs=CLAUSED)
         yield Main("speed", of, needs=FREE, when=When("stopped slipping", AFTER))
 
 
-def high(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def high(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the height of a body above the ground."""
     for of in each(heard, found["s"]):
         yield Main("height above the ground", of, needs=CLAUSED, ways=((of, ALOFT),))
 
 
-def far(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def far(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the displacement of a body and, unless an axis is named, the distance travelled, which must be equal."""
     groups = found.groupdict()
-    way = meant(WAYS, groups["way"]) if groups.get("way") else ""
+    way = matching_entry(WAYS, groups["way"]) if groups.get("way") else ""
     for of in each(heard, groups["s"]):
         if way in AXES:
             yield Main("displacement", of, way, needs=STRETCH)
         else:
-            upright = groups.get("motion") and meant(MOTIONS, groups["motion"], " ") in (UP, DOWN)
+            upright = groups.get("motion") and matching_entry(MOTIONS, groups["motion"], " ") in (UP, DOWN)
             comes = way == "down" and _COMES_DOWN.search(heard.text) is not None
             ways = (*ways_of(found, of), *(((of, ONE_WAY),) if upright or comes else ()))
             yield Main("displacement", of, needs=STRETCH, ways=ways)
@@ -167,48 +167,48 @@ def far(found: re.Match[str], heard: Heard) -> Iterator[Main]:
                 yield Main(ABOVE, of, needs=STRETCH, ways=((of, "down"), (of, SIDEWAYS)))
 
 
-def far_in_all(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def far_in_all(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the distance that a body travels, there and back."""
     for of in each(heard, found["s"]):
         yield Main("distance travelled", of, needs=STRETCH, ways=ways_of(found, of))
 
 
-def of_fields(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def of_fields(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the net force on a body, presuming that nothing but fields acts on it."""
     yield from (Main("net force", of, ways=((of, FIELDS_ALONE),)) for of in each(heard, found["s"]))
 
 
-def all_about_axle(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def all_about_axle(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the moment of inertia of everything that turns about the only axle."""
     del found, heard
     yield Main("moment of inertia about the axle", EVERYTHING)
 
 
-def nears(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def nears(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the relative speed of two bodies, presuming that each moves along a line."""
     both = [said for key in "st" for said in each(heard, found[key]) if said]
     for main in of_pair("relative speed")(found, heard):
         yield replace(main, ways=tuple((who, ONE_LINE) for who in both))
 
 
-def far_off(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def far_off(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the displacement of a body, presuming that it is above its start, or below it."""
     yield from (Main("displacement", of, needs=STRETCH, ways=((of, found["side"]),)) for of in each(heard, found["s"]))
 
 
-def far_vertically(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def far_vertically(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the height of a body above its start, or its depth below it, presuming that it is on that side."""
     for of in each(heard, found["s"]):
         yield Main(ABOVE, of, needs=STRETCH, ways=((of, "down" if found["side"] == "below" else "up"),))
 
 
-def signed(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def signed(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the component of a quantity along the direction that a sentence counts as positive."""
     along = "up" if found["way"].startswith("up") else "right"
-    yield from (Main(meant(QUANTITIES, found["q"]), of, along) for of in each(heard, found["s"]))
+    yield from (Main(matching_entry(QUANTITIES, found["q"]), of, along) for of in each(heard, found["s"]))
 
 
-def of_orbit(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def of_orbit(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the period of a body, presuming that the body that it orbits attracts it."""
     yield Main(
         "period",
@@ -218,18 +218,18 @@ def of_orbit(found: re.Match[str], heard: Heard) -> Iterator[Main]:
     )
 
 
-def time(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def time(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield a time."""
     del found, heard
     yield Main("time", needs=STRETCH)
 
 
-def accelerates(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def accelerates(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the acceleration of a body that speeds up."""
     yield from (Main("acceleration", of, ways=ways_of(found, of)) for of in each(heard, found["s"]))
 
 
-def presses(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def presses(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the normal force between a body and the face on which the body lies; none on a pulley."""
     face = heard.subject(found["t"])
     for of in each(heard, found["s"]) if "pulley" not in f"{face} {heard.subject(found['s'])}" else ():
@@ -239,27 +239,27 @@ def presses(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 def length_at(turn: str) -> Reader:
     """Return a reader for the length of a spring where the spring is compressed, or stretched, most."""
 
-    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
         for of in each(heard, found["s"]):
             yield Main("spring length", of, needs=FREE, when=When(f"{of} {turn}"))
 
     return read
 
 
-def along(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def along(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the force in a string, rod or spring on a body at its end; none on a pulley in between."""
     if "pulley" not in heard.subject(found.groupdict().get("t")):
         yield from (Main(force, heard.subject(found["s"])) for force in FORCES)
 
 
-def steep(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def steep(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the angle of a velocity with the horizontal, presuming the stated vertical direction."""
     ways = {"above": "up", "below": "down"}
     way = ((heard.subject(found["s"]), ways[found["side"]]),) if found["side"] in ways else ()
     yield Main("angle with the horizontal", heard.subject(found["s"]), needs=CLAUSED, ways=way)
 
 
-def fuel(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def fuel(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the mass of the fuel that is left or has been burnt."""
     yield Main(f"fuel {found['fuel']}", heard.subject(found["s"]))
 
@@ -267,7 +267,7 @@ def fuel(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 def of_ground(find: str, *ways: str) -> Reader:
     """Return a reader for a force of the fixed surface on a body, even on one that carries others."""
 
-    def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+    def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
         for of in each(heard, found["s"]):
             yield Main(find, of, ways=((of, f"{ON}{FIXED_FACE}"), *((of, way) for way in ways)))
 
@@ -277,14 +277,14 @@ def of_ground(find: str, *ways: str) -> Reader:
 GAINS = "gain", "gained", "increase", "increased", "rise"
 
 
-def potential(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def potential(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the change of a body's potential energy, presuming that the body goes up for a gain and down for a loss."""
     way = "up" if found["verb"] in GAINS else "down"
     for of in each(heard, found["s"]):
         yield Main("potential energy", of, needs=CLAUSED, ways=((of, way),))
 
 
-def pushes(found: re.Match[str], heard: Heard) -> Iterator[Main]:
+def pushes(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
     """Yield the normal force of a body on a face, or the force of a spring on the object at its end."""
     yield from presses(found, heard)
     yield from (Main("spring force", of) for of in each(heard, found["s"]))

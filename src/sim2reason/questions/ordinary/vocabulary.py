@@ -257,7 +257,7 @@ def either(phrases: Iterable[str]) -> str:
     return f"(?:{'|'.join(re.sub('[A-Z]{2,}', lambda found: _macro(found[0]), phrase) for phrase in longest)})"
 
 
-def meant(tables: Mapping[str, str], said: str, parted: str = "|") -> str:
+def matching_entry(tables: Mapping[str, str], said: str, parted: str = "|") -> str:
     """Return the name of the table entry that a phrase matches; empty if no entry matches."""
     return next((name for name, row in tables.items() if re.fullmatch(either(row.split(parted)), said)), "")
 

@@ -5,13 +5,13 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import product
 
-from sim2reason.questions.moments.parts.occurrence import rolls
+from sim2reason.questions.moments.parts.occurrence import can_roll
 from sim2reason.questions.ordinary.clauses import whens
-from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.hearing import TokenizedSentence
 from sim2reason.questions.ordinary.paraphrased_limits import DecidingNumber, limits
 from sim2reason.questions.ordinary.readers import each
 from sim2reason.questions.ordinary.reading import Reading
-from sim2reason.questions.ordinary.vocabulary import QUANTITIES, meant, pattern
+from sim2reason.questions.ordinary.vocabulary import QUANTITIES, matching_entry, pattern
 from sim2reason.questions.ordinary.whens import CONNECTORS, When, addresses
 from sim2reason.questions.query import OWN_PATH
 from sim2reason.questions.structured import START, StructuredQuestion
@@ -113,13 +113,13 @@ class WantedNumber:
     least: bool | None = None
 
 
-def wanted(heard: Heard) -> Iterator[WantedNumber]:
+def wanted(heard: TokenizedSentence) -> Iterator[WantedNumber]:
     """Yield every number of the scene that a sentence may ask for."""
     for told in _FRAMES:
         found = _compiled(told).fullmatch(heard.text)
         if found is not None:
             groups = found.groupdict()
-            name = meant(NUMBERS, groups["p"]) if groups.get("p") else "length"
+            name = matching_entry(NUMBERS, groups["p"]) if groups.get("p") else "length"
             owner = heard.subject(groups.get("own") or groups.get("of"))
             rest = re.sub(r"^it\b", groups.get("s") or "it", groups["rest"])
             yield from _results(name, owner, rest, heard, heard.subject(groups.get("s")))
@@ -152,7 +152,7 @@ def _compiled(told: str) -> re.Pattern[str]:
     return pattern(told.replace("WHEN", when).replace("SUCH", f"(?:{_SUCH})"))
 
 
-def _results(name: str, owner: str, rest: str, heard: Heard, subject: str) -> Iterator[WantedNumber]:
+def _results(name: str, owner: str, rest: str, heard: TokenizedSentence, subject: str) -> Iterator[WantedNumber]:
     """Yield a wanted number for each way to read the result that a clause states."""
     for told in (*_RESULTS, _GIVES, _ACCELERATES, *_GOES, _AT_SPEED):
         found = _compiled(told).fullmatch(rest)
@@ -161,7 +161,7 @@ def _results(name: str, owner: str, rest: str, heard: Heard, subject: str) -> It
         groups = found.groupdict()
         number = heard.number(groups["n"])
         of = heard.subject(groups.get("t")) or subject
-        quantity = meant(QUANTITIES, groups["q"]) if groups.get("q") else ""
+        quantity = matching_entry(QUANTITIES, groups["q"]) if groups.get("q") else ""
         if told == _ACCELERATES:
             quantity = "acceleration"
         elif told == _AT_SPEED:
@@ -175,9 +175,9 @@ def _results(name: str, owner: str, rest: str, heard: Heard, subject: str) -> It
         )
 
 
-def _limits(found: re.Match[str], heard: Heard) -> Iterator[WantedNumber]:
+def _limits(found: re.Match[str], heard: TokenizedSentence) -> Iterator[WantedNumber]:
     groups = found.groupdict()
-    name = meant(NUMBERS, groups["p"])
+    name = matching_entry(NUMBERS, groups["p"])
     does, happens = ("slides", "yes") if groups.get("set") else OUTCOMES[_row(groups["clause"])]
     owner = heard.subject(groups.get("own") or groups.get("of"))
     least = None if not groups.get("size") else pattern("LEAST").fullmatch(groups["size"]) is not None
@@ -190,7 +190,7 @@ def _row(clause: str) -> str:
     return next(row for row in OUTCOMES if pattern(f"(?:{row})").fullmatch(clause))
 
 
-def numbers_wanted(heard: Heard, scene: Scene, words: Words) -> Iterator[Reading]:
+def numbers_wanted(heard: TokenizedSentence, scene: Scene, words: Words) -> Iterator[Reading]:
     """Yield the readings of a sentence that asks for a number of the scene, with the number's address."""
     for found in wanted(heard):
         path = _path(found, scene, words)
@@ -218,7 +218,7 @@ def _balanced(path: str, of: str, words: Words) -> Iterator[Reading]:
 def rubs(words: Words) -> bool:
     """Return whether a body that does not roll lies on a rough face."""
     contacts = words.mechanism.contacts
-    return any(contact.friction > 0.0 and not rolls(words, name) for name, contact in contacts.items())
+    return any(contact.friction > 0.0 and not can_roll(words, name) for name, contact in contacts.items())
 
 
 def without_acceleration(path: str, names: Iterable[str], words: Words) -> Iterator[Reading]:

@@ -4,17 +4,17 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from sim2reason.questions.ordinary.vocabulary import DOWN, MOTIONS, ROLL, ROLLING, UP, WAYS, meant
+from sim2reason.questions.ordinary.vocabulary import DOWN, MOTIONS, ROLL, ROLLING, UP, WAYS, matching_entry
 from sim2reason.questions.query import quantities_named
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.words import Words
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Elastic
 from sim2reason.simulation.quantities.subjects.axles import Pulleys
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
 from sim2reason.simulation.quantities.subjects.lines import STRETCHED, Springs
-from sim2reason.simulation.quantities.subjects.pairs import AND
-from sim2reason.simulation.quantities.subjects.paths import EVEN, chain
+from sim2reason.simulation.quantities.subjects.pairs import PAIR_SEPARATOR
+from sim2reason.simulation.quantities.subjects.paths import DIRECTION_TOL, chain
 from sim2reason.simulation.quantities.subjects.rods import SwingingLines
 
 EVERYTHING = "everything"  # all subjects of a quantity together
@@ -48,7 +48,7 @@ def seen_from(asked: StructuredQuestion, words: Words) -> StructuredQuestion:
     names = [addresses(words).get(said, said) for said in asked.of.split(" & ")]
     if asked.find != "relative speed" or len(names) != 2 or not set(names) <= words.mechanism.body.keys():
         return asked
-    return replace(asked, find="relative velocity", of=AND.join(names))
+    return replace(asked, find="relative velocity", of=PAIR_SEPARATOR.join(names))
 
 
 def all_of(find: str, words: Words) -> tuple[str, ...]:
@@ -131,9 +131,9 @@ def split(text: str) -> Iterator[tuple[str, str, str]]:
 def ways_of(found: re.Match[str], who: str) -> tuple[tuple[str, str], ...]:
     """Return the directions in which a subject moves, as given by the matched verb and adjacent words."""
     groups = found.groupdict()
-    verb = meant(MOTIONS, groups["motion"], " ") if groups.get("motion") else ""
+    verb = matching_entry(MOTIONS, groups["motion"], " ") if groups.get("motion") else ""
     told = {UP: ("up",), DOWN: ("down",), ROLL: (ROLLING,)}.get(verb, ())
-    beside = meant(WAYS, groups["way"]) if groups.get("way") else ""
+    beside = matching_entry(WAYS, groups["way"]) if groups.get("way") else ""
     return tuple((who, way) for way in dict.fromkeys((*told, *((beside,) if beside else ()))))
 
 
@@ -163,7 +163,7 @@ def velocities_equal(told: str, words: Words) -> str:
     senses = [Bodies().senses(words.mechanism, name) for name in names]
     if senses[0] != senses[1] or len(senses[0]) != 1:
         return told
-    return f"relative velocity of {AND.join(names)} along {senses[0][0].positive} = 0 m/s"
+    return f"relative velocity of {PAIR_SEPARATOR.join(names)} along {senses[0][0].positive} = 0 m/s"
 
 
 def relaxed_again(told: str, words: Words) -> str:
@@ -175,7 +175,7 @@ def relaxed_again(told: str, words: Words) -> str:
         return told
     line = words.mechanism.line[names[0]]
     assert isinstance(line.law, Elastic)
-    strained = abs(float(start(words.mechanism).length(line)) - line.law.length) > EVEN or line.wheels
+    strained = abs(float(initial_frames(words.mechanism).length(line)) - line.law.length) > DIRECTION_TOL or line.wheels
     return told if strained else f"extension of {names[0]} along {STRETCHED} = 0 m"
 
 

@@ -15,8 +15,8 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.quantities.subjects import Subject
 from sim2reason.simulation.trace import Trace
 
-ONSET = 0.01  # of the horizon: time that shows the result of a release
-NOTHING = 1e-12  # of g times the time: smaller velocities are rounding; engines leave 1e-15 for a body at rest
+ONSET_DURATION = 0.01  # of the horizon: time that shows the result of a release
+SPEED_NOISE = 1e-12  # of g times the time: smaller velocities are rounding; engines leave 1e-15 for a body at rest
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,12 +93,12 @@ class Onset(PossibleOutcome):
 
     def duration(self, scene: Scene) -> float:
         """Return a short time, s."""
-        return ONSET * scene.horizon
+        return ONSET_DURATION * scene.horizon
 
 
 def rest_speed_noise(trace: Trace) -> float:
     """Return the largest apparent speed, m/s, of a body at rest in a motion."""
-    return NOTHING * float(np.linalg.norm(trace.mechanism.gravity)) * float(trace.state.times[-1])
+    return SPEED_NOISE * float(np.linalg.norm(trace.mechanism.gravity)) * float(trace.state.times[-1])
 
 
 def is_steady_release(words: Words) -> bool:

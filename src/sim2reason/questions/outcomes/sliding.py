@@ -5,7 +5,7 @@ from math import isfinite
 
 import numpy as np
 
-from sim2reason.questions.moments.parts.occurrence import rolls, slip
+from sim2reason.questions.moments.parts.occurrence import can_roll, slip_velocity
 from sim2reason.questions.outcomes import (
     OUTCOMES,
     Onset,
@@ -36,7 +36,7 @@ class Slides(Onset):
             return {}
         contacts = words.mechanism.contacts
         called = words.called(cls.of).items()
-        return {n: said for n, said in called if contacts[n].friction > 0.0 and not rolls(words, n)}
+        return {n: said for n, said in called if contacts[n].friction > 0.0 and not can_roll(words, n)}
 
     def happens(self, trace: Trace) -> bool:
         """Return whether the body moves on its face."""
@@ -44,7 +44,7 @@ class Slides(Onset):
 
     def excess(self, trace: Trace) -> float:
         """Return the greatest speed of slip, m/s, less rounding noise."""
-        return float(np.abs(slip(trace.state, self.name)).max()) - rest_speed_noise(trace)
+        return float(np.abs(slip_velocity(trace.state, self.name)).max()) - rest_speed_noise(trace)
 
     def does(self, words: Words) -> tuple[str, ...]:
         """Return the verb phrase, such as *block A slips on the plane*."""
@@ -78,7 +78,7 @@ class SlipsRolling(PossibleOutcome):
         return {
             name: said
             for name, said in words.called(cls.of).items()
-            if rolls(words, name)
+            if can_roll(words, name)
             and mechanism.contacts[name].friction > 0.0
             and isfinite(mechanism.contacts[name].friction)
             and mechanism.body[name].center == ZERO
@@ -95,7 +95,7 @@ class SlipsRolling(PossibleOutcome):
 
     def excess(self, trace: Trace) -> float:
         """Return the greatest speed of slip, m/s, less rounding noise."""
-        return float(np.abs(slip(trace.state, self.name)).max()) - rest_speed_noise(trace)
+        return float(np.abs(slip_velocity(trace.state, self.name)).max()) - rest_speed_noise(trace)
 
     def does(self, words: Words) -> tuple[str, ...]:
         """Return the verb phrase, such as *the cylinder slips*."""

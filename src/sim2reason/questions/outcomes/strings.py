@@ -5,7 +5,7 @@ from math import inf
 
 import numpy as np
 
-from sim2reason.questions.outcomes import NOTHING, OUTCOMES, Onset, Swinging, is_steady_release, rest_speed_noise
+from sim2reason.questions.outcomes import OUTCOMES, SPEED_NOISE, Onset, Swinging, is_steady_release, rest_speed_noise
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Inextensible
 from sim2reason.simulation.quantities.kinematics import Acceleration, Velocity
@@ -73,7 +73,7 @@ class LiftsOff(Onset):
 
     def happens(self, trace: Trace) -> bool:
         """Return whether the body is accelerated upwards at the start."""
-        return self.excess(trace) > NOTHING
+        return self.excess(trace) > SPEED_NOISE
 
     def excess(self, trace: Trace) -> float:
         """Return the upward acceleration at the start, m/s²."""
@@ -156,7 +156,7 @@ class Sinks(Onset):
         return (f"{self.subject(words)} does not start to move down",)
 
 
-STILL = 1e-3  # of the greatest speed: a slower body without vertical motion turns back
+REVERSAL_SPEED_RTOL = 1e-3  # of the greatest speed: a slower body without vertical motion turns back
 
 
 @OUTCOMES.register("circles")
@@ -179,7 +179,7 @@ class Circles(Swinging):
         turned = [event.time for event in trace.events if event.kind == "turn" and event.subjects[0] in upright]
         slack = [event.time for event in trace.events if event.kind == "slack" and event.subjects[0] == self.name]
         fastest = float(np.linalg.norm(trace.scan.v, axis=1).max())
-        back = [time for time in turned if np.linalg.norm(trace.at(time).v[0]) <= STILL * fastest]
+        back = [time for time in turned if np.linalg.norm(trace.at(time).v[0]) <= REVERSAL_SPEED_RTOL * fastest]
         extremes = [time for time in turned if time not in back]
         end = min((*slack, *back), default=inf)
         over = extremes[1] if len(extremes) > 1 else inf  # the second of its lowest and its highest point

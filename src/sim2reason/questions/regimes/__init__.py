@@ -9,11 +9,11 @@ from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from sim2reason.base.registry import Registry
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.simulation.quantities.subjects import Subject
 
-FEW = 2  # greatest number of assumptions in one question
+MAX_ASSUMPTIONS = 2  # greatest number of assumptions in one question
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,29 +36,29 @@ class Regime(ABC):
 
     @classmethod
     @abstractmethod
-    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+    def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
         """Return the regimes that motions of a scene may be in, as far as the text has words for them."""
 
     @abstractmethod
-    def holds(self, study: Study, until: float) -> bool:
+    def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether the assumption holds in a motion up to a time, s."""
 
-    def always_told(self, study: Study) -> bool:
+    def must_be_stated(self, study: SimulatedScene) -> bool:
         """Return whether every formula must state the assumption, whatever the scene's numbers; False by default."""
         del study
         return False
 
-    def regardless_of(self, study: Study, path: str) -> bool:
+    def regardless_of(self, study: SimulatedScene, path: str) -> bool:
         """Return whether the assumption concerns initial positions only, whatever the number at an address is."""
         del study, path
         return self.at_start
 
-    def is_lost(self, study: Study) -> bool:
+    def may_remove_answer(self, study: SimulatedScene) -> bool:
         """Return whether a motion may have no answer because the assumption fails in it; False by default."""
         del study
         return False
 
-    def margin(self, study: Study, until: float) -> float | None:
+    def margin(self, study: SimulatedScene, until: float) -> float | None:
         """Return the distance of a motion from a violation up to a time, s, relative to the effect of weights; or None.
 
         The unit is arbitrary, as only changes of the value matter. By default None.
@@ -82,11 +82,11 @@ class Regime(ABC):
 REGIMES: Registry[type[Regime]] = Registry("questions.regimes")
 
 
-def possible(study: Study, words: Words) -> list[Regime]:
+def possible(study: SimulatedScene, words: Words) -> list[Regime]:
     """Return all regimes that motions of a scene may be in."""
     return [found for cls in REGIMES.values() for found in cls.possible(study, words)]
 
 
-def regimes(study: Study, words: Words, until: float) -> list[Regime]:
+def regimes(study: SimulatedScene, words: Words, until: float) -> list[Regime]:
     """Return all regimes that a motion is in up to a time, s."""
     return [found for found in possible(study, words) if found.holds(study, until)]

@@ -7,20 +7,20 @@ from typing import Self
 
 import numpy as np
 
-from sim2reason.questions.moments.bounces import GROUND, WALL, struck
-from sim2reason.questions.moments.parts.occurrence import slip
+from sim2reason.questions.moments.bounces import GROUND, WALL, obstacle_phrase
+from sim2reason.questions.moments.parts.occurrence import slip_velocity
 from sim2reason.questions.regimes import REGIMES, Regime
 from sim2reason.questions.regimes.directions import OPPOSITE
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.template import COUNT_WORDS
 from sim2reason.simulation.quantities.subjects.bodies import RIGHT
 from sim2reason.simulation.quantities.subjects.contacts import Contacts
-from sim2reason.simulation.quantities.subjects.pairs import AND, Pairs
+from sim2reason.simulation.quantities.subjects.pairs import PAIR_SEPARATOR, Pairs
 from sim2reason.text.prose.phrases import join
 
-MOST = 3  # greatest number of collisions in a clause
+MAX_COLLISIONS = 3  # greatest number of collisions in a clause
 ORDERS = 100  # greatest number of sequences; if there are more, only shorter ones are considered
 
 
@@ -35,18 +35,18 @@ class CollideInTurn(Regime):
     order: tuple[tuple[str, ...], ...]  # the bodies of each; one body alone meets what is fixed
 
     @classmethod
-    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+    def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
         """Return the regimes of all short sequences of collisions with words in the text."""
         met = [names for names in _meetings(study.mechanism) if _said(names, words)]
-        lengths = [n for n in range(MOST + 1) if len(met) ** n <= ORDERS] if met else []
+        lengths = [n for n in range(MAX_COLLISIONS + 1) if len(met) ** n <= ORDERS] if met else []
         return [cls("", order) for n in lengths for order in product(met, repeat=n)]
 
-    def holds(self, study: Study, until: float) -> bool:
+    def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether exactly these collisions occur by then."""
         came = [subjects for kind, subjects in study.trace.story(until) if kind == "collision"]
         return [*map(set, came)] == [*map(set, self.order)]
 
-    def always_told(self, study: Study) -> bool:
+    def must_be_stated(self, study: SimulatedScene) -> bool:
         """Return True if more than two bodies can collide or two have, as formulas do not show the partners."""
         return len(_meetings(study.mechanism)) > 1 or any(len(names) > 1 for names in self.order)
 
@@ -56,7 +56,11 @@ class CollideInTurn(Regime):
         if not said:
             return "there is no collision before then"
         if len(said) == 1:
-            lone = words.called(Pairs()).get(AND.join(self.order[0])) if len(_meetings(words.mechanism)) == 1 else None
+            lone = (
+                words.called(Pairs()).get(PAIR_SEPARATOR.join(self.order[0]))
+                if len(_meetings(words.mechanism)) == 1
+                else None
+            )
             return f"{lone} have collided by then" if lone else f"the only collision before then is {said[0]}"
         if len(set(said)) == 1:
             return f"there are exactly {COUNT_WORDS[len(said)]} collisions before then, each {said[0]}"
@@ -71,14 +75,14 @@ def _meetings(mechanism: Mechanism) -> list[tuple[str, ...]]:
 def _said(names: Sequence[str], words: Words) -> str:
     """Return the phrase for the partners of a collision; empty if the text has no unique one."""
     if len(names) > 1:
-        found = words.called(Pairs()).get(AND.join(names), "")
+        found = words.called(Pairs()).get(PAIR_SEPARATOR.join(names), "")
         return found and f"between {found}"
     (name,) = names
-    what = struck(words, name)
+    what = obstacle_phrase(words, name)
     return f"between {words.mentions[name]} and {what}" if what in (GROUND, WALL) else ""
 
 
-STILL = 1e-9  # m/s
+REST_SPEED = 1e-9  # m/s
 LEVEL = 1e-9  # of the steepness of a direction: smaller values are level
 LASTING = 1e-9  # of the time asked about: shorter intervals are rounding
 Course = tuple[int, ...]
@@ -102,7 +106,7 @@ class SlidesThroughout(Regime):
     course: Course = ()  # its ways one after the other, where words tell them
 
     @classmethod
-    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+    def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
         """Return the regimes of both alternatives for every body on a rough face, with its directions of slip."""
         mechanism = study.mechanism
         rough = [name for name in words.called(cls.of) if mechanism.contacts[name].friction > 0.0]
@@ -113,17 +117,17 @@ class SlidesThroughout(Regime):
         ]
         return [*slides, *(cls(name, slides=False) for name in rough)]
 
-    def holds(self, study: Study, until: float) -> bool:
+    def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether the body slides, or sticks, throughout."""
         found = _slides(study, self.name, until)
         return found[0] is self.slides and (found[1] == self.course or not _ways(study.mechanism, self.name))
 
-    def margin(self, study: Study, until: float) -> float | None:
+    def margin(self, study: SimulatedScene, until: float) -> float | None:
         """Return the slip velocity at the end, or early on, relative to that of free fall; None without slip."""
         if not self.slides:
             return None
         end = max(_soon(study, until), until)
-        found = float(slip(study.trace.at(end), self.name)[0])
+        found = float(slip_velocity(study.trace.at(end), self.name)[0])
         size = self.course[-1] * found if self.course else abs(found)
         return size / ((float(np.linalg.norm(study.mechanism.gravity)) * end) or 1.0)
 
@@ -166,16 +170,16 @@ def _ways(mechanism: Mechanism, name: str) -> dict[int, str]:
     return {1: ahead, -1: back} if factor > 0.0 else {1: back, -1: ahead}
 
 
-def _slides(study: Study, name: str, until: float) -> tuple[bool | None, Course]:
+def _slides(study: SimulatedScene, name: str, until: float) -> tuple[bool | None, Course]:
     """Return whether the body slides throughout, None if only for a time; and its sequence of directions."""
     soon = _soon(study, until)
     scan = study.trace.scan
     within = (scan.times > soon) & (scan.times < until)
     end = max(soon, until)
     times = np.concatenate([[soon], scan.times[within], [end]])
-    first, last = (slip(study.trace.at(time), name) for time in (soon, end))
-    slips = np.concatenate([first, slip(scan, name)[within], last])
-    still = np.abs(slips) <= STILL
+    first, last = (slip_velocity(study.trace.at(time), name) for time in (soon, end))
+    slips = np.concatenate([first, slip_velocity(scan, name)[within], last])
+    still = np.abs(slips) <= REST_SPEED
     if still.all():
         return False, ()
     course = tuple(sense for sense, _ in groupby(np.sign(slips[~still]).astype(int).tolist()))
@@ -183,6 +187,6 @@ def _slides(study: Study, name: str, until: float) -> tuple[bool | None, Course]
     return (None if still[0] or stays.any() else True), course
 
 
-def _soon(study: Study, until: float) -> float:
+def _soon(study: SimulatedScene, until: float) -> float:
     """Return the time, s, by which a released body has begun to slide."""
     return min(SOON * (until or 1.0), float(study.trace.state.times[-1]))

@@ -9,7 +9,7 @@ import numpy as np
 
 from sim2reason.errors import SceneError
 from sim2reason.questions.regimes import REGIMES, Regime
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.mechanism import Mechanism
@@ -41,13 +41,13 @@ class StartsAcute(Regime):
     at_start = True
 
     @classmethod
-    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+    def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
         """Return the regimes of strings, springs and rods; none of arms, as their masses also show the direction."""
         held = study.mechanism.body
         extended = {name for name, body in held.items() if not body.mass or any(body.inertia)}
         return [cls(name) for name in words.called(cls.of) if name not in extended]
 
-    def holds(self, study: Study, until: float) -> bool:
+    def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether the initial angle is acute in a motion."""
         del until
         return deflection_at_start(study.trace.at(0.0), self.name) < RIGHT_ANGLE
@@ -71,12 +71,12 @@ class DeflectedBeyondStart(Regime):
     larger: bool
 
     @classmethod
-    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+    def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
         """Return both alternatives for every line if the question has a symbol for an angle; else none."""
         del study
         return [cls(name, larger) for name in words.called(cls.of) for larger in (True, False) if "deg" in words.own]
 
-    def holds(self, study: Study, until: float) -> bool:
+    def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether the angle is larger, or smaller, at the time; False for a slack string."""
         state = study.trace.at(until)
         more = float(Deflection.evaluate(state, self.name)[0]) - deflection_at_start(state, self.name)
@@ -89,7 +89,7 @@ class DeflectedBeyondStart(Regime):
         return f"{line} then makes a {size} angle with the downward vertical than at the start"
 
 
-STILL = 1e-9  # of the greatest speed: lower speeds are rest
+REST_SPEED_RTOL = 1e-9  # of the greatest speed: lower speeds are rest
 LASTING = 1e-9  # of the time asked about: a reversing body is at rest for less
 
 
@@ -104,21 +104,21 @@ class MovesOneWay(Regime):
     ahead: bool
 
     @classmethod
-    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+    def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
         """Return both directions for every body whose line has a direction in words."""
         senses = [(name, sense) for name in words.called(cls.of) for sense in _senses(study, name)]
         return [cls(name, sense.positive, ahead) for name, sense in senses for ahead in (True, False)]
 
-    def holds(self, study: Study, until: float) -> bool:
+    def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether the body moves in that direction throughout."""
         return (until > 0.0 or not changing(study.mechanism)) and self.begins(study, until)
 
-    def begins(self, study: Study, until: float = 0.0) -> bool:
+    def begins(self, study: SimulatedScene, until: float = 0.0) -> bool:
         """Return whether the body moves in that direction at a time, s, whatever it does later."""
         sense = next((s for s in _senses(study, self.name) if s.positive == self.positive), None)
         return sense is not None and _side(study, self.name, sense.vector, until) == (1 if self.ahead else -1)
 
-    def margin(self, study: Study, until: float) -> float | None:
+    def margin(self, study: SimulatedScene, until: float) -> float | None:
         """Return the velocity in that direction, or the initial acceleration, relative to free fall; or None."""
         sense = next((s for s in _senses(study, self.name) if s.positive == self.positive), None)
         if sense is None:
@@ -145,12 +145,12 @@ class MovesOneWay(Regime):
         return f"moves {towards}{space}{rest}"
 
 
-def _of_free_fall(study: Study, until: float) -> float:
+def _of_free_fall(study: SimulatedScene, until: float) -> float:
     """Return the velocity of free fall at a time, s, its acceleration at the start, or 1 if there is no gravity."""
     return float(np.linalg.norm(study.mechanism.gravity)) * (until or 1.0) or 1.0
 
 
-def _senses(study: Study, name: str) -> list[Sense]:
+def _senses(study: SimulatedScene, name: str) -> list[Sense]:
     """Return the direction of a body's line, if the text has words for it; else none."""
     if not center_path(study.mechanism, name).straight:
         return []
@@ -158,7 +158,7 @@ def _senses(study: Study, name: str) -> list[Sense]:
     return [sense for sense in senses if sense.positive.partition(" ")[0] in OPPOSITE and not sense.axis]
 
 
-def _side(study: Study, name: str, way: Vector, until: float) -> int:
+def _side(study: SimulatedScene, name: str, way: Vector, until: float) -> int:
     """Return 1 or −1 for motion along or against a direction, 0 for both or for a later standstill.
 
     What starts from rest moves the way in which it is accelerated.
@@ -169,10 +169,10 @@ def _side(study: Study, name: str, way: Vector, until: float) -> int:
     last = Velocity.evaluate(study.trace.at(until), name)
     speeds: Array = np.concatenate([Velocity.evaluate(scan, name)[within], last]) @ np.array(way)
     fastest = float(np.abs(speeds).max(initial=0.0))
-    if fastest <= STILL:
+    if fastest <= REST_SPEED_RTOL:
         begins = float((Acceleration.evaluate(study.trace.at(0.0), name) @ np.array(way))[0])
-        return int(begins > STILL) - int(begins < -STILL)
-    idle = np.abs(speeds) <= STILL * fastest
+        return int(begins > REST_SPEED_RTOL) - int(begins < -REST_SPEED_RTOL)
+    idle = np.abs(speeds) <= REST_SPEED_RTOL * fastest
     rests = idle[1:] & idle[:-1] & (np.diff(times) > LASTING * until)
     if rests[int(np.argmin(idle)) :].any():
         return 0
@@ -191,11 +191,11 @@ class MovesFirst(Regime):
     way: MovesOneWay
 
     @classmethod
-    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+    def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
         """Return both directions for every body if all start from rest; else none, as the text gives the direction."""
         return [cls(way.name, way) for way in MovesOneWay.possible(study, words)] if words.released else []
 
-    def holds(self, study: Study, until: float) -> bool:
+    def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether the body begins to move in that direction."""
         del until
         return self.way.begins(study)
@@ -220,14 +220,14 @@ class SideOfCenterOfMass(Regime):
     same: bool
 
     @classmethod
-    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+    def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
         """Return both alternatives for arms that carry bodies on both sides of the axle."""
         mechanism, named = study.mechanism, words.called(cls.of)
         rods = [body.name for body in mechanism.bodies if is_light_rod(body)]
         firsts = [welded_to(mechanism, rod)[0].name for rod in rods if carries_on_both_sides(mechanism, rod)]
         return [cls(name, same) for name in firsts if name in named for same in (True, False)]
 
-    def holds(self, study: Study, until: float) -> bool:
+    def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether the assumption holds in another motion."""
         del until
         side = self._side(study.mechanism)
@@ -238,7 +238,7 @@ class SideOfCenterOfMass(Regime):
         body = mechanism.body[self.name]
         return inner(load_center(mechanism, mechanism.body[body.parent or ""]), body.at)
 
-    def regardless_of(self, study: Study, path: str) -> bool:
+    def regardless_of(self, study: SimulatedScene, path: str) -> bool:
         """Return whether a number does not affect the centre of mass, as an angle or a speed."""
         value = study.scene.value(path)
         if not value:

@@ -9,7 +9,7 @@ import numpy as np
 
 from sim2reason.questions.regimes import REGIMES, Regime
 from sim2reason.questions.regimes.directions import MovesOneWay
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Prop
 from sim2reason.simulation.quantities.kinematics import Acceleration, Velocity
@@ -33,27 +33,27 @@ class BurntOut(Regime):
     falls: bool = False
 
     @classmethod
-    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+    def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
         """Return both alternatives for every body that burns fuel."""
         named = [burn.body for burn in study.mechanism.burns if burn.body in words.called(cls.of)]
         body = study.mechanism.body
         falls = {name: "s" in words.own and any(c.lower > -inf for c in body[name].coordinates) for name in named}
         return [held for name in named for held in (cls(name, out=True, falls=falls[name]), cls(name, out=False))]
 
-    def holds(self, study: Study, until: float) -> bool:
+    def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether the time is after burn-out, or before; True at burn-out itself."""
         end = self._end(study)
         return until > end * (1.0 + THEN) if self.out else 0.0 < until < end * (1.0 - THEN)
 
-    def margin(self, study: Study, until: float) -> float | None:
+    def margin(self, study: SimulatedScene, until: float) -> float | None:
         """Return the interval between the time and burn-out, relative to the burn time; None without a burn."""
         later = until / self._end(study) - 1.0
         return later if self.out else -later
 
-    def _end(self, study: Study) -> float:
+    def _end(self, study: SimulatedScene) -> float:
         return max(burn.until for burn in study.mechanism.burns if burn.body == self.name)
 
-    def always_told(self, study: Study) -> bool:
+    def must_be_stated(self, study: SimulatedScene) -> bool:
         """Return True, as formulas do not show the burn time."""
         del study
         return True
@@ -92,7 +92,7 @@ class DelayedLiftoff(Regime):
     waits: bool
 
     @classmethod
-    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+    def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
         """Return both alternatives for every body with fuel that stands on the ground."""
         if not any(isinstance(line.law, Prop) for line in study.mechanism.lines):
             return []
@@ -100,7 +100,7 @@ class DelayedLiftoff(Regime):
         found = [burn.body for burn in study.mechanism.burns if burn.body in named]
         return [cls(body, waits) for body in found for waits in (True, False)]
 
-    def holds(self, study: Study, until: float) -> bool:
+    def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether the rocket is accelerated at ignition or, for a delay, only later but before burn-out."""
         del until
         trace = study.trace
@@ -110,12 +110,12 @@ class DelayedLiftoff(Regime):
         lifted = float(np.linalg.norm(pushed)) > STILL
         return (not lifted and float(np.linalg.norm(moves)) > STILL) if self.waits else lifted
 
-    def always_told(self, study: Study) -> bool:
+    def must_be_stated(self, study: SimulatedScene) -> bool:
         """Return True, as formulas do not show whether the thrust exceeds the weight."""
         del study
         return True
 
-    def margin(self, study: Study, until: float) -> float | None:
+    def margin(self, study: SimulatedScene, until: float) -> float | None:
         """Return the difference of initial thrust and weight, relative to the weight; None without gravity."""
         del until
         mechanism = study.mechanism

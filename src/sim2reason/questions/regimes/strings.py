@@ -8,12 +8,12 @@ from typing import Self
 import numpy as np
 
 from sim2reason.questions.regimes import REGIMES, Regime
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Mechanism
 from sim2reason.simulation.quantities.subjects.lines import Strings
 
-SLACK = 1e-9  # N
+ZERO_TENSION = 1e-9  # N
 
 
 def is_driven(mechanism: Mechanism) -> bool:
@@ -30,17 +30,17 @@ class StaysTaut(Regime):
     unseen = True
 
     @classmethod
-    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+    def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
         """Return the regime for every string."""
         del study
         return [cls(name) for name in words.called(cls.of)]
 
-    def holds(self, study: Study, until: float) -> bool:
+    def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether the string pulls throughout; True if its tension is undetermined."""
         scan = study.trace.scan
-        return not bool((scan.tension[self.name][scan.times <= until] <= SLACK).any())
+        return not bool((scan.tension[self.name][scan.times <= until] <= ZERO_TENSION).any())
 
-    def margin(self, study: Study, until: float) -> float | None:
+    def margin(self, study: SimulatedScene, until: float) -> float | None:
         """Return the least tension as a relative acceleration of the string's ends, in units of free fall; or None."""
         scan, mechanism = study.trace.scan, study.mechanism
         through = mechanism.line[self.name].through
@@ -52,7 +52,7 @@ class StaysTaut(Regime):
             return None
         return ease * float(tensions.min()) / (float(np.linalg.norm(mechanism.gravity)) or 1.0)
 
-    def always_told(self, study: Study) -> bool:
+    def must_be_stated(self, study: SimulatedScene) -> bool:
         """Return True if the text mentions slackness, or the string is alone beside a spring or a hand.
 
         Springs and hands may drive one end faster than the load at the other can follow.
@@ -61,7 +61,7 @@ class StaysTaut(Regime):
         slackens = any(named.entity.slackens for named in study.scene.entities if named.name == owner)
         return slackens or (is_driven(study.mechanism) and len(study.mechanism.strings) == 1)
 
-    def is_lost(self, study: Study) -> bool:
+    def may_remove_answer(self, study: SimulatedScene) -> bool:
         """Return whether the string goes slack."""
         return not self.holds(study, inf)
 
@@ -78,20 +78,20 @@ class AllStayTaut(Regime):
     of = Strings()
 
     @classmethod
-    def possible(cls, study: Study, words: Words) -> Sequence[Self]:
+    def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
         """Return the regime if there are several strings; a pulley with mass divides one into several lines."""
         del words
         return [cls("")] if len({line.name.partition("/")[0] for line in study.mechanism.strings}) > 1 else []
 
-    def holds(self, study: Study, until: float) -> bool:
+    def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether every string has tension throughout."""
         return all(StaysTaut(line.name).holds(study, until) for line in study.mechanism.strings)
 
-    def always_told(self, study: Study) -> bool:
+    def must_be_stated(self, study: SimulatedScene) -> bool:
         """Return True if a spring or a hand may pull one end faster than loads can follow."""
         return is_driven(study.mechanism)
 
-    def is_lost(self, study: Study) -> bool:
+    def may_remove_answer(self, study: SimulatedScene) -> bool:
         """Return whether any string goes slack."""
         return not self.holds(study, inf)
 

@@ -16,7 +16,7 @@ from sim2reason.questions.shapes.parts.units import (
     units,
     without_assumptions,
 )
-from sim2reason.text.prose.closings import RESTS, TAUT, is_lone
+from sim2reason.text.prose.closings import RESTS, TAUT, is_single_body
 from sim2reason.text.prose.description import Description
 
 CLAUSES = (
@@ -40,7 +40,7 @@ class ReleaseInQuestion(PromptShape):
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
         """Return the prompt for a text whose closing says that everything starts from rest; None for others."""
         rests = [sentence for sentence in description.sentences if sentence in RESTS]
-        clause = one_of(CLAUSES if is_lone(description.scene) else (ALL, *CLAUSES), rng)
+        clause = one_of(CLAUSES if is_single_body(description.scene) else (ALL, *CLAUSES), rng)
         again = f" {clause.partition(' ')[0].lower()} " in question  # one condition would hang on another
         if len(rests) != 1 or again or not begins_plainly(question):
             return None

@@ -10,11 +10,11 @@ from typing import ClassVar, TypeVar
 
 from sim2reason.base.registry import Registry
 from sim2reason.questions.query import Query
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.scenes.dsl.mechanism import Mechanism
 
 
-class Simplification(ABC):
+class Misconception(ABC):
     """The base class of misconceptions.
 
     Class data:
@@ -37,52 +37,52 @@ class Simplification(ABC):
     common: ClassVar[bool] = False
 
     @abstractmethod
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the subjects of the misconception for a query about a motion: names of parts of the mechanism.
 
         An empty name denotes the whole mechanism.
         """
 
     @abstractmethod
-    def simplified(self, study: Study, subject: str, until: float) -> Study | None:
+    def simplified(self, study: SimulatedScene, subject: str, until: float) -> SimulatedScene | None:
         """Return the scene with its motion under the misconception until a time, s; None if there is none."""
 
 
-class ChangedMechanism(Simplification):
+class ChangedMechanism(Misconception):
     """The base class of misconceptions that change the mechanism."""
 
     @abstractmethod
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism under the misconception."""
 
-    def simplified(self, study: Study, subject: str, until: float) -> Study | None:
+    def simplified(self, study: SimulatedScene, subject: str, until: float) -> SimulatedScene | None:
         """Return the motion of the changed mechanism until a time, s; None if there is none."""
         return study.changed((self.name, subject), lambda mechanism: self.changed(mechanism, subject), until)
 
 
-class OtherReading(Simplification):
+class MisinterpretedMotion(Misconception):
     """The base class of misconceptions that misinterpret the recorded motion as a whole."""
 
     @abstractmethod
-    def read(self, study: Study) -> Study | None:
+    def read(self, study: SimulatedScene) -> SimulatedScene | None:
         """Return the misinterpreted motion, over the recorded time; None if there is none."""
 
-    def simplified(self, study: Study, subject: str, until: float) -> Study | None:
+    def simplified(self, study: SimulatedScene, subject: str, until: float) -> SimulatedScene | None:
         """Return the misinterpreted motion."""
         del subject, until
-        return study.once(("reading", self.name), lambda: self.read(study))
+        return study.memoize(("reading", self.name), lambda: self.read(study))
 
 
-S = TypeVar("S", bound=Simplification)
-SIMPLIFICATIONS: Registry[Simplification] = Registry("questions.simplifications")
+S = TypeVar("S", bound=Misconception)
+MISCONCEPTIONS: Registry[Misconception] = Registry("questions.simplifications")
 
 
-def in_order() -> list[Simplification]:
+def in_order() -> list[Misconception]:
     """Return all misconceptions, the common ones first."""
-    return sorted(SIMPLIFICATIONS.values(), key=lambda each: not each.common)
+    return sorted(MISCONCEPTIONS.values(), key=lambda each: not each.common)
 
 
-def simplification(cls: type[S]) -> type[S]:
+def misconception(cls: type[S]) -> type[S]:
     """Register a misconception under its name."""
-    SIMPLIFICATIONS.add(cls.name, cls())
+    MISCONCEPTIONS.add(cls.name, cls())
     return cls

@@ -7,17 +7,17 @@ from math import inf, isfinite
 from sim2reason.questions.crossing import crossings
 from sim2reason.questions.moments.parts.passage import Passage
 from sim2reason.questions.query import Query
-from sim2reason.questions.simplifications import ChangedMechanism, OtherReading, simplification
-from sim2reason.questions.simplifications.parts.asked import asked_until, with_formulas
+from sim2reason.questions.simplifications import ChangedMechanism, MisinterpretedMotion, misconception
+from sim2reason.questions.simplifications.parts.asked import query_time, with_formulas
 from sim2reason.questions.simplifications.parts.restitution import OneRestitution
-from sim2reason.questions.study import Study, Timed
+from sim2reason.questions.study import SimulatedScene, Timed
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.simulation.trace import happened
+from sim2reason.simulation.trace import events_before
 
 
-@simplification
+@misconception
 class ElasticCollisions(OneRestitution):
     """Collisions are taken as elastic."""
 
@@ -27,7 +27,7 @@ class ElasticCollisions(OneRestitution):
     common = True
 
 
-@simplification
+@misconception
 class PerfectlyInelasticCollisions(OneRestitution):
     """Collisions are taken as perfectly inelastic."""
 
@@ -36,20 +36,20 @@ class PerfectlyInelasticCollisions(OneRestitution):
     restitution = 0.0
 
 
-@simplification
-class LaterRoot(OtherReading):
+@misconception
+class LaterRoot(MisinterpretedMotion):
     """Where an equation for the time has two roots, the later one is taken."""
 
     name = "later root"
     reason = "the second time at which this happens is taken for the first"
     sound_if_same = True  # then what is asked hangs on the place alone, and who takes energies never asks for the time
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the whole mechanism as the subject if a passage is asked about, which may occur twice; else none."""
         del study
         return [""] if _is_passage(query.moment) else []
 
-    def read(self, study: Study) -> Study:
+    def read(self, study: SimulatedScene) -> SimulatedScene:
         """Return the same motion with the second time of each passage in place of the first."""
         return _Later(study.scene, study.trace)
 
@@ -58,7 +58,7 @@ def _is_passage(moment: object) -> bool:
     return isinstance(moment, Passage) and type(moment).time is Passage.time
 
 
-class _Later(Study):
+class _Later(SimulatedScene):
     """A motion in which a passage counts only when it occurs for the second time."""
 
     def time(self, moment: Timed) -> float | None:
@@ -74,14 +74,14 @@ class _Later(Study):
         return later if isfinite(later) else None
 
 
-@simplification
+@misconception
 class NoCollisions(ChangedMechanism):
     """Collisions are left out, as if bodies went through each other."""
 
     name = "no collisions"
     reason = "collisions are left out"
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the whole mechanism as the subject if bodies can collide; else none."""
         del query
         return [""] if study.mechanism.meetings else []
@@ -92,22 +92,22 @@ class NoCollisions(ChangedMechanism):
         return replace(mechanism, meetings=())
 
 
-@simplification
-class NoEvents(OtherReading):
+@misconception
+class NoEvents(MisinterpretedMotion):
     """The motion is assumed to continue as it begins, without any events such as stops or collisions."""
 
     name = "no events"
     reason = "the motion is taken to go on as it begins"
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the whole mechanism as the subject if forces are constant and an event occurs before; else none."""
-        end = asked_until(query, study)
-        changes = any(event.time > 0.0 for event in happened(study.trace.events, end))
+        end = query_time(query, study)
+        changes = any(event.time > 0.0 for event in events_before(study.trace.events, end))
         return [""] if changes and not changing(study.mechanism) else []
 
-    def read(self, study: Study) -> Study:
+    def read(self, study: SimulatedScene) -> SimulatedScene:
         """Return the motion with the accelerations and forces of the start throughout."""
-        return Study(study.scene, with_formulas(study.trace, _continued))
+        return SimulatedScene(study.scene, with_formulas(study.trace, _continued))
 
 
 def _continued(t: Array, v: Array, a: Array) -> tuple[Array, Array]:

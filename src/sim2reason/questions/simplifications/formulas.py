@@ -8,11 +8,11 @@ from math import pi
 import numpy as np
 
 from sim2reason.questions.query import Query
-from sim2reason.questions.simplifications import ChangedMechanism, OtherReading, Simplification, simplification
+from sim2reason.questions.simplifications import ChangedMechanism, Misconception, MisinterpretedMotion, misconception
 from sim2reason.questions.simplifications.parts.asked import is_steady, with_formulas
 from sim2reason.questions.simplifications.parts.hanging import hanging
 from sim2reason.questions.simplifications.parts.orbits import Motion, PlanetOrbit, moving_as, orbits
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.scenes.dsl.ablation import weighs, with_lines
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Line, Mechanism
@@ -22,35 +22,35 @@ from sim2reason.simulation.rest.oscillation import Oscillations, oscillations
 from sim2reason.simulation.trace import Trace
 
 
-@simplification
-class HalfForgotten(OtherReading):
+@misconception
+class HalfForgotten(MisinterpretedMotion):
     """The distance of a body released from rest is taken as at², as if it always had its final speed."""
 
     name = "half forgotten"
     reason = "the distance covered from rest is taken to be a t\N{SUPERSCRIPT TWO}, without the factor 1/2"
     sound_if_same = True
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the whole mechanism as the subject if it starts from rest with constant accelerations; else none."""
         return [""] if is_steady(query, study) else []
 
-    def read(self, study: Study) -> Study:
+    def read(self, study: SimulatedScene) -> SimulatedScene:
         """Return the motion with doubled distances and the same speeds."""
-        return Study(study.scene, with_formulas(study.trace, _doubled))
+        return SimulatedScene(study.scene, with_formulas(study.trace, _doubled))
 
 
 def _doubled(t: Array, v: Array, a: Array) -> tuple[Array, Array]:
     return v * t + a * t * t, v + a * t
 
 
-@simplification
+@misconception
 class LengthAsExtension(ChangedMechanism):
     """The extension of a spring is taken to be its length."""
 
     name = "length as extension"
     reason = "the length of a spring is taken for its extension"
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the whole mechanism as the subject if a spring can push and pull; else none."""
         del query
         return [""] if _springs(study.mechanism) else []
@@ -71,29 +71,29 @@ def _short(line: Line) -> Line:
     return replace(line, law=replace(line.law, length=0.0))
 
 
-@simplification
-class MeanVelocity(OtherReading):
+@misconception
+class MeanVelocity(MisinterpretedMotion):
     """A velocity is taken to be distance over time, even under acceleration."""
 
     name = "mean velocity"
     reason = "the mean velocity is taken for the velocity at the end"
     sound_if_same = True
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the whole mechanism as the subject if it starts from rest with constant accelerations; else none."""
         return [""] if is_steady(query, study) else []
 
-    def read(self, study: Study) -> Study:
+    def read(self, study: SimulatedScene) -> SimulatedScene:
         """Return the motion with half the velocities."""
-        return Study(study.scene, with_formulas(study.trace, _averaged))
+        return SimulatedScene(study.scene, with_formulas(study.trace, _averaged))
 
 
 def _averaged(t: Array, v: Array, a: Array) -> tuple[Array, Array]:
     return v * t + 0.5 * a * t * t, v + 0.5 * a * t
 
 
-@simplification
-class SineForCosine(Simplification):
+@misconception
+class SineForCosine(Misconception):
     """An acute angle is measured from the wrong line, so that its complement is used everywhere."""
 
     name = "sine for cosine"
@@ -101,7 +101,7 @@ class SineForCosine(Simplification):
     reason = "sine and cosine of an angle are confused"
     sound_if_same = True  # then both enter alike, as in the range of a throw
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the addresses of all acute angles that the text states."""
         del query
         return [
@@ -113,7 +113,7 @@ class SineForCosine(Simplification):
             and 0.0 < parameter.value < 90.0
         ]
 
-    def simplified(self, study: Study, subject: str, until: float) -> Study | None:
+    def simplified(self, study: SimulatedScene, subject: str, until: float) -> SimulatedScene | None:
         """Return the scene with the complement of the angle, and its motion; None if it cannot be built."""
         return study.with_values({subject: 90.0 - float(study.scene.value(subject))}, until)
 
@@ -121,8 +121,8 @@ class SineForCosine(Simplification):
 FITS = 1e-3  # of the greatest displacement: largest part of an initial state that the modes do not represent
 
 
-@simplification
-class SmallAngle(OtherReading):
+@misconception
+class SmallAngle(MisinterpretedMotion):
     """A swing is taken to be harmonic about its equilibrium, whatever its amplitude."""
 
     name = "small angle"
@@ -130,20 +130,20 @@ class SmallAngle(OtherReading):
     reason = "the angle is taken as small"
     sound_if_same = True  # then it is small
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the whole mechanism as the subject if gravity drives a nonlinear motion; else none."""
         del query
         mechanism = study.mechanism
         return [""] if weighs(mechanism) and changing(mechanism) else []
 
-    def read(self, study: Study) -> Study | None:
+    def read(self, study: SimulatedScene) -> SimulatedScene | None:
         """Return the motion in normal modes; None if there are no modes, or the motion is harmonic anyway."""
         rest = equilibrium(study.mechanism)
         if rest is None or rest.linear:
             return None
         modes = oscillations(rest)
         trace = _harmonic(study.trace, rest, modes) if modes is not None else None
-        return Study(study.scene, trace) if trace is not None else None
+        return SimulatedScene(study.scene, trace) if trace is not None else None
 
 
 def _harmonic(trace: Trace, rest: Rest, modes: Oscillations) -> Trace | None:
@@ -172,24 +172,24 @@ def _harmonic(trace: Trace, rest: Rest, modes: Oscillations) -> Trace | None:
     return Trace(trace.engine, sample(trace.state.times), (), end, "", sample, lambda: np.linspace(0.0, end, 33))
 
 
-@simplification
-class UniformAngularSpeed(OtherReading):
+@misconception
+class UniformAngularSpeed(MisinterpretedMotion):
     """Equal times are taken to correspond to equal angles on an ellipse, instead of equal areas."""
 
     name = "uniform angular speed"
     reason = "equal angles are taken to be swept out in equal times, as on a circle"
     sound_if_same = True
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the whole mechanism as the subject if planets are on closed orbits about a star; else none."""
         del query
         found = orbits(study.mechanism)
         return [""] if found and all(orbit.period is not None for orbit in found) else []
 
-    def read(self, study: Study) -> Study:
+    def read(self, study: SimulatedScene) -> SimulatedScene:
         """Return the motion on the ellipses about the star alone, with their periods and uniform angular speed."""
         ellipses = {orbit: partial(_turned, orbit) for orbit in orbits(study.mechanism)}
-        return Study(study.scene, moving_as(study.trace, ellipses))
+        return SimulatedScene(study.scene, moving_as(study.trace, ellipses))
 
 
 def _turned(orbit: PlanetOrbit, times: Array) -> Motion:
@@ -207,7 +207,7 @@ def _turned(orbit: PlanetOrbit, times: Array) -> Motion:
     return r * out, velocity, (outward - r * rate**2) * out + 2.0 * faster * rate * along
 
 
-@simplification
+@misconception
 class WeightAsTension(ChangedMechanism):
     """The tension above a hanging body is taken to equal its weight, as in equilibrium."""
 
@@ -215,7 +215,7 @@ class WeightAsTension(ChangedMechanism):
     reason = "the tension in a string is taken to balance the weight that hangs from it"
     sound_if_same = True
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the names of hanging bodies."""
         del query
         return hanging(study.mechanism)

@@ -5,15 +5,15 @@ from dataclasses import replace
 from math import inf, isfinite
 
 from sim2reason.questions.query import Query
-from sim2reason.questions.simplifications import ChangedMechanism, simplification
+from sim2reason.questions.simplifications import ChangedMechanism, misconception
 from sim2reason.questions.simplifications.parts.which import rough
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.scenes.dsl.ablation import weighs
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Mechanism
 
 
-@simplification
+@misconception
 class FaceFriction(ChangedMechanism):
     """The friction on one body is left out, but friction on other bodies is kept."""
 
@@ -21,7 +21,7 @@ class FaceFriction(ChangedMechanism):
     reason = "the friction under {subject} is left out"
     common = True
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return each of several bodies on rough faces; none for a single one, which `NoFriction` covers."""
         del query
         found = [face.subject for face in rough(study.mechanism)]
@@ -33,7 +33,7 @@ class FaceFriction(ChangedMechanism):
         return replace(mechanism, faces=tuple(faces))
 
 
-@simplification
+@misconception
 class NoFriction(ChangedMechanism):
     """All faces are assumed to be smooth, so that rolling bodies slide without rotation."""
 
@@ -41,7 +41,7 @@ class NoFriction(ChangedMechanism):
     common = True
     reason = "friction is left out"
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the whole mechanism as the subject if a face is rough; else none."""
         del query
         return [""] if any(face.friction for face in study.mechanism.faces) else []
@@ -52,14 +52,14 @@ class NoFriction(ChangedMechanism):
         return replace(mechanism, faces=tuple(replace(face, friction=0.0) for face in mechanism.faces))
 
 
-@simplification
+@misconception
 class NoSlip(ChangedMechanism):
     """A body that can rotate on a rough face is assumed to roll without slipping from the start."""
 
     name = "no slip"
     reason = "{subject} is taken to roll without slipping"
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the bodies that can roll on faces with finite friction."""
         del query
         faces = study.mechanism.faces
@@ -76,7 +76,7 @@ class NoSlip(ChangedMechanism):
 LEVEL = 1.0 - 1e-9  # cosine: steeper faces are slopes
 
 
-@simplification
+@misconception
 class WeightAsNormalForce(ChangedMechanism):
     """Friction on a slope is taken to be µ m g, without the cosine."""
 
@@ -85,7 +85,7 @@ class WeightAsNormalForce(ChangedMechanism):
     sound_if_same = True  # then what lies there does not slip
     common = True
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the whole mechanism as the subject if a slope is rough; else none."""
         del query
         mechanism = study.mechanism
@@ -107,6 +107,6 @@ def _sloped(mechanism: Mechanism) -> dict[str, float]:
     sloped = [face for face in rough(mechanism) if not face.turning]
     if not sloped:
         return {}
-    frames = start(mechanism)
+    frames = initial_frames(mechanism)
     found = {face.subject: float(frames.normal(face.subject)[2]) for face in sloped}
     return {name: cosine for name, cosine in found.items() if 0.0 < cosine < LEVEL}

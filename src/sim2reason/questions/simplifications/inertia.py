@@ -4,23 +4,23 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from sim2reason.questions.query import Query
-from sim2reason.questions.simplifications import ChangedMechanism, simplification
+from sim2reason.questions.simplifications import ChangedMechanism, misconception
 from sim2reason.questions.simplifications.parts.which import OtherFigure, solid
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.scenes.dsl.ablation import inertialess, with_bodies
 from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism, RigidBody
 from sim2reason.scenes.dsl.solids import Solid
 from sim2reason.scenes.dsl.vectors import Vector, add, inner, scale
 
 
-@simplification
+@misconception
 class CenterOfMass(ChangedMechanism):
     """A body's centre of mass is taken to be its geometric centre, such as that of a hemisphere's flat face."""
 
     name = "centre of mass not displaced"
     reason = "the centre of mass of {subject} is taken to be at its geometric centre"
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the bodies that can rotate and whose centre of mass is not their centre."""
         del query
         mechanism = study.mechanism
@@ -31,7 +31,7 @@ class CenterOfMass(ChangedMechanism):
         return with_bodies(mechanism, [subject], lambda body: replace(body, center=ZERO))
 
 
-@simplification
+@misconception
 class HoleAboutCenter(OtherFigure):
     """The moment of inertia about the geometric centre is taken to be that of the body without the hole.
 
@@ -51,7 +51,7 @@ class HoleAboutCenter(OtherFigure):
         return replace(body, inertia=(xx, yy, zz, xy, xz, yz))
 
 
-@simplification
+@misconception
 class HoleForgotten(OtherFigure):
     """The hole of a body is ignored, so that its centre of mass is at its centre."""
 
@@ -64,7 +64,7 @@ class HoleForgotten(OtherFigure):
         return replace(body, center=figure.center, inertia=figure.inertia(body.mass))
 
 
-@simplification
+@misconception
 class HoleInInertia(OtherFigure):
     """The moment of inertia about the centre of mass is taken to be that of the body without the hole."""
 
@@ -74,7 +74,7 @@ class HoleInInertia(OtherFigure):
     common = True
 
 
-@simplification
+@misconception
 class OwnInertia(ChangedMechanism):
     """The moment of inertia of one body about its centre of mass is left out, but that of others is kept."""
 
@@ -82,7 +82,7 @@ class OwnInertia(ChangedMechanism):
     common = True
     reason = "the moment of inertia of {subject} about its own centre of mass is left out"
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return each of several bodies; none for a single one, which `PointMass` covers."""
         del query
         found = solid(study.mechanism)
@@ -96,7 +96,7 @@ class OwnInertia(ChangedMechanism):
 ON_AXIS = 1e-9  # m
 
 
-@simplification
+@misconception
 class ParallelAxisForgotten(ChangedMechanism):
     """The moment of inertia about the axle is taken to be that about the centre of mass."""
 
@@ -104,7 +104,7 @@ class ParallelAxisForgotten(ChangedMechanism):
     reason = "the parallel-axis theorem is not applied"
     common = True
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the whole mechanism as the subject if a body turns about a fixed off-centre axis; else none."""
         del query
         return [""] if _off_axis(study.mechanism) else []
@@ -141,7 +141,7 @@ def _arm(mechanism: Mechanism, name: str) -> Vector | None:
     return add(arm, scale(-inner(arm, axis), axis))
 
 
-@simplification
+@misconception
 class PointMass(ChangedMechanism):
     """Extended bodies are treated as points at their centres of mass, so that rolling bodies only slide."""
 
@@ -149,7 +149,7 @@ class PointMass(ChangedMechanism):
     reason = "the moment of inertia about the centre of mass is left out"
     common = True
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the whole mechanism as the subject if a body with moment of inertia can rotate; else none."""
         del query
         return [""] if solid(study.mechanism) else []
@@ -160,7 +160,7 @@ class PointMass(ChangedMechanism):
         return with_bodies(mechanism, solid(mechanism), inertialess)
 
 
-@simplification
+@misconception
 class ThinDisc(OtherFigure):
     """The moment of inertia is taken to be that of a thin disc of the same radius."""
 
@@ -170,7 +170,7 @@ class ThinDisc(OtherFigure):
     common = True
 
 
-@simplification
+@misconception
 class ThinRod(OtherFigure):
     """The moment of inertia is taken to be that of a thin rod of the same length."""
 
@@ -179,7 +179,7 @@ class ThinRod(OtherFigure):
     overlooked = "section"
 
 
-@simplification
+@misconception
 class ThinWall(OtherFigure):
     """The moment of inertia is taken to be that of a thin shell or pipe of the same radius."""
 

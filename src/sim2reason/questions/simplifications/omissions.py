@@ -4,17 +4,17 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from sim2reason.questions.query import Query
-from sim2reason.questions.simplifications import ChangedMechanism, simplification
+from sim2reason.questions.simplifications import ChangedMechanism, misconception
 from sim2reason.questions.simplifications.parts.which import carriers, massive, others
-from sim2reason.questions.study import Study
-from sim2reason.scenes.dsl.ablation import NEARLY_NOTHING, held, left_out, weighs, with_bodies, with_lines
+from sim2reason.questions.study import SimulatedScene
+from sim2reason.scenes.dsl.ablation import RESIDUAL_MASS_RATIO, fix_body, remove_body, weighs, with_bodies, with_lines
 from sim2reason.scenes.dsl.constancy import bending
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Line, Mechanism, RigidBody
 from sim2reason.scenes.dsl.vectors import scale
 
 
-@simplification
+@misconception
 class BodyHeld(ChangedMechanism):
     """A moving body is assumed to be fixed."""
 
@@ -23,7 +23,7 @@ class BodyHeld(ChangedMechanism):
     part = True
     misleads = False
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the bodies that can move, except wheels."""
         del query
         movable = {coordinate.body for coordinate in study.mechanism.coordinates}
@@ -31,10 +31,10 @@ class BodyHeld(ChangedMechanism):
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with the body fixed to its carrier."""
-        return held(mechanism, subject)
+        return fix_body(mechanism, subject)
 
 
-@simplification
+@misconception
 class BodyLeftOut(ChangedMechanism):
     """A body is ignored: it has no mass, and nothing collides with it."""
 
@@ -43,14 +43,14 @@ class BodyLeftOut(ChangedMechanism):
     part = True
     misleads = False
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the bodies with mass, if several; except those on springs, across strings or at pivots."""
         del query
         mechanism = study.mechanism
         elastic = [line for line in mechanism.lines if isinstance(line.law, Elastic)]
         sprung = {mechanism.site[site].body for line in elastic for site in line.through}
         sprung |= {body for line in elastic for body in line.circle or ()}
-        frames = start(mechanism)
+        frames = initial_frames(mechanism)
         turning = [line for line in mechanism.lines if bending(line, frames)]
         held = {mechanism.site[site].body for line in turning for site in (line.through[0], line.through[-1])}
         pivots = {body.parent for body in mechanism.bodies if any(c.kind == "hinge" for c in body.coordinates)}
@@ -58,10 +58,10 @@ class BodyLeftOut(ChangedMechanism):
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism without the body's mass, inertia and collisions."""
-        return left_out(mechanism, subject)
+        return remove_body(mechanism, subject)
 
 
-@simplification
+@misconception
 class FixedCarrier(ChangedMechanism):
     """A carrier of other bodies, such as a wedge, is assumed to be fixed."""
 
@@ -70,17 +70,17 @@ class FixedCarrier(ChangedMechanism):
     holds = True
     common = True
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the carriers that can move."""
         del query
         return carriers(study.mechanism)
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with the carrier fixed."""
-        return held(mechanism, subject)
+        return fix_body(mechanism, subject)
 
 
-@simplification
+@misconception
 class ForceLeftOut(ChangedMechanism):
     """The force of a field, or the drag of a medium, is ignored."""
 
@@ -88,7 +88,7 @@ class ForceLeftOut(ChangedMechanism):
     reason = "the force of {subject} is left out"
     part = True
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the names of these forces."""
         del query
         return [force.name for force in study.mechanism.forces]
@@ -98,7 +98,7 @@ class ForceLeftOut(ChangedMechanism):
         return replace(mechanism, forces=tuple(force for force in mechanism.forces if force.name != subject))
 
 
-@simplification
+@misconception
 class FromRest(ChangedMechanism):
     """Bodies with initial velocities are assumed to start from rest."""
 
@@ -106,7 +106,7 @@ class FromRest(ChangedMechanism):
     common = True
     reason = "the velocity at the start is left out"
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the whole mechanism as the subject if a body moves at the start; none for planets."""
         del query
         moving = any(coordinate.speed for coordinate in study.mechanism.coordinates)
@@ -122,14 +122,14 @@ def _still(body: RigidBody) -> RigidBody:
     return replace(body, coordinates=tuple(replace(c, speed=0.0) for c in body.coordinates))
 
 
-@simplification
+@misconception
 class GravityLeftOut(ChangedMechanism):
     """Gravity is ignored."""
 
     name = "gravity left out"
     reason = "weight is left out"
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the whole mechanism as the subject if gravity acts on a body; else none."""
         del query
         return [""] if weighs(study.mechanism) else []
@@ -137,10 +137,10 @@ class GravityLeftOut(ChangedMechanism):
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with negligible gravity, which still defines a vertical direction."""
         del subject
-        return replace(mechanism, gravity=scale(NEARLY_NOTHING, mechanism.gravity))
+        return replace(mechanism, gravity=scale(RESIDUAL_MASS_RATIO, mechanism.gravity))
 
 
-@simplification
+@misconception
 class HandLeftOut(ChangedMechanism):
     """The pull of a hand on a string is ignored."""
 
@@ -148,7 +148,7 @@ class HandLeftOut(ChangedMechanism):
     reason = "the pull of the hand is left out"
     part = True
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the names of the strings drawn in by a hand."""
         del query
         return [line.name for line in study.mechanism.pulls]
@@ -158,14 +158,14 @@ class HandLeftOut(ChangedMechanism):
         return with_lines(mechanism, [subject], lambda line: replace(line, law=ConstantTension(0.0)))
 
 
-@simplification
+@misconception
 class NoDamping(ChangedMechanism):
     """All dashpots are ignored."""
 
     name = "no damping"
     reason = "damping is left out"
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the whole mechanism as the subject if a spring is damped; else none."""
         del query
         return [""] if _damped(study.mechanism) else []
@@ -185,7 +185,7 @@ def _undamped(line: Line) -> Line:
     return replace(line, law=replace(line.law, damping=0.0))
 
 
-@simplification
+@misconception
 class SpringLeftOut(ChangedMechanism):
     """A spring is ignored, together with its stored energy."""
 
@@ -193,7 +193,7 @@ class SpringLeftOut(ChangedMechanism):
     reason = "{subject} is left out"
     part = True
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the names of all springs."""
         del query
         return [line.name for line in study.mechanism.lines if isinstance(line.law, Elastic)]

@@ -4,16 +4,16 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from sim2reason.questions.query import Query
-from sim2reason.questions.simplifications import ChangedMechanism, simplification
-from sim2reason.questions.simplifications.parts.asked import asked_until
+from sim2reason.questions.simplifications import ChangedMechanism, misconception
+from sim2reason.questions.simplifications.parts.asked import query_time
 from sim2reason.questions.simplifications.parts.hanging import carried, movable_pulleys
 from sim2reason.questions.simplifications.parts.which import wheels
-from sim2reason.questions.study import Study
-from sim2reason.scenes.dsl.ablation import NEARLY_NOTHING, held, with_bodies, with_lines
+from sim2reason.questions.study import SimulatedScene
+from sim2reason.scenes.dsl.ablation import RESIDUAL_MASS_RATIO, fix_body, with_bodies, with_lines
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Inextensible, Line, Mechanism, Rigid, RigidBody
 
 
-@simplification
+@misconception
 class FixedMovablePulley(ChangedMechanism):
     """The acceleration relative to a movable pulley is taken for that relative to the ground."""
 
@@ -22,17 +22,17 @@ class FixedMovablePulley(ChangedMechanism):
     holds = True
     sound_if_same = True
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the names of all movable pulleys."""
         del query
         return movable_pulleys(study.mechanism)
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with the pulley fixed."""
-        return held(mechanism, subject)
+        return fix_body(mechanism, subject)
 
 
-@simplification
+@misconception
 class MasslessPulley(ChangedMechanism):
     """The inertia of all pulleys is ignored."""
 
@@ -40,7 +40,7 @@ class MasslessPulley(ChangedMechanism):
     reason = "pulleys are taken as light"
     common = True
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return all pulleys as one subject if they have mass."""
         del query
         return [""] if wheels(study.mechanism) else []
@@ -52,11 +52,11 @@ class MasslessPulley(ChangedMechanism):
 
 
 def _light(body: RigidBody) -> RigidBody:
-    inertia = tuple(NEARLY_NOTHING * part for part in body.inertia)
-    return replace(body, mass=NEARLY_NOTHING * body.mass, inertia=inertia)
+    inertia = tuple(RESIDUAL_MASS_RATIO * part for part in body.inertia)
+    return replace(body, mass=RESIDUAL_MASS_RATIO * body.mass, inertia=inertia)
 
 
-@simplification
+@misconception
 class PulleyAsStringEnd(ChangedMechanism):
     """A pulley in the bight of a string with a fixed end is assumed to move as far as the string is drawn."""
 
@@ -64,7 +64,7 @@ class PulleyAsStringEnd(ChangedMechanism):
     reason = "a movable pulley is taken to move as far as the end of its string, without the factor 2"
     sound_if_same = True
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the names of the strings that run from a movable pulley to a fixed end."""
         del query
         return dict.fromkeys(line.whole for line in study.mechanism.strings if _ends_beyond(study.mechanism, line))
@@ -102,7 +102,7 @@ def _tied(mechanism: Mechanism, line: Line) -> Line:
     return replace(free, through=kept if forth else kept[::-1])
 
 
-@simplification
+@misconception
 class PulleyRotationLeftOut(ChangedMechanism):
     """The rotational inertia of a pulley is ignored; its mass is still lifted and accelerated."""
 
@@ -110,7 +110,7 @@ class PulleyRotationLeftOut(ChangedMechanism):
     reason = "the rotational inertia of {subject} is left out"
     common = True
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return each pulley whose mass also matters otherwise, and each of several pulleys.
 
         A single one with a fixed axle is covered by taking all pulleys as light.
@@ -127,18 +127,18 @@ class PulleyRotationLeftOut(ChangedMechanism):
 
 def without_rotation(body: RigidBody) -> RigidBody:
     """Return a body of the same mass with a small moment of inertia, which keeps the equations regular."""
-    xx, yy, zz, xy, xz, yz = (NEARLY_NOTHING * part for part in body.inertia)
+    xx, yy, zz, xy, xz, yz = (RESIDUAL_MASS_RATIO * part for part in body.inertia)
     return replace(body, inertia=(xx, yy, zz, xy, xz, yz))
 
 
-@simplification
+@misconception
 class PulleyRotationsLeftOut(ChangedMechanism):
     """The rotational inertia of all pulleys is ignored; the mass of movable ones is kept."""
 
     name = "pulley rotations left out"
     reason = "the rotational inertia of all pulleys is left out"
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return all pulleys as one subject if there are several, at least one of them movable."""
         del query
         turning = wheels(study.mechanism)
@@ -151,7 +151,7 @@ class PulleyRotationsLeftOut(ChangedMechanism):
         return with_bodies(mechanism, wheels(mechanism), without_rotation)
 
 
-@simplification
+@misconception
 class StringsLeftOut(ChangedMechanism):
     """Each body is assumed to move independently, without the strings between them."""
 
@@ -159,7 +159,7 @@ class StringsLeftOut(ChangedMechanism):
     reason = "each body is taken to move as if no string held it"
     sound_if_same = True
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the whole mechanism as the subject if there are strings; else none."""
         del query
         return [""] if study.mechanism.strings else []
@@ -168,23 +168,23 @@ class StringsLeftOut(ChangedMechanism):
         """Return the mechanism with strings without tension and, instead of massless bodies, very light ones."""
         del subject
         light = [body.name for body in mechanism.bodies if not body.mass and body.coordinates]
-        mass = NEARLY_NOTHING * sum(body.mass for body in mechanism.bodies)
+        mass = RESIDUAL_MASS_RATIO * sum(body.mass for body in mechanism.bodies)
         movable = with_bodies(mechanism, light, lambda body: replace(body, mass=mass))
         strings = (line.name for line in mechanism.strings if line.circle is None)
         return with_lines(movable, strings, lambda line: replace(line, law=ConstantTension(0.0)))
 
 
-@simplification
+@misconception
 class TautStrings(ChangedMechanism):
     """Strings are assumed to stay taut, and to push where they should go slack."""
 
     name = "taut strings"
     reason = "a string that goes slack is taken as taut"
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the whole mechanism as the subject if a string is slack before the moment; else none."""
         state = study.trace.state
-        before = state.times <= asked_until(query, study)
+        before = state.times <= query_time(query, study)
         slack = any((state.tension[line.name][before] <= 0.0).any() for line in _plain(study.mechanism))
         return [""] if slack else []
 

@@ -10,7 +10,7 @@ from pydantic import model_validator
 
 from sim2reason.scenes.dsl.body import Body, BodyLook, Globe, Small, Unseen, body
 from sim2reason.scenes.dsl.measures import LEAST, Mass, Measure, Range
-from sim2reason.scenes.dsl.model import as_said
+from sim2reason.scenes.dsl.model import round_as_stated
 from sim2reason.scenes.dsl.template import Word
 
 PlanetRadius = Annotated[float, LEAST, Le(1e6), Measure("radius", "km", "R"), Range(800.0, 2800.0)]
@@ -89,7 +89,7 @@ class AirlessPlanet(StartingPlace):
         """Return a surface gravity that matches the mean density of rock, or of ice and rock."""
         density = rng.uniform(ROCK.low, ROCK.high)
         gravity = density * 4.0 / 3.0 * pi * GRAVITATION * KILO * drawn["radius"]
-        return {"gravity": as_said(cls, "gravity", gravity)}
+        return {"gravity": round_as_stated(cls, "gravity", gravity)}
 
     @property
     def look(self) -> Globe:

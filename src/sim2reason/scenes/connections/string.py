@@ -11,7 +11,7 @@ from sim2reason.scenes.bodies.pulleys import FixedPulley
 from sim2reason.scenes.dsl.body import Body
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.connection import (
-    FREE,
+    FREE_LENGTH,
     Connection,
     Joint,
     Leg,
@@ -39,19 +39,19 @@ HANGING = (
     "{tied} hangs from {string}, which {verbs}.",
 )
 """Openings for a string tied to a hanging body, without a clause for its direction there."""
-CALLED = (
+ORDINAL_PHRASES = (
     ("a light string",),
     ("another light string", "a second light string"),
     *((f"a {which} light string",) for which in ("third", "fourth", "fifth", "sixth", "seventh", "eighth")),
 )
 """Phrases for the first, second, … string of a text."""
-AGAIN = ("one more light string", "a further light string")
+FURTHER_PHRASES = ("one more light string", "a further light string")
 """Phrases for a further string that is not numbered."""
 _ONE = re.compile(r"light string(?!s)|(?:another|one more) (?:joins|runs|leads)")
 OVER, UNDER, ROUND = "passes over ", "passes under ", "passes round "
 WAYS = (OVER, UNDER, ROUND)
 LEVEL = 1e-9  # smaller vertical components of a direction are round-off
-ONWARD = {
+CONTINUATIONS = {
     (OVER, OVER): "then over ",
     (ROUND, OVER): "goes straight up and over ",
     (UNDER, OVER): "goes straight up and over ",
@@ -67,7 +67,7 @@ class String(Connection):
 
     key: ClassVar[str] = "tendon"
     joins: ClassVar[type[Port]] = StringPort
-    free: FreeLength = FREE
+    free: FreeLength = FREE_LENGTH
 
     @classmethod
     def between(cls, *stops: tuple[str, StringPort]) -> Self:
@@ -81,7 +81,7 @@ class String(Connection):
 
     def brings(self, joint: Joint, builder: Builder) -> dict[str, Body]:
         """Return the light fixed pulleys that belong to the string, in the order of travel."""
-        count = sum(turn is not None for turn in turns(joint.stops, builder))
+        count = sum(turn is not None for turn in redirections(joint.stops, builder))
         return {f"{joint.name}.pulley{number}": FixedPulley() for number in range(1, count + 1)}
 
     def build(self, joint: Joint, builder: Builder) -> None:
@@ -90,7 +90,7 @@ class String(Connection):
         frame = builder.room(name)
         path: list[str] = []
         number = 0
-        for stop, turn in zip(stops, [*turns(stops, builder), None], strict=True):
+        for stop, turn in zip(stops, [*redirections(stops, builder), None], strict=True):
             path.extend(travelled_sites(stop, first=not path))
             if turn is not None:
                 number += 1
@@ -125,15 +125,17 @@ class String(Connection):
         tied = writer.render(first.port.tied, first.owner)
         leaves = first.port.leaves and opening not in HANGING
         verbs = [writer.render(first.port.leaves, first.owner)] if leaves else []
-        gaps = turns(stops, writer.builder)
+        gaps = redirections(stops, writer.builder)
         order = [f"{name}.pulley{n}" for n in range(1, 1 + sum(turn is not None for turn in gaps))]
         if stops[0] != joint.stops[0]:
             order.reverse()
         for index, (stop, turn) in enumerate(zip(stops[1:], gaps, strict=True), start=1):
             if turn is not None:
                 verbs.append(winding(turn, writer.builder) + writer.at(order.pop(0)))
-            verbs.append(writer.render(clause(stop.port, passed_by(stops, index, writer.builder)), stop.owner))
-        return opening.replace("{string}", string).replace("{tied}", tied).replace("{verbs}", joined(verbs))
+            verbs.append(
+                writer.render(clause(stop.port, passing_preposition(stops, index, writer.builder)), stop.owner)
+            )
+        return opening.replace("{string}", string).replace("{tied}", tied).replace("{verbs}", join_verbs(verbs))
 
 
 def clause(port: SitePort, way: str = OVER) -> str:
@@ -143,7 +145,7 @@ def clause(port: SitePort, way: str = OVER) -> str:
     return port.arrives if isinstance(port, StringEnd) else ""
 
 
-def passed_by(stops: Sequence[Stop], index: int, builder: Builder) -> str:
+def passing_preposition(stops: Sequence[Stop], index: int, builder: Builder) -> str:
     """Return the preposition for a pulley of a stop; derived from the neighbours if its sides have no direction."""
     if not isinstance(stops[index].port, Pass) or any(builder.faces[site] for site in stops[index].sites):
         return OVER
@@ -155,7 +157,7 @@ def string_names(sentences: Iterable[str]) -> tuple[str, ...]:
     """Return the phrases for the next string after the given sentences; strings in a row of blocks do not count."""
     text = " ".join(sentences)
     count = len(_ONE.findall(text))
-    return AGAIN if "light strings" in text or count >= len(CALLED) else CALLED[count]
+    return FURTHER_PHRASES if "light strings" in text or count >= len(ORDINAL_PHRASES) else ORDINAL_PHRASES[count]
 
 
 def _worth(stop: Stop) -> int:
@@ -176,7 +178,7 @@ def reversed_path(stops: Sequence[Stop]) -> tuple[Stop, ...]:
     )
 
 
-def turns(stops: Sequence[Stop], builder: Builder) -> list[tuple[str, str] | None]:
+def redirections(stops: Sequence[Stop], builder: Builder) -> list[tuple[str, str] | None]:
     """Return, for each gap between stops, the two adjacent sites if a fixed pulley must redirect the string there."""
     found: list[tuple[str, str] | None] = []
     for index, (one, other) in enumerate(pairwise(stops)):
@@ -198,7 +200,7 @@ def winding(turn: tuple[str, str], builder: Builder) -> str:
     return ROUND if over == under else OVER if over else UNDER
 
 
-def joined(verbs: list[str]) -> str:
+def join_verbs(verbs: list[str]) -> str:
     """Return verb phrases as one list *V, V and V*; a repeated verb becomes *then*."""
     verbs = verbs[1:] if len(verbs) > 1 and verbs[1].startswith(verbs[0]) else verbs
     said = [verbs[0], *(after(before, verb) for before, verb in pairwise(verbs))]
@@ -207,7 +209,7 @@ def joined(verbs: list[str]) -> str:
 
 def after(before: str, verb: str) -> str:
     """Return a verb phrase in the form used after another one."""
-    for (one, other), onward in ONWARD.items():
+    for (one, other), onward in CONTINUATIONS.items():
         if before.startswith(one) and verb.startswith(other):
             return onward + verb.removeprefix(other)
     return verb

@@ -8,14 +8,23 @@ from math import hypot
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.scenes.dsl.frames import BodyFrame, Frames, start
-from sim2reason.scenes.dsl.mechanism import NO_INERTIA, ZERO, Face, Inextensible, Line, Mechanism, Rigid, RigidBody
+from sim2reason.scenes.dsl.frames import BodyFrame, Frames, initial_frames
+from sim2reason.scenes.dsl.mechanism import (
+    NO_INERTIA,
+    ZERO,
+    Inextensible,
+    Line,
+    Mechanism,
+    Rigid,
+    RigidBody,
+    SurfaceContact,
+)
 from sim2reason.scenes.dsl.vectors import Point
 
-NEARLY_NOTHING = 1e-6  # fraction of a mass: mass of a removed body, so that no equation becomes singular
+RESIDUAL_MASS_RATIO = 1e-6  # fraction of a mass: mass of a removed body, so that no equation becomes singular
 
 
-def held(mechanism: Mechanism, name: str) -> Mechanism:
+def fix_body(mechanism: Mechanism, name: str) -> Mechanism:
     """Return the mechanism with one body fixed to its carrier; a fixed wheel also fixes its string.
 
     A body that is `glued` in a scene never has coordinates, except a glued pulley, which becomes a smooth peg.
@@ -32,11 +41,11 @@ def held(mechanism: Mechanism, name: str) -> Mechanism:
     )
 
 
-def left_out(mechanism: Mechanism, name: str) -> Mechanism:
+def remove_body(mechanism: Mechanism, name: str) -> Mechanism:
     """Return the mechanism without one body: nearly massless, without collisions or forces except those of lines."""
     body = mechanism.body[name]
     light = replace(
-        body, mass=NEARLY_NOTHING * body.mass, inertia=tuple(NEARLY_NOTHING * part for part in body.inertia)
+        body, mass=RESIDUAL_MASS_RATIO * body.mass, inertia=tuple(RESIDUAL_MASS_RATIO * part for part in body.inertia)
     )
     return replace(
         mechanism,
@@ -70,7 +79,7 @@ def _swapped(mechanism: Mechanism, body: RigidBody) -> tuple[RigidBody, ...]:
     return tuple(body if other.name == body.name else other for other in mechanism.bodies)
 
 
-def _without_slip(face: Face, gone: set[str]) -> Face:
+def _without_slip(face: SurfaceContact, gone: set[str]) -> SurfaceContact:
     slip = tuple(term for term in face.slip if term[0] not in gone)
     return face if len(slip) == len(face.slip) else replace(face, slip=slip)
 
@@ -80,26 +89,26 @@ def _without_wheels(line: Line, gone: set[str]) -> Line:
     return line if len(wheels) == len(line.wheels) else replace(line, wheels=wheels)
 
 
-SMALL = 1e-9  # fraction of a velocity of 1 m/s or 1 rad/s: smaller ones count as zero
-EVEN = 1e-9  # largest vertical component of a horizontal direction
+VELOCITY_TOL = 1e-9  # fraction of a velocity of 1 m/s or 1 rad/s: smaller ones count as zero
+HORIZONTAL_TOL = 1e-9  # largest vertical component of a horizontal direction
 
 
 def stuck_bodies(mechanism: Mechanism) -> tuple[str, ...]:
     """Return the bodies with coordinates that constraints keep from moving."""
-    frames = start(mechanism)
+    frames = initial_frames(mechanism)
     ways = motions(mechanism, frames)
     stuck: list[str] = []
     for body in mechanism.bodies:
         numbers = [mechanism.number[coordinate.name] for coordinate in body.coordinates]
         steps = [step.number for step in frames[body.name].steps]
-        if numbers and not np.abs(ways[:, steps]).max(initial=0.0) > SMALL:
+        if numbers and not np.abs(ways[:, steps]).max(initial=0.0) > VELOCITY_TOL:
             stuck.append(body.name)
     return tuple(stuck)
 
 
 def is_weightless(mechanism: Mechanism) -> bool:
     """Return whether some part can move without inertia, such as a light pulley without load."""
-    frames = start(mechanism)
+    frames = initial_frames(mechanism)
     ways = motions(mechanism, frames)
     inertia = np.zeros((len(ways), len(ways)))
     for body in mechanism.bodies:
@@ -114,7 +123,7 @@ def is_weightless(mechanism: Mechanism) -> bool:
         for step in frames[body.name].hinges:
             turned[:, step.number] = step.axis
         inertia += (ways @ turned.T) @ tensor @ (turned @ ways.T)
-    return bool(len(ways)) and float(np.linalg.eigvalsh(inertia).min()) < SMALL
+    return bool(len(ways)) and float(np.linalg.eigvalsh(inertia).min()) < VELOCITY_TOL
 
 
 def motions(mechanism: Mechanism, frames: Frames) -> NDArray[np.float64]:
@@ -134,7 +143,7 @@ def motions(mechanism: Mechanism, frames: Frames) -> NDArray[np.float64]:
     if not rows or not size:
         return np.eye(size)
     _, sizes, ways = np.linalg.svd(np.array(rows))
-    return ways[int((sizes > SMALL).sum()) :]
+    return ways[int((sizes > VELOCITY_TOL).sum()) :]
 
 
 def weighs(mechanism: Mechanism) -> bool:
@@ -146,7 +155,7 @@ def would_weigh(mechanism: Mechanism) -> bool:
     """Return whether gravity would affect a mechanism, so that a text must state if there is no gravity."""
     if mechanism.contacts:
         return True
-    frames = start(mechanism)
+    frames = initial_frames(mechanism)
     return any(_rises(frames[body.name], frames.center(body.name)) for body in mechanism.bodies if body.mass > 0.0)
 
 
@@ -154,8 +163,10 @@ def _rises(frame: BodyFrame, center: Point) -> bool:
     """Return whether some coordinate can move a point up or down, initially or after rotation by others."""
     for step in frame.steps:
         if step.pivot is None:
-            if abs(step.axis[2]) > EVEN or any(abs(hinge.axis[2]) < 1.0 - EVEN for hinge in frame.hinges):
+            if abs(step.axis[2]) > HORIZONTAL_TOL or any(
+                abs(hinge.axis[2]) < 1.0 - HORIZONTAL_TOL for hinge in frame.hinges
+            ):
                 return True
-        elif abs(step.axis[2]) < 1.0 - EVEN and hypot(*center.gradient[step.number]) > EVEN:
+        elif abs(step.axis[2]) < 1.0 - HORIZONTAL_TOL and hypot(*center.gradient[step.number]) > HORIZONTAL_TOL:
             return True
     return False

@@ -7,9 +7,9 @@ from typing import Any, TypeVar
 from sim2reason.errors import SceneError
 from sim2reason.scenes.dsl.connection import Link
 from sim2reason.scenes.dsl.entity import Named, outer_ports
-from sim2reason.scenes.dsl.model import Model, rebuilt
+from sim2reason.scenes.dsl.model import Model, replace_validated
 
-NOTHING, LOOK = "there is no such thing in the scene", "list the scene's parameters"
+NO_SUCH_ADDRESS, LIST_PARAMETERS = "there is no such thing in the scene", "list the scene's parameters"
 V = TypeVar("V")
 
 
@@ -21,7 +21,7 @@ def lookup(value: Any, path: str) -> Any:
         try:
             value = _members(value)[step]
         except KeyError:
-            raise SceneError(".".join(walked), NOTHING, LOOK) from None
+            raise SceneError(".".join(walked), NO_SUCH_ADDRESS, LIST_PARAMETERS) from None
     return value
 
 
@@ -32,7 +32,7 @@ def _members(value: Any) -> dict[str, Any]:
     return {name: getattr(value, name) for name in type(value).model_fields} if isinstance(value, Model) else {}
 
 
-def changed(value: V, news: Mapping[str, object]) -> V:
+def with_values(value: V, news: Mapping[str, object]) -> V:
     """Return a copy with other values at some addresses, validated once; None in a tuple removes a member."""
     here, below = dict[str, object](), dict[str, dict[str, object]]()
     for path, new in news.items():
@@ -43,8 +43,8 @@ def changed(value: V, news: Mapping[str, object]) -> V:
             here[step] = new
     held = _members(value)
     if unknown := {*here, *below} - held.keys():
-        raise SceneError(min(unknown), NOTHING, LOOK)
-    held |= {step: changed(held[step], some) for step, some in below.items()} | here
+        raise SceneError(min(unknown), NO_SUCH_ADDRESS, LIST_PARAMETERS)
+    held |= {step: with_values(held[step], some) for step, some in below.items()} | here
     if isinstance(value, tuple):
         return tuple(member for member in held.values() if member is not None)  # type: ignore[return-value]
     return type(value)(**held)  # type: ignore[return-value]
@@ -66,7 +66,7 @@ def idle_fields(named: Named, used: set[tuple[str, str]]) -> Iterator[tuple[str,
             yield field, ports[0]
 
 
-def vacated(entities: Iterable[Named], paths: Iterable[Sequence[Link]]) -> tuple[Named, ...]:
+def without_idle_fields(entities: Iterable[Named], paths: Iterable[Sequence[Link]]) -> tuple[Named, ...]:
     """Return the entities without fields that only open ports need, once the connections are known."""
     used = used_ports(paths)
     return tuple(_vacated(named, used) for named in entities)
@@ -74,4 +74,4 @@ def vacated(entities: Iterable[Named], paths: Iterable[Sequence[Link]]) -> tuple
 
 def _vacated(named: Named, used: set[tuple[str, str]]) -> Named:
     idle = {field: None for field, _ in idle_fields(named, used)}
-    return Named(name=named.name, entity=rebuilt(named.entity, **idle)) if idle else named
+    return Named(name=named.name, entity=replace_validated(named.entity, **idle)) if idle else named

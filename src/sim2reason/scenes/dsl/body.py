@@ -239,7 +239,7 @@ class Body(Model):
             if all(f"{{{name}}}" in template for template in (*cls.lone, *cls.named))
         )
 
-    def told_by_word(self, parameter: str) -> bool:
+    def is_stated_by_word(self, parameter: str) -> bool:
         """Return whether the introduction states a number by a special word, such as smooth for µ = 0."""
         value = getattr(self, parameter)
         return any(word.parameter == parameter and value in word.special for word in self.introduced_words())

@@ -9,18 +9,18 @@ from sim2reason.scenes.dsl.mechanism import (
     NO_INERTIA,
     ZERO,
     Attraction,
-    Burn,
+    CollisionPair,
     ConstantTension,
     Coordinate,
     Elastic,
-    Face,
-    Foot,
     Force,
     Inextensible,
-    Meeting,
+    MassEjection,
+    PlaneContact,
     Prop,
     Rigid,
     RigidBody,
+    SurfaceContact,
     Y,
     Z,
 )
@@ -133,7 +133,9 @@ class Frame:
         """
         self.slide(along, speed, limits, name)
         slip = ((f"{self.name}.{name}", 1.0),)
-        self._builder.add_face(Face(self._own(), unit(normal), slip, friction, static_ratio=_ratio(static, friction)))
+        self._builder.add_face(
+            SurfaceContact(self._own(), unit(normal), slip, friction, static_ratio=_ratio(static, friction))
+        )
         return self
 
     def roll(
@@ -155,7 +157,7 @@ class Frame:
         self.slide(way, speed)
         self.hinge(outer(out, way), speed / radius if spin is None else spin)
         slip = ((f"{own}.slide", 1.0), (f"{own}.hinge", -radius))
-        self._builder.add_face(Face(own, out, slip, friction, static_ratio=_ratio(static, friction)))
+        self._builder.add_face(SurfaceContact(own, out, slip, friction, static_ratio=_ratio(static, friction)))
         return self
 
     def swing(
@@ -169,7 +171,7 @@ class Frame:
         own = self._own()
         self.hinge(axis, speed)
         slip = ((f"{own}.hinge", radius),)
-        self._builder.add_face(Face(own, unit(normal), slip, friction, turning=True, guided=guided))
+        self._builder.add_face(SurfaceContact(own, unit(normal), slip, friction, turning=True, guided=guided))
         return self
 
     def site(self, name: str, at: Vector = ZERO, faces: Vector | None = None) -> "Frame":
@@ -261,7 +263,7 @@ class Frame:
 
     def collide(self, a: "Frame", b: "Frame", distance: float, restitution: float, *, sticks: bool = False) -> None:
         """Let two bodies collide when the distance of their centres is `distance`, m."""
-        self._builder.meetings.append(Meeting(a.own_name, b.own_name, distance, restitution, None, sticks))
+        self._builder.meetings.append(CollisionPair(a.own_name, b.own_name, distance, restitution, None, sticks))
 
     def bump(
         self, a: "Frame", b: "Frame", normal: Vector, distance: float, restitution: float, *, sticks: bool = False
@@ -270,7 +272,7 @@ class Frame:
         away = a.name
         if away is None:
             distance += inner(normal, a.at)
-        self._builder.meetings.append(Meeting(away, b.own_name, distance, restitution, unit(normal), sticks))
+        self._builder.meetings.append(CollisionPair(away, b.own_name, distance, restitution, unit(normal), sticks))
 
     def attract(self, other: "Frame", constant: float) -> None:
         """Let this body and another attract each other by Newton's law with a gravitational constant."""
@@ -278,7 +280,7 @@ class Frame:
 
     def burn(self, rate: float, exhaust: float, until: float, direction: Vector = Z) -> None:
         """Let this body eject mass at `rate`, kg/s, with exhaust speed `exhaust`, m/s, until a time, s."""
-        self._builder.burns.append(Burn(self._own(), rate, exhaust, until, unit(direction)))
+        self._builder.burns.append(MassEjection(self._own(), rate, exhaust, until, unit(direction)))
 
     def stand(self, name: str, at: Vector, along: Vector, normal: Vector, on: Vector | None = None) -> None:
         """Add a foot: a point of this body that may stand on a plane of the room.
@@ -288,7 +290,9 @@ class Frame:
         """
         self.site(name, at)
         where = self._builder.position(self.address(name)) if on is None else add(self.at, on)
-        self._builder.feet.append(Foot(self.address(name), self.address(name), normal, along, inner(normal, where)))
+        self._builder.feet.append(
+            PlaneContact(self.address(name), self.address(name), normal, along, inner(normal, where))
+        )
 
     @property
     def own_name(self) -> str:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from sim2reason.errors import SceneError
-from sim2reason.scenes.dsl.addresses import vacated
+from sim2reason.scenes.dsl.addresses import without_idle_fields
 from sim2reason.scenes.dsl.body import Body
 from sim2reason.scenes.dsl.connection import CONNECTIONS, Connection, Link
 from sim2reason.scenes.dsl.entity import ENTITIES, Entity, Named, Part, outer_ports
@@ -64,7 +64,7 @@ def _held(model: type[Model]) -> Iterator[type[Model]]:
         yield from kind.models
 
 
-USED = 0.5  # probability of a connection at an optional port
+PORT_PROBABILITY = 0.5  # probability of a connection at an optional port
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +81,7 @@ class Option:
         return tuple(cls for cls, _ in (*self.before, *self.behind))
 
 
-def closed(named: Named, rng: np.random.Generator, *, widely: bool = False) -> Scene:
+def close_ports(named: Named, rng: np.random.Generator, *, widely: bool = False) -> Scene:
     """Return a random scene of an entity with its ports connected: all required ones, others with probability ½.
 
     `widely`: partners may be any entities, with bodies or without.
@@ -91,16 +91,16 @@ def closed(named: Named, rng: np.random.Generator, *, widely: bool = False) -> S
     """
     made = _Scene([named])
     for name, port in outer_ports(type(named.entity)).items():
-        if not port.required and rng.random() > USED:
+        if not port.required and rng.random() > PORT_PROBABILITY:
             continue
-        options = closers(type(named.entity), name, widely=widely)
+        options = connections_for_port(type(named.entity), name, widely=widely)
         if options:
             made.close(Link(entity=named.name, port=name), options[int(rng.integers(len(options)))], rng)
         elif port.required:
             place = f"{type(named.entity).__name__}.{name}"
             raise SceneError(place, "no connection leads from it to any entity", "declare what it can be joined to")
     connections = tuple(made.connections)
-    return Scene(entities=vacated(made.entities, (c.links for c in connections)), connections=connections)
+    return Scene(entities=without_idle_fields(made.entities, (c.links for c in connections)), connections=connections)
 
 
 @dataclass
@@ -123,7 +123,7 @@ class _Scene:
         return Link(entity=name, port=port)
 
 
-def closers(cls: type[Entity], name: str, *, widely: bool = False) -> tuple[Option, ...]:
+def connections_for_port(cls: type[Entity], name: str, *, widely: bool = False) -> tuple[Option, ...]:
     """Return the connections, with their partner entities, that can close an entity's port.
 
     Preferred are partners that have bodies if the entity has none (a hand needs a block to pull), and partners without

@@ -11,20 +11,20 @@ from sim2reason.scenes.dsl.mechanism import (
     GRAVITY,
     ZERO,
     Attraction,
-    Burn,
+    CollisionPair,
     ConstantTension,
     Coordinate,
     Elastic,
-    Face,
-    Foot,
     Force,
     Inextensible,
     Line,
     LineLaw,
+    MassEjection,
     Mechanism,
-    Meeting,
+    PlaneContact,
     RigidBody,
     Site,
+    SurfaceContact,
     Wheel,
 )
 from sim2reason.scenes.dsl.units import SI, UnitSystem
@@ -68,12 +68,12 @@ class Collector:
         self._rims: dict[tuple[str, str], Rim] = {}
         self.welded: dict[str, str | None] = {}  # entities that can't move on what carries them, and that
         self._lines: dict[str, Line] = {}
-        self._faces: dict[str, Face] = {}
-        self.feet: list[Foot] = []
+        self._faces: dict[str, SurfaceContact] = {}
+        self.feet: list[PlaneContact] = []
         self.forces: list[Force] = []
         self.attractions: list[Attraction] = []
-        self.burns: list[Burn] = []
-        self.meetings: list[Meeting] = []
+        self.burns: list[MassEjection] = []
+        self.meetings: list[CollisionPair] = []
 
     @property
     def bodies(self) -> tuple[str, ...]:
@@ -124,7 +124,7 @@ class Collector:
         owner = body.name.split(".", maxsplit=1)[0]
         return owner in self.welded and body.parent == self.welded[owner]
 
-    def add_face(self, face: Face) -> None:
+    def add_face(self, face: SurfaceContact) -> None:
         """Add a contact of a body with its parent unless the body is glued to it."""
         if face.subject not in self._glued and not self._is_welded(self._bodies[face.subject]):
             self._faces[face.subject] = face

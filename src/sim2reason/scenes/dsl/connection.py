@@ -15,8 +15,8 @@ from sim2reason.scenes.dsl.model import Model
 from sim2reason.scenes.dsl.ports import Port, Stop
 from sim2reason.scenes.dsl.template import Word
 
-FREE = 2.5  # m of free string between neighbours, enough for motions of a second or two
-Told = float | str | None
+FREE_LENGTH = 2.5  # m of free string between neighbours, enough for motions of a second or two
+StatedValue = float | str | None
 """The value that a text states for an address: a number, a word of a choice, or None if it is absent."""
 
 Look = Literal["string", "spring", "rod", "pivot", "weld"]
@@ -65,7 +65,7 @@ class SentenceState(Protocol):
     """The protocol of the values read from a text so far; immutable, to follow several readings at once."""
 
     @property
-    def values(self) -> Mapping[str, Told]:
+    def values(self) -> Mapping[str, StatedValue]:
         """Return the stated values by address."""
         ...
 
@@ -77,7 +77,7 @@ class SentenceState(Protocol):
         """Return the state with the class of the value at an address."""
         ...
 
-    def with_value(self, address: str, value: Told) -> Self | None:
+    def with_value(self, address: str, value: StatedValue) -> Self | None:
         """Return the state with a value; None if it contradicts an earlier one."""
         ...
 
@@ -109,7 +109,7 @@ class SentenceMatcher(Protocol[S]):
     pieces: tuple[str, ...]
     reach: int
 
-    def may_be(self, place: int, template: str) -> bool:
+    def contains_fixed_words(self, place: int, template: str) -> bool:
         """Return whether all fixed words of a template occur in a sentence."""
         ...
 
@@ -151,7 +151,7 @@ class Connection(Model):
     @property
     def spacing(self) -> float:
         """Return the distance of neighbouring stops, m."""
-        return FREE
+        return FREE_LENGTH
 
     def brings(self, joint: "Joint", builder: Builder) -> dict[str, Body]:
         """Return the bodies that belong to the connection, by address."""
@@ -195,7 +195,7 @@ class Joint:
 
 
 @dataclass(frozen=True, slots=True)
-class Inside:
+class InternalConnection:
     """A connection within an entity, through its own ports from end to end."""
 
     kind: type[Connection]

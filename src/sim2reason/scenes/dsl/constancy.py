@@ -3,7 +3,7 @@
 from itertools import pairwise
 from math import hypot
 
-from sim2reason.scenes.dsl.frames import BodyFrame, Frames, start
+from sim2reason.scenes.dsl.frames import BodyFrame, Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Inextensible, Line, Mechanism, Prop, RigidBody
 from sim2reason.scenes.dsl.vectors import Point, Triple, Vector, cross, inner, minus, times
 
@@ -12,7 +12,7 @@ ALIGNED = 1e-9  # largest difference of parallel unit vectors
 
 def changing(mechanism: Mechanism, frames: Frames | None = None) -> str:
     """Return the reason why the equations of motion change, in a few words; empty if they are constant."""
-    return mechanism.once("changing", lambda: _changing(mechanism, frames))
+    return mechanism.memoize("changing", lambda: _changing(mechanism, frames))
 
 
 def _changing(mechanism: Mechanism, frames: Frames | None) -> str:
@@ -24,7 +24,7 @@ def _changing(mechanism: Mechanism, frames: Frames | None) -> str:
         return "a spring or a rod"
     if any(face.turning for face in mechanism.faces):
         return "a face that turns"
-    frames = start(mechanism) if frames is None else frames
+    frames = initial_frames(mechanism) if frames is None else frames
     bodies = (_turning_body(mechanism, frames, body) for body in mechanism.bodies)
     turning = next((name for name in bodies if name), "")
     return turning or next((name for line in mechanism.lines if (name := bending(line, frames))), "")
@@ -113,7 +113,7 @@ def straight(mechanism: Mechanism, frames: Frames, first: str, last: str) -> Tri
 
 def steady(mechanism: Mechanism) -> dict[tuple[str, str], Triple]:
     """Return the constant unit vectors, by end sites, of straight segments of variable length."""
-    frames, found = start(mechanism), dict[tuple[str, str], Triple]()
+    frames, found = initial_frames(mechanism), dict[tuple[str, str], Triple]()
     for ends in dict.fromkeys(ends for line in mechanism.lines for ends in pairwise(line.through)):
         try:
             parts, way = bool(frames.distance(*ends).moved), straight(mechanism, frames, *ends)

@@ -10,7 +10,6 @@ from sim2reason.scenes.dsl.mechanism import (
     ZERO,
     Coordinate,
     Elastic,
-    Face,
     Inextensible,
     Line,
     LineLaw,
@@ -18,10 +17,11 @@ from sim2reason.scenes.dsl.mechanism import (
     Prop,
     RigidBody,
     Site,
+    SurfaceContact,
 )
-from sim2reason.scenes.dsl.vectors import Tensor, minus, product
+from sim2reason.scenes.dsl.vectors import Tensor, dot, minus
 
-SAME = 1e-9  # m; smaller differences count as zero
+LENGTH_TOL = 1e-9  # m; smaller differences count as zero
 
 
 def displaced(mechanism: Mechanism, coordinates: Sequence[float], speeds: Sequence[float]) -> Mechanism:
@@ -70,7 +70,7 @@ class _Displaced:
     def _coordinate(self, coordinate: Coordinate, frame: BodyFrame) -> Coordinate:
         number = self.mechanism.number[coordinate.name]
         step = next(step for step in frame.steps if step.number == number)
-        if step.pivot is not None and math.dist(step.pivot, frame.origin) > SAME:
+        if step.pivot is not None and math.dist(step.pivot, frame.origin) > LENGTH_TOL:
             raise UnsupportedError(
                 f"{coordinate.body}: it has slid away from its own hinge, so nothing can begin there"
             )
@@ -88,7 +88,7 @@ class _Displaced:
         """Return the site in the new frame of its body."""
         return replace(site, at=self.frames[site.body].turned(site.at)) if site.body is not None else site
 
-    def face(self, face: Face) -> Face:
+    def face(self, face: SurfaceContact) -> SurfaceContact:
         """Return the face with its normal in the new frame of its carrier."""
         carrier = face.subject if face.turning else self.mechanism.body[face.subject].parent
         return replace(face, normal=self.frames[carrier].turned(face.normal))
@@ -105,8 +105,8 @@ class _Displaced:
         grown = self.frames.length(line) + wound - self.began.length(line)
         if isinstance(law, Inextensible):
             spare = law.slack - grown
-            return replace(law, slack=spare if spare > SAME else 0.0)
-        if isinstance(law, Prop) and abs(grown) > SAME:
+            return replace(law, slack=spare if spare > LENGTH_TOL else 0.0)
+        if isinstance(law, Prop) and abs(grown) > LENGTH_TOL:
             raise UnsupportedError(f"{line.name}: the strut has been left, so that no motion begins with it")
         return law
 
@@ -117,9 +117,9 @@ def _turned(frame: BodyFrame, inertia: Tensor) -> Tensor:
         return inertia
     xx, yy, zz, xy, xz, yz = inertia
     rows = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
-    half = [[product(row, axis) for row in rows] for axis in frame.rotation]  # rows of R I
+    half = [[dot(row, axis) for row in rows] for axis in frame.rotation]  # rows of R I
 
     def entry(i: int, j: int) -> float:
-        return float(product((half[i][0], half[i][1], half[i][2]), frame.rotation[j]))  # type: ignore[index]
+        return float(dot((half[i][0], half[i][1], half[i][2]), frame.rotation[j]))  # type: ignore[index]
 
     return (entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2))

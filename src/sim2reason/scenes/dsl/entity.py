@@ -10,13 +10,13 @@ from sim2reason.base.lazy import cached_property
 from sim2reason.base.registry import Registry
 from sim2reason.scenes.dsl.body import Body
 from sim2reason.scenes.dsl.builder import Builder, Frame
-from sim2reason.scenes.dsl.connection import Inside
+from sim2reason.scenes.dsl.connection import InternalConnection
 from sim2reason.scenes.dsl.model import Model, field_types
 from sim2reason.scenes.dsl.ports import Attachment, Base, Chain, Mount, Pass, Port, SitePort, Stop, StringEnd
 from sim2reason.scenes.dsl.template import Each, PartLines, Saying, Slot, Word, Wordings, paths, slots, variants
 from sim2reason.scenes.dsl.units import SI, UnitSystem
 
-PORT_TYPES = (Port, Inside)
+PORT_TYPES = (Port, InternalConnection)
 
 
 class Part(Model):
@@ -68,7 +68,7 @@ class Part(Model):
         return self
 
     @classmethod
-    def told_by_word(cls, parameter: str, value: object) -> bool:
+    def is_stated_by_word(cls, parameter: str, value: object) -> bool:
         """Return whether a word in the lines states a number specially, so that no other line needs to."""
         words = {name: word for name, word in cls.words.items() if word.parameter == parameter}
         lines = [line for saying in cls.says if not isinstance(saying, PartLines) for line in variants(saying)]
@@ -200,9 +200,9 @@ def ports_of(cls: type[Part]) -> Mapping[str, Port]:
 
 
 @cache
-def inside(cls: type[Part]) -> Mapping[str, Inside]:
+def inside(cls: type[Part]) -> Mapping[str, InternalConnection]:
     """Return the connections inside an entity, by name."""
-    return {name: member for name, member in vars(cls).items() if isinstance(member, Inside)}
+    return {name: member for name, member in vars(cls).items() if isinstance(member, InternalConnection)}
 
 
 @cache
@@ -297,7 +297,7 @@ def phrase_of(port: Port) -> str:
 
 
 def _common(cls: type[Part], templates: tuple[str, ...]) -> set[str]:
-    told = [set[str]().union(*(tells(cls, slot) for slot in slots(template))) for template in templates]
+    told = [set[str]().union(*(stated_numbers(cls, slot) for slot in slots(template))) for template in templates]
     return set[str].intersection(*told) if told else set()
 
 
@@ -315,7 +315,7 @@ def declared_numbers(cls: type[Part]) -> set[str]:
     return found
 
 
-def tells(cls: type[Part], slot: Slot) -> set[str]:
+def stated_numbers(cls: type[Part], slot: Slot) -> set[str]:
     """Return the declared numbers that a slot states; raise TypeError for an invalid path."""
     if slot.kind in ("text", "agree", "some", "count", "plural"):
         if slot.path and slot.path.split(".")[0] not in cls.model_fields:

@@ -7,7 +7,7 @@ number.
 from dataclasses import dataclass, replace
 from typing import Protocol, Self
 
-from sim2reason.scenes.dsl.vectors import Maths, Number, Triple, Vector, add, cross, inner, minus, product, times
+from sim2reason.scenes.dsl.vectors import Maths, Number, Triple, Vector, add, cross, dot, inner, minus, times
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +43,7 @@ class Profile:
         """Return the strength at a place, m, and a time, s."""
         found: Number = self.value
         if self.slope:
-            found = found + self.slope * product(self.axis, place)
+            found = found + self.slope * dot(self.axis, place)
         if self.rate:
             found = found + self.rate * time
         if not self.frequency:
@@ -136,10 +136,10 @@ class Push:
     def potential(self, place: Triple, maths: Maths) -> Number | None:
         """Return −∫F·dr; None if the force depends on time, or changes across its direction."""
         del maths
-        along = product(self.direction, self.profile.axis)
+        along = dot(self.direction, self.profile.axis)
         if not self.profile.steady or (self.profile.slope and abs(along * along - 1.0) > 1e-12):
             return None
-        s = product(self.direction, place)
+        s = dot(self.direction, place)
         return -(self.profile.value + 0.5 * self.profile.slope * along * s) * s
 
     @property
@@ -214,7 +214,7 @@ class Resistance:
         del place, time
         factor: Number = -self.linear
         if self.quadratic:
-            factor = factor - self.quadratic * maths.sqrt(product(velocity, velocity))
+            factor = factor - self.quadratic * maths.sqrt(dot(velocity, velocity))
         return times(factor, velocity)
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
@@ -245,7 +245,7 @@ class Central:
         """Return the force along the line from the centre, N."""
         del velocity, time
         apart = minus(place, self.center)
-        square = product(apart, apart)
+        square = dot(apart, apart)
         return times(self.strength / _power(square, self.power + 1, maths), apart)
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
@@ -253,7 +253,7 @@ class Central:
         if self.power == 1:
             return None
         apart = minus(place, self.center)
-        return self.strength / (self.power - 1) / _power(product(apart, apart), self.power - 1, maths)
+        return self.strength / (self.power - 1) / _power(dot(apart, apart), self.power - 1, maths)
 
     @property
     def constant(self) -> bool:

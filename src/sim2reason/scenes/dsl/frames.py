@@ -23,9 +23,9 @@ from sim2reason.scenes.dsl.vectors import (
     Vector,
     cross,
     distance,
+    dot,
     minus,
     plus,
-    product,
     times,
 )
 
@@ -67,7 +67,7 @@ class BodyFrame:
         """Return a vector given in this frame, in the axes of the room."""
         if self.rotation is None:
             return vector
-        return (product(self.rotation[0], vector), product(self.rotation[1], vector), product(self.rotation[2], vector))
+        return (dot(self.rotation[0], vector), dot(self.rotation[1], vector), dot(self.rotation[2], vector))
 
     def unturned(self, vector: Triple) -> Triple:
         """Return a vector given in the axes of the room, in this frame."""
@@ -75,7 +75,7 @@ class BodyFrame:
             return vector
         a, b, c = self.rotation
         columns = ((a[0], b[0], c[0]), (a[1], b[1], c[1]), (a[2], b[2], c[2]))
-        return (product(columns[0], vector), product(columns[1], vector), product(columns[2], vector))
+        return (dot(columns[0], vector), dot(columns[1], vector), dot(columns[2], vector))
 
     def point(self, at: Triple = ZERO) -> Point:
         """Return a point fixed in this frame."""
@@ -183,7 +183,7 @@ class Frames:
         total: Number = 0.0
         for first, last in pairwise(line.through):
             apart = minus(self.site(last).place, self.site(first).place)
-            total = total + self._maths.sqrt(product(apart, apart))
+            total = total + self._maths.sqrt(dot(apart, apart))
         return total
 
     def normal(self, subject: str) -> Triple:
@@ -289,11 +289,11 @@ def rotated(rotation: Rotation | None, axis: Vector, angle: Number, maths: Maths
     if rotation is None:
         return turn
     columns = tuple((turn[0][j], turn[1][j], turn[2][j]) for j in range(3))
-    rows = [(product(row, columns[0]), product(row, columns[1]), product(row, columns[2])) for row in rotation]
+    rows = [(dot(row, columns[0]), dot(row, columns[1]), dot(row, columns[2])) for row in rotation]
     return (rows[0], rows[1], rows[2])
 
 
-def start(mechanism: Mechanism) -> Frames:
+def initial_frames(mechanism: Mechanism) -> Frames:
     """Return the initial frames, with all velocities zero."""
     rest = [0.0] * len(mechanism.coordinates)
     return Frames(mechanism, rest, rest, math, still=True)

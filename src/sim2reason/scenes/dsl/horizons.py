@@ -7,7 +7,10 @@ from sim2reason.scenes.dsl.entity import Entity
 from sim2reason.scenes.dsl.mechanism import GRAVITY, Elastic, Mechanism
 
 HORIZON = 2.0  # s, on Earth
-MANY, FEW = 100, 40  # oscillations of the stiffest spring: the limit for long motions, and the number simulated instead
+MAX_OSCILLATIONS, SIMULATED_OSCILLATIONS = (
+    100,
+    40,
+)  # oscillations of the stiffest spring: the limit for long motions, and the number simulated instead
 
 
 def horizon(entities: Iterable[Entity], gravity: float) -> float:
@@ -23,7 +26,7 @@ def horizon(entities: Iterable[Entity], gravity: float) -> float:
 def within_oscillations(duration: float, mechanism: Mechanism) -> float:
     """Return `duration`, s, or some periods of the stiffest spring if it has too many for the engines."""
     period = stiffest_period(mechanism)
-    return duration if duration <= MANY * period else FEW * period
+    return duration if duration <= MAX_OSCILLATIONS * period else SIMULATED_OSCILLATIONS * period
 
 
 def stiffest_period(mechanism: Mechanism) -> float:

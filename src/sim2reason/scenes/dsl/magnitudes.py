@@ -7,7 +7,7 @@ zero is always plausible. Numbers without a range are not judged.
 from collections.abc import Iterator, Mapping
 
 from sim2reason.scenes.dsl.body import Matter
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
 from sim2reason.scenes.dsl.scene import Scene
 
@@ -129,7 +129,7 @@ def implausible_numbers(scene: Scene) -> Iterator[str]:
         if body.density is not None and outside(body.density, DENSITIES[body.matter]):
             yield f"{path} has a density of {body.density:.3g} kg/m\N{SUPERSCRIPT THREE}"
     yield from _heavy_planets(scene.mechanism)
-    yield from strained(natural_lengths(scene), scene.mechanism, _lengths(scene.mechanism))
+    yield from implausible_spring_lengths(natural_lengths(scene), scene.mechanism, _lengths(scene.mechanism))
 
 
 def _heavy_planets(mechanism: Mechanism) -> Iterator[str]:
@@ -146,7 +146,9 @@ def natural_lengths(scene: Scene) -> dict[str, float]:
     return {name: p.value for name, p in found if p.measure.name == "natural length" and p.value is not None}
 
 
-def strained(natural: Mapping[str, float], mechanism: Mechanism, lengths: Mapping[str, Span]) -> Iterator[str]:
+def implausible_spring_lengths(
+    natural: Mapping[str, float], mechanism: Mechanism, lengths: Mapping[str, Span]
+) -> Iterator[str]:
     """Yield a message for each spring that becomes too short or too long, given natural lengths and ranges, m.
 
     `lengths` are the least and the greatest length that each has, m. A spring that only pushes may be left behind, and
@@ -164,7 +166,7 @@ def strained(natural: Mapping[str, float], mechanism: Mechanism, lengths: Mappin
 
 
 def _lengths(mechanism: Mechanism) -> dict[str, Span]:
-    frames = start(mechanism)
+    frames = initial_frames(mechanism)
     return {
         line.name: (length := float(frames.length(line)), length)
         for line in mechanism.lines

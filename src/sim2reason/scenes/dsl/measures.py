@@ -237,7 +237,7 @@ class Measure:
             return join_unit("0", self.unit)
         rounded = round(value, self.places(value))
         text = repr(value) if abs(rounded - value) > 1e-12 * max(1.0, abs(value)) else f"{value:.{self.places(value)}f}"
-        if "e" in text or not FAINT <= abs(value) < VAST:
+        if "e" in text or not MIN_PLAIN_NUMBER <= abs(value) < VAST:
             return in_powers(value, self.unit)
         return join_unit(text.replace("-", "\N{MINUS SIGN}"), self.unit)
 
@@ -246,7 +246,7 @@ class Measure:
         return min(max(self.round(float(rng.uniform(low, high))), low), high)
 
 
-FAINT, VAST = 1e-5, 1e7  # smaller or larger numbers are written with a power of ten
+MIN_PLAIN_NUMBER, VAST = 1e-5, 1e7  # smaller or larger numbers are written with a power of ten
 
 
 def in_powers(value: float, unit: str) -> str:

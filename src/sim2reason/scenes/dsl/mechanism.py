@@ -53,7 +53,7 @@ class RigidBody:
 
 
 @record(slots=True)
-class Face:
+class SurfaceContact:
     """A contact of a body with a face of its parent, along which it may slide or roll.
 
     The velocity with which the two surfaces slip is Σ factor · rate over `slip`; friction acts against it.
@@ -185,7 +185,7 @@ class Attraction:
 
 
 @record(slots=True)
-class Burn:
+class MassEjection:
     """The ejection of mass by a body: thrust rate·exhaust along `direction` until a time."""
 
     body: str
@@ -196,7 +196,7 @@ class Burn:
 
 
 @record(slots=True)
-class Foot:
+class PlaneContact:
     """A point of a body that may stand on a plane of the room, without penetration or slip."""
 
     name: str
@@ -207,7 +207,7 @@ class Foot:
 
 
 @record(slots=True)
-class Meeting:
+class CollisionPair:
     """A pair of bodies that collide: at centre distance `distance`, along `normal` if it is given."""
 
     a: str | None  # None: the room, at its origin
@@ -268,12 +268,12 @@ class Mechanism(Memo):
     bodies: tuple[RigidBody, ...]
     sites: tuple[Site, ...] = ()
     lines: tuple[Line, ...] = ()
-    faces: tuple[Face, ...] = ()
-    feet: tuple[Foot, ...] = ()
+    faces: tuple[SurfaceContact, ...] = ()
+    feet: tuple[PlaneContact, ...] = ()
     forces: tuple[Force, ...] = ()
     attractions: tuple[Attraction, ...] = ()
-    burns: tuple[Burn, ...] = ()
-    meetings: tuple[Meeting, ...] = ()
+    burns: tuple[MassEjection, ...] = ()
+    meetings: tuple[CollisionPair, ...] = ()
     gravity: Vector = (0.0, 0.0, -GRAVITY)
     units: UnitSystem = SI
 
@@ -350,6 +350,6 @@ class Mechanism(Memo):
         return {face.subject: number for number, face in enumerate(self.faces)}
 
     @cached_property
-    def contacts(self) -> dict[str, Face]:
+    def contacts(self) -> dict[str, SurfaceContact]:
         """Return the faces by the name of the body on them."""
         return {face.subject: face for face in self.faces}

@@ -13,7 +13,7 @@ from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
 from sim2reason.base.record import record
 from sim2reason.errors import SceneError
 from sim2reason.scenes.dsl.measures import Above, Chance, Count, Hidden, Measure, Member, Range, Sized, Usually
-from sim2reason.scenes.dsl.relations import relations, unfitting
+from sim2reason.scenes.dsl.relations import relations, violated_relation
 
 
 def bounds(metadata: Iterable[object]) -> tuple[float, float]:
@@ -60,7 +60,7 @@ class Model(BaseModel):
     @model_validator(mode="after")
     def _relations_hold(self) -> Self:
         """Raise ValueError if a count or an index contradicts another field."""
-        broken = unfitting(self, relations(type(self), field_types))
+        broken = violated_relation(self, relations(type(self), field_types))
         if broken:
             raise ValueError(broken)
         return self
@@ -147,7 +147,7 @@ def field_types(model: type[Model]) -> dict[str, FieldType]:
     return found
 
 
-def as_said(model: type[Model], name: str, value: float) -> float:
+def round_as_stated(model: type[Model], name: str, value: float) -> float:
     """Return a value rounded as the text states that field, so that the stated value is simulated."""
     measure = field_types(model)[name].measure
     return measure.round(value) if measure is not None else value
@@ -281,7 +281,7 @@ def _draw_field(
     return tuple(one() for _ in range(size))
 
 
-def rebuilt(value: M, **fields: object) -> M:
+def replace_validated(value: M, **fields: object) -> M:
     """Return a copy with some fields replaced, validated again."""
     held = {name: getattr(value, name) for name in type(value).model_fields}
     return type(value)(**{**held, **fields})

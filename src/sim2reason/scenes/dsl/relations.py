@@ -54,7 +54,7 @@ def relations(model: type[Any], types: Callable[[type[Any]], Mapping[str, Relate
     return Relations(sizes, greater, (*own, *inner))
 
 
-def unfitting(value: Any, declared: Relations) -> str:
+def violated_relation(value: Any, declared: Relations) -> str:
     """Return a message for a violated relation of a value; empty if all hold."""
     for name, demanded in declared.sizes:
         found, wanted = len(getattr(value, name)), demanded(value.__dict__)

@@ -8,7 +8,7 @@ from pydantic import SerializeAsAny, model_validator
 from sim2reason.base.lazy import cached_property
 from sim2reason.base.record import abridged, counted
 from sim2reason.errors import SceneError
-from sim2reason.scenes.dsl.addresses import changed, idle_fields, lookup, vacated
+from sim2reason.scenes.dsl.addresses import idle_fields, lookup, with_values, without_idle_fields
 from sim2reason.scenes.dsl.body import Body
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.connection import Connection, Joint, Link
@@ -17,7 +17,7 @@ from sim2reason.scenes.dsl.horizons import horizon, within_oscillations
 from sim2reason.scenes.dsl.layout import placed
 from sim2reason.scenes.dsl.measures import Gravity
 from sim2reason.scenes.dsl.mechanism import GRAVITY, Mechanism
-from sim2reason.scenes.dsl.model import Model, Parameter, parameters, rebuilt
+from sim2reason.scenes.dsl.model import Model, Parameter, parameters, replace_validated
 from sim2reason.scenes.dsl.ports import Pass, Port, Stop, reversed_stops, travelled
 from sim2reason.scenes.dsl.units import UnitSystem
 
@@ -315,13 +315,15 @@ class Scene(Model):
             changes.setdefault(head, {})[rest] = value
         for head, news in changes.items():
             if head == "world":
-                world = changed(world, news)
+                world = with_values(world, news)
             elif head in connections:
-                connections[head] = changed(connections[head], news)
+                connections[head] = with_values(connections[head], news)
             else:
                 held = entities[head].entity if head in entities else self.entity(head, f"{head}.{next(iter(news))}")
-                entities[head] = Named(name=head, entity=changed(held, news))
-        return rebuilt(self, world=world, entities=tuple(entities.values()), connections=tuple(connections.values()))
+                entities[head] = Named(name=head, entity=with_values(held, news))
+        return replace_validated(
+            self, world=world, entities=tuple(entities.values()), connections=tuple(connections.values())
+        )
 
     def without(self, address: str) -> "Scene":
         """Return the scene without an entity, an optional part, or a member of a variable-length part.
@@ -347,9 +349,9 @@ class Scene(Model):
             ends = (connection.links[0].entity, connection.links[-1].entity)
             links = tuple(link for link in connection.links if link.entity != address)
             if address not in ends and len(links) > 1:
-                connections.append(rebuilt(connection, links=links))
-        kept = vacated(kept, (connection.links for connection in connections))
-        return rebuilt(self, entities=kept, connections=tuple(connections))
+                connections.append(replace_validated(connection, links=links))
+        kept = without_idle_fields(kept, (connection.links for connection in connections))
+        return replace_validated(self, entities=kept, connections=tuple(connections))
 
     def gluing(self, *addresses: str) -> "Scene":
         """Return the scene with bodies welded to their carriers.
@@ -363,7 +365,7 @@ class Scene(Model):
         Raises:
             SceneError: An address is not that of a movable body.
         """
-        return rebuilt(self, glued=tuple(sorted({*self.glued, *addresses})))
+        return replace_validated(self, glued=tuple(sorted({*self.glued, *addresses})))
 
 
 def _line(value: Model, name: str) -> str:

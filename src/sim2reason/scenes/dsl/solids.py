@@ -13,7 +13,7 @@ from sim2reason.scenes.dsl.body import Axial, Body, Capped, Rectangular, Spheric
 from sim2reason.scenes.dsl.builder import Frame
 from sim2reason.scenes.dsl.measures import LEAST, Mass, Measure, Range
 from sim2reason.scenes.dsl.mechanism import ZERO, X, Y, Z
-from sim2reason.scenes.dsl.model import as_said, field_types
+from sim2reason.scenes.dsl.model import field_types, round_as_stated
 from sim2reason.scenes.dsl.template import Word
 from sim2reason.scenes.dsl.vectors import Tensor, Vector, add, inner, outer, scale, unit
 
@@ -247,7 +247,7 @@ class Shape(Body):
         if low <= drawn["mass"] / volume <= high:
             return {}
         density = exp(rng.uniform(log(low), log(max(high, min(2.0 * low, DRAWN.high)))))
-        return {"mass": as_said(cls, "mass", density * volume)}
+        return {"mass": round_as_stated(cls, "mass", density * volume)}
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:

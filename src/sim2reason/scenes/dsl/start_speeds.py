@@ -9,7 +9,7 @@ from math import inf
 from sim2reason.errors import SceneError
 from sim2reason.scenes.dsl.frames import Frames
 from sim2reason.scenes.dsl.mechanism import Mechanism, Rigid
-from sim2reason.scenes.dsl.vectors import product
+from sim2reason.scenes.dsl.vectors import dot
 
 ROUNDING = 1e-9  # fraction of the largest speed, or of 1 m/s
 TOUCHING = 1e-9  # m
@@ -47,8 +47,8 @@ def _parting(frames: Frames, first: str, last: str) -> float:
 def _check_feet(mechanism: Mechanism, frames: Frames, small: float) -> None:
     for foot in mechanism.feet:
         point = frames.site(foot.site)
-        stands = abs(product(foot.normal, point.place) - foot.height) <= TOUCHING
-        slip = product(foot.along, point.velocity)
-        if stands and abs(product(foot.normal, point.velocity)) <= small < abs(slip):
+        stands = abs(dot(foot.normal, point.place) - foot.height) <= TOUCHING
+        slip = dot(foot.along, point.velocity)
+        if stands and abs(dot(foot.normal, point.velocity)) <= small < abs(slip):
             problem = f"it stands, and yet begins to slip at {slip:.6g} m/s"
             raise SceneError(foot.name, problem, "let it begin at rest")

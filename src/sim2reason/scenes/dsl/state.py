@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.base.record import counted, record
-from sim2reason.scenes.dsl.frames import Frames, start
+from sim2reason.scenes.dsl.frames import Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Line, Mechanism
-from sim2reason.scenes.dsl.vectors import Triple, minus, product
+from sim2reason.scenes.dsl.vectors import Triple, dot, minus
 
 Array = NDArray[np.float64]
 
@@ -113,7 +113,7 @@ class State:
     @cached_property
     def began(self) -> Frames:
         """Return the positions of all parts at the start."""
-        return start(self.mechanism)
+        return initial_frames(self.mechanism)
 
     @cached_property
     def known(self) -> "dict[tuple[str, str], Array]":
@@ -160,9 +160,9 @@ class State:
             one, other = self.frames.site(first), self.frames.site(last)
             apart = minus(other.place, one.place)
             parting = minus(other.velocity, one.velocity)
-            distance = np.sqrt(product(apart, apart)) + length * 0.0
+            distance = np.sqrt(dot(apart, apart)) + length * 0.0
             length = length + distance
-            rate = rate + product(apart, parting) / np.where(distance > 0.0, distance, 1.0)
+            rate = rate + dot(apart, parting) / np.where(distance > 0.0, distance, 1.0)
         return length, rate
 
     def free_length(self, line: Line) -> tuple[Array, Array]:

@@ -115,7 +115,7 @@ class Maths(Protocol):
         ...
 
 
-def product(a: Triple, b: Triple) -> Number:
+def dot(a: Triple, b: Triple) -> Number:
     """Return the dot product of two vectors."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
@@ -143,7 +143,7 @@ def times(factor: Number, a: Triple) -> Triple:
 def applied(tensor: Tensor, vector: Triple) -> Triple:
     """Return a symmetric tensor times a vector."""
     xx, yy, zz, xy, xz, yz = tensor
-    return (product((xx, xy, xz), vector), product((xy, yy, yz), vector), product((xz, yz, zz), vector))
+    return (dot((xx, xy, xz), vector), dot((xy, yy, yz), vector), dot((xz, yz, zz), vector))
 
 
 Gradient = Mapping[int, Triple]  # by index of a coordinate, or of a face
@@ -181,19 +181,19 @@ def distance(one: Point, other: Point, maths: Maths, steady: Triple | None = Non
     where their distance counts as negative.
     """
     apart = x, y, z = minus(other.place, one.place)
-    value = maths.sqrt(x * x + y * y + z * z) if steady is None else product(steady, apart)
+    value = maths.sqrt(x * x + y * y + z * z) if steady is None else dot(steady, apart)
     moved, risen = relative(one.gradient, other.gradient), relative(one.lift, other.lift)
     if not moved and not risen:
         return Distance(value, 0.0, 0.0, NONE, {}, {}, {})
     way = x, y, z = times(1.0 / value, apart) if steady is None else steady
     along = {i: x * dx + y * dy + z * dz for i, (dx, dy, dz) in moved.items()}
-    lift = {i: product(way, normal) for i, normal in risen.items()} if risen else {}
+    lift = {i: dot(way, normal) for i, normal in risen.items()} if risen else {}
     if one.velocity is other.velocity and one.bias is other.bias:  # above all where nothing moves yet
         return Distance(value, 0.0, 0.0, way, moved, along, lift)
     parting = minus(other.velocity, one.velocity)
-    rate = product(way, parting)
-    bend = product(way, minus(other.bias, one.bias))
-    bias = bend if steady is not None else bend + (product(parting, parting) - rate * rate) / value
+    rate = dot(way, parting)
+    bend = dot(way, minus(other.bias, one.bias))
+    bias = bend if steady is not None else bend + (dot(parting, parting) - rate * rate) / value
     return Distance(value, rate, bias, way, moved, along, lift)
 
 
@@ -237,7 +237,7 @@ class HalfSpace:
     def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
         """Return the distance to the plane."""
         del maths
-        return (product(self.normal, place) - self.offset,)
+        return (dot(self.normal, place) - self.offset,)
 
     def moved(self, by: Vector) -> "HalfSpace":
         """Return the region translated by a vector, m."""
@@ -255,7 +255,7 @@ class BoxRegion:
         del maths
         found: list[Number] = []
         for axis, low, high in self.sides:
-            along = product(axis, place)
+            along = dot(axis, place)
             found += [along - low, high - along]
         return tuple(found)
 
@@ -275,9 +275,9 @@ class DiscRegion:
     def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
         """Return the distance to the border, m."""
         apart = minus(place, self.center)
-        along = product(self.axis, apart)
+        along = dot(self.axis, apart)
         aside = minus(apart, times(along, self.axis))
-        return (self.radius - maths.sqrt(product(aside, aside)),)
+        return (self.radius - maths.sqrt(dot(aside, aside)),)
 
     def moved(self, by: Vector) -> "DiscRegion":
         """Return the region translated by a vector, m."""

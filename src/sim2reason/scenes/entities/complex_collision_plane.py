@@ -33,13 +33,13 @@ from sim2reason.scenes.entities.parts.neighbours import (
     Joined,
     OwnRestitution,
     Wall,
-    alike,
-    fit,
+    fit_neighbours,
+    same_kind,
 )
 
-ALIKE = 0.95  # probability that all drawn gliders are of one kind
-NEAREST = 0.01  # m, between neighbours at the start
-LONGEST = 10.0  # s
+SAME_KIND_PROBABILITY = 0.95  # probability that all drawn gliders are of one kind
+MIN_DISTANCE = 0.01  # m, between neighbours at the start
+MAX_DURATION = 10.0  # s
 PASSES = 5.0  # passes of the fastest glider over all others in the default duration
 
 
@@ -107,7 +107,7 @@ class ComplexCollisionPlane(Entity):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        if any(other - one < NEAREST and other != one for one, other in pairwise(self._places)):
+        if any(other - one < MIN_DISTANCE and other != one for one, other in pairwise(self._places)):
             raise ValueError(
                 "gliders: give them, and the walls, in order from left to right, 1 cm or more apart, or touching"
             )
@@ -130,14 +130,14 @@ class ComplexCollisionPlane(Entity):
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
         """Return the gliders from left to right, on stiff springs; a track with slope has no wall at its top."""
         right = None if drawn["track"].angle else drawn.get("right")
-        gliders = alike(drawn["gliders"]) if rng.random() < ALIKE else drawn["gliders"]
-        return {**fit(gliders, drawn.get("joined", ()), drawn.get("buffers", ())), "right": right}
+        gliders = same_kind(drawn["gliders"]) if rng.random() < SAME_KIND_PROBABILITY else drawn["gliders"]
+        return {**fit_neighbours(gliders, drawn.get("joined", ()), drawn.get("buffers", ())), "right": right}
 
     def horizon(self, gravity: float) -> float:
         """Return the time of some passes of the fastest glider over the whole distance, s."""
         del gravity
         fastest = max(abs(glider.v) for glider in self.gliders)
-        return min(LONGEST, PASSES * (self._places[-1] - self._places[0]) / fastest) if fastest else LONGEST
+        return min(MAX_DURATION, PASSES * (self._places[-1] - self._places[0]) / fastest) if fastest else MAX_DURATION
 
     @property
     def _places(self) -> list[float]:

@@ -18,13 +18,13 @@ from sim2reason.scenes.bodies.charges import (
     Strip,
 )
 from sim2reason.scenes.dsl.measures import FASTEST
-from sim2reason.scenes.dsl.model import rebuilt
+from sim2reason.scenes.dsl.model import replace_validated
 from sim2reason.scenes.dsl.units import MINUTE, UnitSystem
 from sim2reason.scenes.entities.parts.fields import ElectricField, ForceField, MagneticField, Medium
 
 TURN = 8.0  # rad of the fastest rotation or oscillation in the default duration
 USUAL = 2.0  # s, default duration without a time scale of the fields
-BENT = 1.5  # assumed length of a path through a region, in straight paths
+PATH_LENGTH_RATIO = 1.5  # assumed length of a path through a region, in straight paths
 AIM = 12.0  # degrees, largest error of aim of a drawn bead towards a region
 
 
@@ -78,7 +78,7 @@ class EmEntity(Entity):
             return {}
         x, y = region.middle
         angle = round(math.degrees(math.atan2(y, x)) + rng.uniform(-AIM, AIM)) % 360
-        return {"start": rebuilt(start, angle=float(angle))}
+        return {"start": replace_validated(start, angle=float(angle))}
 
     @property
     def fields(self) -> dict[str, ForceField]:
@@ -100,7 +100,7 @@ class EmEntity(Entity):
         if self.region is None or not isinstance(self.start, Launched):
             return enough
         speed = self.start.speed
-        return math.hypot(*self.region.middle) / speed + min(enough, BENT * self.region.width / speed)
+        return math.hypot(*self.region.middle) / speed + min(enough, PATH_LENGTH_RATIO * self.region.width / speed)
 
     @property
     def _speeding_up(self) -> float:

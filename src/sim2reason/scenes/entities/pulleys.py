@@ -22,7 +22,7 @@ from sim2reason.scenes.authoring import (
 from sim2reason.scenes.bodies.pulleys import FixedPulley, MovablePulley, SteppedPulley
 from sim2reason.scenes.bodies.sliders import Block
 from sim2reason.scenes.connections.string import String
-from sim2reason.scenes.dsl.connection import Inside
+from sim2reason.scenes.dsl.connection import InternalConnection
 from sim2reason.scenes.entities.parts.mass_systems import Hanging, OnPlane, OnWedge
 
 UPRIGHT_ON_Y = (X, scale(-1.0, Z), Y)  # figures symmetric about the axle, which points away from the reader
@@ -108,7 +108,7 @@ class MassWithMovablePulley(Entity):
     pulley: MovablePulley
 
     over = Pass(sites=("pulley.left", "pulley.right"), passes="passes over {pulley}")
-    rope = Inside(String, ("left.tail", "over", "right.tail"))
+    rope = InternalConnection(String, ("left.tail", "over", "right.tail"))
     top = End(
         sites=("axle",),
         tied="the axle of {pulley}",

@@ -9,7 +9,7 @@ from annotated_types import Le
 
 from sim2reason.scenes.authoring import GRAVITY, LEAST, Entity, Frame, Measure, Range, X, Z, either, entity, starting
 from sim2reason.scenes.bodies.space import GRAVITATION, KILO, AirlessPlanet, DeepSpace, LevelGround, Rocket
-from sim2reason.scenes.dsl.model import as_said
+from sim2reason.scenes.dsl.model import round_as_stated
 
 ExhaustSpeed = Annotated[float, LEAST, Le(1e4), Measure("exhaust speed", "km/s", "u", sought=2.0), Range(0.4, 3.0)]
 BurnRate = Annotated[float, LEAST, Le(1e6), Measure("burn rate", "kg/s", r"\mu"), Range(1.0, 10.0)]
@@ -51,9 +51,9 @@ class RocketEntity(Entity):
         if isinstance(place, AirlessPlanet):
             times = AWAY
             g, escape = place.gravity, sqrt(2.0 * place.gravity * place.radius / KILO)
-            exhaust = as_said(RocketEntity, "exhaust", rng.uniform(ESCAPE.low, ESCAPE.high) * escape)
+            exhaust = round_as_stated(RocketEntity, "exhaust", rng.uniform(ESCAPE.low, ESCAPE.high) * escape)
         thrust = rng.uniform(times.low, times.high) * drawn["rocket"].mass * g
-        return {"exhaust": exhaust, "rate": as_said(RocketEntity, "rate", thrust / (KILO * exhaust))}
+        return {"exhaust": exhaust, "rate": round_as_stated(RocketEntity, "rate", thrust / (KILO * exhaust))}
 
     @property
     def clocked(self) -> bool:

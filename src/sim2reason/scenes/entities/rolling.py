@@ -90,8 +90,8 @@ class RollingEntity(Entity):
         frame.site("axle", faces=uphill)
 
 
-TUMBLES, LONGEST = 5, 2.0  # face changes in the default duration, and s
-FEWEST = 5  # least number of sides: with four, a landing leaves a sixteenth of the energy, with three none
+TUMBLES, MAX_DURATION = 5, 2.0  # face changes in the default duration, and s
+MIN_SIDES = 5  # least number of sides: with four, a landing leaves a sixteenth of the energy, with three none
 
 
 @entity
@@ -122,9 +122,9 @@ class TumblingPrism(Entity):
 
     @model_validator(mode="after")
     def _tumbles(self) -> Self:
-        if self.prism.sides < FEWEST:
+        if self.prism.sides < MIN_SIDES:
             problem = f"a {self.prism.shape} prism does not tumble on: its first landing takes nearly all its energy"
-            raise ValueError(f"prism.shape: {problem}; give at least {FEWEST} sides")
+            raise ValueError(f"prism.shape: {problem}; give at least {MIN_SIDES} sides")
         if self.rate is None and self.plane.angle <= 180.0 / self.prism.sides:
             raise ValueError("rate: the prism stays on its face on so gentle a slope; say how fast it tips at first")
         return self
@@ -132,7 +132,7 @@ class TumblingPrism(Entity):
     def horizon(self, gravity: float) -> float:
         """Return the time of five rotations from face to face at the initial angular velocity, s."""
         del gravity
-        return min(LONGEST, TUMBLES * 2.0 * pi / self.prism.sides / self.rate) if self.rate else 0.5 * LONGEST
+        return min(MAX_DURATION, TUMBLES * 2.0 * pi / self.prism.sides / self.rate) if self.rate else 0.5 * MAX_DURATION
 
     def build(self, room: Frame) -> None:
         """Build a body free in the plane of the motion, with its edges as feet."""

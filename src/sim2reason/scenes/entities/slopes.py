@@ -24,7 +24,7 @@ from sim2reason.scenes.bodies.sliders import Block
 from sim2reason.scenes.entities.parts.friction import two_coefficients
 from sim2reason.scenes.entities.parts.mass_systems import FRICTION_ON_PLANE, SPACING, Blocks, link, row
 
-APART = 1.2  # m between neighbours on the top, kept by their strings and without effect
+BLOCK_SPACING = 1.2  # m between neighbours on the top, kept by their strings and without effect
 EYE = 1.6  # height of a string's eye below the top, in free lengths; for drawings only
 
 
@@ -83,10 +83,10 @@ class MassBoxPlane(Entity):
         box = room.body("box", self.box.mass).rest(along=X, normal=Z)
         last = len(self.blocks) - 1
         for index, block in enumerate(self.blocks):
-            frame = box.body(f"blocks.{index}", block.mass, at=scale((index - 0.5 * last) * APART, X))
+            frame = box.body(f"blocks.{index}", block.mass, at=scale((index - 0.5 * last) * BLOCK_SPACING, X))
             frame.rest(X, Z, self.box.friction, name="right", static=self.box.static_friction).site(f"hook{index}")
         link(box, len(self.blocks))
-        edge = self.length + 0.5 * last * APART
+        edge = self.length + 0.5 * last * BLOCK_SPACING
         for name, block, way, hook in (("left", self.left, -1.0, "hook0"), ("right", self.right, 1.0, f"hook{last}")):
             box.site(f"{name}_eye", at=(way * edge, 0.0, -EYE * self.length), faces=scale(way, X))
             if block is not None:

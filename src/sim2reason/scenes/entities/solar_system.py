@@ -11,17 +11,17 @@ from pydantic import model_validator
 
 from sim2reason.scenes.authoring import Count, Entity, Frame, Range, X, Y, assuming, each, either, entity
 from sim2reason.scenes.bodies.space import G, HeavyPlanet, Planet, Star
-from sim2reason.scenes.dsl.model import as_said, rebuilt
+from sim2reason.scenes.dsl.model import replace_validated, round_as_stated
 from sim2reason.scenes.dsl.units import ASTRONOMICAL, UnitSystem
 
 LIGHT = 1e-6  # solar masses, of a planet whose mass is not stated and has no effect
 INNERMOST = Range(0.3, 0.7)  # au, first perihelion
-APART, FAR_APART = Range(1.2, 1.6), Range(1.6, 2.2)  # perihelion over the previous aphelion; for heavy ones
+ORBIT_SPACING, FAR_APART = Range(1.2, 1.6), Range(1.6, 2.2)  # perihelion over the previous aphelion; for heavy ones
 RATIO = Range(2e-4, 1e-3)  # mass of a heavy planet over that of its star
 ROUND = Range(0.0, 0.3)  # eccentricities
 APSIS = 0.4  # probability that the first planet starts at an apsis, with a velocity perpendicular to the radius
 FULL = 1.2  # periods in the default duration: more than one, even if a number is changed slightly
-LONGEST = 50.0  # yr
+MAX_DURATION = 50.0  # yr
 
 AnyPlanet = Planet | HeavyPlanet
 Planets = Annotated[tuple[AnyPlanet, ...], Len(1, 6), Count(1, 4, alike=True)]
@@ -83,7 +83,7 @@ class SolarSystem(Entity):
     def horizon(self, gravity: float) -> float:
         """Return slightly more than the shortest period of a bound planet, or that of a circular orbit, yr."""
         del gravity
-        return min([LONGEST, *(FULL * self._period(planet) for planet in self.planets)])
+        return min([MAX_DURATION, *(FULL * self._period(planet) for planet in self.planets)])
 
     def _period(self, planet: AnyPlanet) -> float:
         distance, attraction = hypot(planet.x, planet.y), G * self.star.mass
@@ -110,7 +110,7 @@ def _lighter(planet: AnyPlanet, mass: float, rng: np.random.Generator) -> AnyPla
     """Return a heavy planet with a small part of the mass of its star."""
     if isinstance(planet, Planet):
         return planet
-    return rebuilt(planet, mass=float(f"{rng.uniform(RATIO.low, RATIO.high) * mass:.1e}"))
+    return replace_validated(planet, mass=float(f"{rng.uniform(RATIO.low, RATIO.high) * mass:.1e}"))
 
 
 def orbiting(
@@ -137,8 +137,11 @@ def orbiting(
         x, y = r * cos(angle + turn), r * sin(angle + turn)
         along, across = -speed * sin(angle), speed * (e + cos(angle))
         vx, vy = along * cos(turn) - across * sin(turn), along * sin(turn) + across * cos(turn)
-        orbit = {name: as_said(type(planet), name, part) for name, part in (("x", x), ("y", y), ("vx", vx), ("vy", vy))}
-        apart = FAR_APART if isinstance(planet, HeavyPlanet) else APART
+        orbit = {
+            name: round_as_stated(type(planet), name, part)
+            for name, part in (("x", x), ("y", y), ("vx", vx), ("vy", vy))
+        }
+        apart = FAR_APART if isinstance(planet, HeavyPlanet) else ORBIT_SPACING
         nearest *= (1.0 + e) / (1.0 - e) * rng.uniform(apart.low, apart.high)
-        found.append(rebuilt(planet, **orbit))
+        found.append(replace_validated(planet, **orbit))
     return tuple(found)

@@ -28,13 +28,13 @@ from sim2reason.scenes.authoring import (
 )
 from sim2reason.scenes.bodies.sliders import Block
 from sim2reason.scenes.bodies.spring import NailedSpring
-from sim2reason.scenes.dsl.model import as_said, rebuilt
+from sim2reason.scenes.dsl.model import replace_validated, round_as_stated
 from sim2reason.scenes.entities.parts.springs import DASHPOTS
 
 Across = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "x", decimals=2), Range(-0.3, 0.3)]
 Away = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "y", decimals=2), Range(-0.3, 0.3)]
 Rate = Annotated[float, Ge(-1e3), Le(1e3), Measure("velocity", "m/s", "v", decimals=2), Range(-2.0, 2.0)]
-NEAREST = 0.05  # m from the block to a nail, and between nails
+MIN_NAIL_DISTANCE = 0.05  # m from the block to a nail, and between nails
 LONG = Range(0.8, 1.25)  # initial length of a drawn spring, in natural lengths
 SHORTEST = 0.1  # m, of a drawn spring
 SWING = 0.3  # fraction of the shortest natural length: amplitude of a launch
@@ -95,10 +95,10 @@ class SpringBlock(Entity):
     def _fits(self) -> Self:
         ends = [(spring.x, spring.y) for spring in self.springs]
         for index, end in enumerate(ends):
-            if dist(end, (self.x, self.y)) < NEAREST:
+            if dist(end, (self.x, self.y)) < MIN_NAIL_DISTANCE:
                 raise ValueError(f"springs.{index}: its fixed end is where the block starts; move one of them")
         for (i, one), (j, other) in combinations(enumerate(ends), 2):
-            if dist(one, other) < NEAREST:
+            if dist(one, other) < MIN_NAIL_DISTANCE:
                 raise ValueError(f"springs.{i} and springs.{j} have one fixed end; make one spring of them")
         return self
 
@@ -109,15 +109,17 @@ class SpringBlock(Entity):
         springs = list[NailedSpring]()
         for spring in drawn["springs"]:
             natural = dist((spring.x, spring.y), (x, y)) / rng.uniform(LONG.low, LONG.high)
-            springs.append(rebuilt(spring, length=max(as_said(NailedSpring, "length", natural), SHORTEST)))
+            springs.append(
+                replace_validated(spring, length=max(round_as_stated(NailedSpring, "length", natural), SHORTEST))
+            )
         launch = drawn.get("launch")
         if not isinstance(launch, Launch):
             return {"springs": tuple(springs)}
         frequency = sqrt(sum(spring.stiffness for spring in springs) / block.mass)
         fastest = SWING * min(spring.length for spring in springs) * frequency
         share = min(1.0, fastest / max(hypot(launch.x, launch.y), SHORTEST))
-        slower = {name: as_said(Launch, name, share * getattr(launch, name)) for name in ("x", "y")}
-        return {"springs": tuple(springs), "launch": rebuilt(launch, **slower)}
+        slower = {name: round_as_stated(Launch, name, share * getattr(launch, name)) for name in ("x", "y")}
+        return {"springs": tuple(springs), "launch": replace_validated(launch, **slower)}
 
     def horizon(self, gravity: float) -> float:
         """Return some periods of the block as if all springs were along one line, s."""

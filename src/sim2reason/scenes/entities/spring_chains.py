@@ -123,7 +123,7 @@ class SpringMassChain(Entity):
             room.spring(f"springs.{index}", *joined, stiffness=spring.stiffness, length=length, damping=damping)
 
 
-LEAST = 0.1  # fraction of the initial distance between neighbours: smallest distance of two beads
+MIN_DISTANCE_RATIO = 0.1  # fraction of the initial distance between neighbours: smallest distance of two beads
 RingSprings = Annotated[tuple[Coil, ...], Len(2, 6), Count(2, 6), Sized(lambda held: len(held["beads"]))]
 
 
@@ -178,7 +178,7 @@ class SpringMassRing(Entity):
             self._arc - self.strain.of(index) - sqrt(2.0 * energy / spring.stiffness)
             for index, spring in enumerate(self.springs)
         )
-        if min(shortest) < LEAST * self._arc:
+        if min(shortest) < MIN_DISTANCE_RATIO * self._arc:
             raise ValueError("radius: beads may meet; take a larger ring, or stiffer springs")
         return self
 

@@ -29,7 +29,7 @@ from sim2reason.scenes.authoring import (
     scale,
 )
 from sim2reason.scenes.bodies.sliders import Puck, Table
-from sim2reason.scenes.dsl.model import as_said, rebuilt
+from sim2reason.scenes.dsl.model import replace_validated, round_as_stated
 from sim2reason.scenes.dsl.template import Wordings, rarely
 
 Pucks = Annotated[tuple[Puck, ...], Len(2, 6), Count(2, 4)]
@@ -41,7 +41,11 @@ Index = Annotated[int, Ge(0), Le(5), Member("pucks")]
 
 TOUCHING = 1e-9  # m; smaller distances are round-off
 SLOWEST = 0.5  # m/s, least speed of a puck towards another
-PASSES, SHORTEST, LONGEST = 4.0, 2.0, 20.0  # passes of the fastest puck over the table in the default duration, and s
+PASSES, SHORTEST, MAX_DURATION = (
+    4.0,
+    2.0,
+    20.0,
+)  # passes of the fastest puck over the table in the default duration, and s
 
 
 WALLS = {("x", -1.0): "left", ("x", 1.0): "right", ("y", -1.0): "bottom", ("y", 1.0): "top"}
@@ -165,9 +169,9 @@ class TwoDCollisionPlane(Entity):
         way = first.x - second.x, first.y - second.y
         share = max(SLOWEST, hypot(second.vx, second.vy)) / max(hypot(*way), SLOWEST)
         velocity = (
-            as_said(Puck, "vx", own + share * part) for own, part in zip((first.vx, first.vy), way, strict=True)
+            round_as_stated(Puck, "vx", own + share * part) for own, part in zip((first.vx, first.vy), way, strict=True)
         )
-        aimed = rebuilt(second, **dict(zip(("vx", "vy"), velocity, strict=True)))
+        aimed = replace_validated(second, **dict(zip(("vx", "vy"), velocity, strict=True)))
         return {"pucks": (first, aimed, *rest)}
 
     def horizon(self, gravity: float) -> float:
@@ -175,7 +179,7 @@ class TwoDCollisionPlane(Entity):
         del gravity
         fastest = max(hypot(puck.vx, puck.vy) for puck in self.pucks)
         widest = max(hypot(a.x - b.x, a.y - b.y) for a, b in combinations(self.pucks, 2))
-        return min(max(SHORTEST, PASSES * widest / fastest), LONGEST) if fastest else LONGEST
+        return min(max(SHORTEST, PASSES * widest / fastest), MAX_DURATION) if fastest else MAX_DURATION
 
     @property
     def _walls(self) -> list[tuple[str, float, float]]:

@@ -1,7 +1,7 @@
 """Scene files: strict YAML, its JSON schema, and the page that documents the format."""
 
 from sim2reason.scenes.files.given import GivenScene, SceneLike, given_scene, scene_of
-from sim2reason.scenes.files.mapping import dump, load, loads, told
+from sim2reason.scenes.files.mapping import dump, load, loads, to_plain
 from sim2reason.scenes.files.question_parts import question_of
 from sim2reason.scenes.files.source_text import decoded
 from sim2reason.scenes.files.wording import Wording, wording_of
@@ -17,6 +17,6 @@ __all__ = [
     "loads",
     "question_of",
     "scene_of",
-    "told",
+    "to_plain",
     "wording_of",
 ]

@@ -23,11 +23,11 @@ from sim2reason.errors import SceneError
 from sim2reason.scenes.dsl.entity import ENTITIES, Entity, Named
 from sim2reason.scenes.dsl.model import Model, field_types
 from sim2reason.scenes.dsl.scene import Scene, World
-from sim2reason.scenes.files.mistakes import check_position, explained, plain_name, respelled
+from sim2reason.scenes.files.mistakes import canonical_parameters, check_position, explain_error, plain_name
 from sim2reason.scenes.files.question_parts import parts_from
 from sim2reason.scenes.files.schema import is_many, snake
 from sim2reason.scenes.files.source_text import source_text
-from sim2reason.scenes.files.tendons import own_values, paths, read_pair, told_pairs
+from sim2reason.scenes.files.tendons import own_values, pairs_to_plain, paths, read_pair
 from sim2reason.scenes.files.wording import Wording, wording_from
 
 M = TypeVar("M", bound=Model)
@@ -106,14 +106,14 @@ def dump(scene: Scene, wording: Wording | None = None) -> str:
     entities: list[Plain] = [_told_entity(named) for named in scene.entities]
     connections: list[Plain] = []
     for connection in scene.connections:
-        first, *others = told_pairs(connection, classes)
-        own = {name: told(value) for name, value in own_values(connection).items()}
+        first, *others = pairs_to_plain(connection, classes)
+        own = {name: to_plain(value) for name, value in own_values(connection).items()}
         connections.append({connection.key: first, **own})
         connections.extend({connection.key: pair} for pair in others)
     body: dict[str, Plain] = {"name": scene.name, "entities": entities}
     if connections:
         body["connections"] = connections
-    body["world"] = told(scene.world)
+    body["world"] = to_plain(scene.world)
     if scene.glued:
         body["glued"] = list(scene.glued)
     text: dict[str, Plain] = {"text": wording.plain} if wording is not None else {}
@@ -122,21 +122,21 @@ def dump(scene: Scene, wording: Wording | None = None) -> str:
 
 def _told_entity(named: Named) -> dict[str, Plain]:
     found: dict[str, Plain] = {"name": named.name, "type": type(named.entity).__name__}
-    parameters = told(named.entity)
+    parameters = to_plain(named.entity)
     return found | ({"parameters": parameters} if parameters else {})
 
 
-def told(value: Any, *, kind: bool = False) -> Plain:
+def to_plain(value: Any, *, kind: bool = False) -> Plain:
     """Return a value as in a scene file; with `kind`, including the name of its class."""
     if isinstance(value, tuple):
-        return [told(member, kind=kind) for member in value]  # type: ignore[reportUnknownVariableType]
+        return [to_plain(member, kind=kind) for member in value]  # type: ignore[reportUnknownVariableType]
     if not isinstance(value, Model):
         return value
     found: dict[str, Plain] = {"kind": snake(type(value).__name__)} if kind else {}
     for name, slot in _slots(type(value)).items():
         held = getattr(value, name)
         if held not in (None, ()) or held != slot.default:
-            found[name] = told(held, kind=len(slot.models) > 1)
+            found[name] = to_plain(held, kind=len(slot.models) > 1)
     return found
 
 
@@ -193,7 +193,7 @@ def _scene(data: Plain) -> Scene:
         )
         _ = scene.mechanism
     except ValidationError as error:
-        raise explained(Scene, error, "scene") from None
+        raise explain_error(Scene, error, "scene") from None
     except SceneError as error:
         raise SceneError(_file_place(error.place, entities, places), error.problem, error.remedy) from None
     return scene
@@ -208,7 +208,7 @@ def _entity(entry: Plain, place: str) -> Named:
     cls = _class(str(held["type"]), f"{place}.type")
     if "position" in held:
         check_position(held["position"], f"{place}.position")
-    spelled = respelled(cls, held.get("parameters", {}), f"{place}.parameters")
+    spelled = canonical_parameters(cls, held.get("parameters", {}), f"{place}.parameters")
     try:
         entity = _made(cls, spelled.parameters, f"{place}.parameters")
     except SceneError as error:
@@ -216,7 +216,7 @@ def _entity(entry: Plain, place: str) -> Named:
     try:
         return Named(name=str(held["name"]), entity=entity)
     except ValidationError as error:
-        raise explained(Named, error, place) from None
+        raise explain_error(Named, error, place) from None
 
 
 def _classes(entities: tuple[Named, ...]) -> dict[str, type[Entity]]:
@@ -250,7 +250,7 @@ def _made(cls: type[M], data: Plain, place: str, given: dict[str, object] | None
     try:
         return cls(**values, **(given or {}))
     except ValidationError as error:
-        raise explained(cls, error, place) from None
+        raise explain_error(cls, error, place) from None
 
 
 def _value(slot: _Slot, data: Plain, place: str) -> object:

@@ -32,7 +32,7 @@ NAMING = "give a name of at most 40 small letters, digits and _, with a letter f
 _SUBPATH = re.compile(r"([a-z_]+(?:\.[a-z0-9_]+)*): (.*)", re.DOTALL)
 
 
-def explained(cls: type[Model], error: ValidationError, place: str) -> SceneError:
+def explain_error(cls: type[Model], error: ValidationError, place: str) -> SceneError:
     """Return the first error in a value of `cls` at `place`, and the number of further errors."""
     details = error.errors(include_url=False)
     first = details[0]
@@ -70,11 +70,11 @@ def _remedy(cls: type[Model], detail: ErrorDetails) -> str:
 
 HANGING = "Mass"
 MASS_TYPE, MASS_VALUES = "mass_type", "mass_values"
-LONGEST = 40  # largest number of characters of a name
+MAX_NAME_LENGTH = 40  # largest number of characters of a name
 
 
 @dataclass(frozen=True, slots=True)
-class Respelled:
+class CanonicalParameters:
     """Parameters in the canonical spelling, with the original paths of moved values."""
 
     parameters: Plain
@@ -92,7 +92,7 @@ def plain_name(name: Plain) -> Plain:
     """Return a title such as ``Pulley System`` as a name, ``pulley_system``; other values are unchanged."""
     if not isinstance(name, str):
         return name
-    return re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_")[:LONGEST] if re.search(r"[A-Z ]", name) else name
+    return re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_")[:MAX_NAME_LENGTH] if re.search(r"[A-Z ]", name) else name
 
 
 def check_position(position: Plain, place: str) -> None:
@@ -102,10 +102,10 @@ def check_position(position: Plain, place: str) -> None:
         raise SceneError(place, f"it is {shown(position)}, not a place", "give three numbers, as [0, 2, 0]")
 
 
-def respelled(cls: type[Entity], parameters: Plain, place: str) -> Respelled:
+def canonical_parameters(cls: type[Entity], parameters: Plain, place: str) -> CanonicalParameters:
     """Return parameters with the masses moved to the fields of the class."""
     if not isinstance(parameters, dict) or not {MASS_TYPE, MASS_VALUES} & set(parameters):
-        return Respelled(parameters, {})
+        return CanonicalParameters(parameters, {})
     held = holders(cls)
     if not held:
         key = MASS_VALUES if MASS_VALUES in parameters else MASS_TYPE
@@ -125,7 +125,7 @@ def respelled(cls: type[Entity], parameters: Plain, place: str) -> Respelled:
         own[name] = system.said | fits | {"blocks": _blocks(values)}
         places |= {f"{place}.{name}.blocks": told, f"{place}.{name}": place}
     light: dict[str, Plain] = {name: {} for name in field_types(cls) if name == "pulley" and name not in own}
-    return Respelled({**own, **light}, places)
+    return CanonicalParameters({**own, **light}, places)
 
 
 def _blocks(masses: list[Plain]) -> Plain:

@@ -71,7 +71,7 @@ def directions(cls: type[Entity]) -> dict[tuple[str, str], tuple[str, int | None
     return found
 
 
-def told_end(entity: str, cls: type[Entity], port: str, side: int | None) -> dict[str, Plain]:
+def end_to_plain(entity: str, cls: type[Entity], port: str, side: int | None) -> dict[str, Plain]:
     """Return an end as in a scene file, by its shortest name."""
     names = [said for said, meant in directions(cls).items() if meant == (port, side)]
     direction, point = min(names, key=lambda said: bool(said[1]))
@@ -79,14 +79,14 @@ def told_end(entity: str, cls: type[Entity], port: str, side: int | None) -> dic
     return found | {"connecting_point": point} if point else found
 
 
-def told_pairs(connection: Connection, classes: Mapping[str, type[Entity]]) -> list[list[Plain]]:
+def pairs_to_plain(connection: Connection, classes: Mapping[str, type[Entity]]) -> list[list[Plain]]:
     """Return a connection as pairs of ends, in the order of travel."""
     first, *inner, last = connection.links
-    ends = [told_end(first.entity, classes[first.entity], first.port, None)]
+    ends = [end_to_plain(first.entity, classes[first.entity], first.port, None)]
     for link in inner:
         enters = 1 if link.flipped else 0
-        ends.extend(told_end(link.entity, classes[link.entity], link.port, side) for side in (enters, 1 - enters))
-    ends.append(told_end(last.entity, classes[last.entity], last.port, None))
+        ends.extend(end_to_plain(link.entity, classes[link.entity], link.port, side) for side in (enters, 1 - enters))
+    ends.append(end_to_plain(last.entity, classes[last.entity], last.port, None))
     return [[ends[index], ends[index + 1]] for index in range(0, len(ends), 2)]
 
 

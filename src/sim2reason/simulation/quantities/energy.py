@@ -4,7 +4,7 @@ import numpy as np
 
 from sim2reason.scenes.dsl.mechanism import ZERO, Attraction, ConstantTension, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.scenes.dsl.vectors import minus, product
+from sim2reason.scenes.dsl.vectors import dot, minus
 from sim2reason.simulation.quantities import Quantity, quantity
 from sim2reason.simulation.quantities.forces import StringLengthRate
 from sim2reason.simulation.quantities.kinematics import Displacement, Velocity
@@ -44,7 +44,7 @@ class KineticEnergy(Energy):
         return moving + RotationalEnergy.evaluate(state, subject)
 
 
-class EnergyOfTurning(Energy):
+class KineticEnergyPart(Energy):
     """Base class of the translational and rotational parts of the kinetic energy of a rotating body."""
 
     weight = 0.1
@@ -60,7 +60,7 @@ class EnergyOfTurning(Energy):
 
 
 @quantity
-class TranslationalEnergy(EnergyOfTurning):
+class TranslationalEnergy(KineticEnergyPart):
     """The kinetic energy of the motion of the centre of mass."""
 
     name, symbol = "translational kinetic energy", "K"
@@ -75,7 +75,7 @@ class TranslationalEnergy(EnergyOfTurning):
 
 
 @quantity
-class RotationalEnergy(EnergyOfTurning):
+class RotationalEnergy(KineticEnergyPart):
     """The kinetic energy of rotation about the centre of mass."""
 
     name, symbol = "rotational kinetic energy", "K"
@@ -133,7 +133,7 @@ def _attracted(state: State, pull: Attraction, name: str, other: str) -> Array:
     """Return −G m M/((p − 1) rᵖ⁻¹) minus its initial value in J, (n,); for p = 1 the logarithm."""
     apart = minus(state.frames.center(name).place, state.frames.center(other).place)
     began = minus(state.began.center(name).place, state.began.center(other).place)
-    far, near = np.sqrt(product(apart, apart)), float(np.sqrt(product(began, began)))
+    far, near = np.sqrt(dot(apart, apart)), float(np.sqrt(dot(began, began)))
     strength = pull.constant * state.mass(name) * state.mass(other)
     if pull.power == 1.0:
         return strength * np.log(far / near)

@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from sim2reason.scenes.dsl.mechanism import Burn, Mechanism
+from sim2reason.scenes.dsl.mechanism import MassEjection, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.quantities import Quantity, quantity
 from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
 
 
-class OfEngine(Quantity):
+class EngineQuantity(Quantity):
     """Base class of quantities of a body that burns fuel."""
 
     of = Bodies()
@@ -22,7 +22,7 @@ class OfEngine(Quantity):
 
 
 @quantity
-class Thrust(OfEngine):
+class Thrust(EngineQuantity):
     """The thrust of the engine while it burns."""
 
     name, unit, symbol = "thrust", "N", "F"
@@ -35,7 +35,7 @@ class Thrust(OfEngine):
 
 
 @quantity
-class ThrustPower(OfEngine):
+class ThrustPower(EngineQuantity):
     """The power of the thrust: the thrust times the component of the velocity along it."""
 
     name, unit, symbol = "power of the thrust", "W", "P"
@@ -54,7 +54,7 @@ class ThrustPower(OfEngine):
 
 
 @quantity
-class FuelBurnt(OfEngine):
+class FuelBurnt(EngineQuantity):
     """The mass of the fuel that has been burnt."""
 
     name, unit, symbol = "fuel burnt", "kg", "m"
@@ -67,7 +67,7 @@ class FuelBurnt(OfEngine):
 
 
 @quantity
-class FuelLeft(OfEngine):
+class FuelLeft(EngineQuantity):
     """The mass of the fuel that is left."""
 
     name, unit, symbol = "fuel left", "kg", "m"
@@ -79,5 +79,5 @@ class FuelLeft(OfEngine):
         return burn.rate * burn.until - FuelBurnt.evaluate(state, subject)
 
 
-def _burn(mechanism: Mechanism, name: str) -> Burn:
+def _burn(mechanism: Mechanism, name: str) -> MassEjection:
     return next(burn for burn in mechanism.burns if burn.body == name)

@@ -76,10 +76,10 @@ class FieldForce(Quantity):
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
         """Return whether there are such forces on the body."""
-        return bool(acting(mechanism, name, self.law))
+        return bool(forces_with_law(mechanism, name, self.law))
 
 
-def acting(mechanism: Mechanism, name: str, law: type[Law]) -> list[Force]:
+def forces_with_law(mechanism: Mechanism, name: str, law: type[Law]) -> list[Force]:
     """Return the forces on a body with laws of a given class."""
     return [force for force in mechanism.forces if force.body == name and isinstance(force.law, law)]
 
@@ -88,7 +88,7 @@ def _total(state: State, subject: str, law: type[Law]) -> Array:
     """Return the sum of the forces of one class on a body in N, (n, 3)."""
     center = state.frames.center(subject)
     total = np.zeros((len(state.times), 3))
-    for force in acting(state.mechanism, subject, law):
+    for force in forces_with_law(state.mechanism, subject, law):
         found = state.vector(force.law.force(center.place, center.velocity, state.times, np))
         total = total + found * _inside(force, state, center.place)[:, None]
     return total

@@ -6,16 +6,16 @@ import numpy as np
 
 from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.scenes.dsl.vectors import minus, product
+from sim2reason.scenes.dsl.vectors import dot, minus
 from sim2reason.simulation.quantities import Quantity, quantity
 from sim2reason.simulation.quantities.kinematics import Acceleration
 from sim2reason.simulation.quantities.momentum import NetForce
-from sim2reason.simulation.quantities.subjects import Sense, all_said
+from sim2reason.simulation.quantities.subjects import Sense, is_stated_for_all
 from sim2reason.simulation.quantities.subjects.axles import DIRECTIONS, Axles, Pulleys, held_by_axle_alone
-from sim2reason.simulation.quantities.subjects.bodies import VERTICAL, Bodies, HungBodies, TurningBodies
+from sim2reason.simulation.quantities.subjects.bodies import VERTICAL, Bodies, SuspendedBodies, TurningBodies
 from sim2reason.simulation.quantities.subjects.contacts import Contacts
 from sim2reason.simulation.quantities.subjects.lines import Strings
-from sim2reason.simulation.quantities.subjects.paths import EVEN, carried_by, chain, upright
+from sim2reason.simulation.quantities.subjects.paths import DIRECTION_TOL, carried_by, chain, upright
 from sim2reason.simulation.quantities.subjects.rods import Rods, pointer
 
 
@@ -46,7 +46,7 @@ class PulleyForce(SupportForce):
                 for rim, end in ((one, other), (other, one)):
                     if rim.rpartition(".")[0] == subject and end.rpartition(".")[0] != subject:
                         part = minus(state.frames.site(end).place, state.frames.site(rim).place)
-                        length = np.broadcast_to(np.sqrt(product(part, part)), state.times.shape)
+                        length = np.broadcast_to(np.sqrt(dot(part, part)), state.times.shape)
                         length = np.where(length > 0.0, length, np.nan)  # what has no length has no direction
                         total = total + (state.tension[line.name] / length)[:, None] * state.vector(part)
         return total
@@ -58,7 +58,7 @@ class AxleLoads(TurningBodies):
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
         """Return whether the text states the number `need` for every body that has it, since each may load the axle."""
         del name
-        return all_said(need, mechanism, said)
+        return is_stated_for_all(need, mechanism, said)
 
 
 @quantity
@@ -109,7 +109,7 @@ def _guided(mechanism: Mechanism, name: str) -> bool:
         return False
     own, held = body.coordinates, carrier.coordinates
     slides = [c.kind for c in own] == ["slide"] and [c.kind for c in held] == ["slide"]
-    return slides and upright(own[0].axis) and abs(held[0].axis[2]) <= EVEN
+    return slides and upright(own[0].axis) and abs(held[0].axis[2]) <= DIRECTION_TOL
 
 
 FORCE = "force that the axle exerts on {body}"
@@ -228,7 +228,7 @@ class RodForce(Quantity):
             return state.tension[subject]
         (top, start), (bottom, end) = pointer(state.mechanism, subject)
         arm = minus(state.frames[bottom].point(end).place, state.frames[top].point(start).place)
-        length = np.sqrt(product(arm, arm))
+        length = np.sqrt(dot(arm, arm))
         along = state.vector(arm) / np.broadcast_to(length, state.times.shape)[:, None]
         total = np.zeros((len(state.times), 3))
         for body in carried_by(state.mechanism, subject):
@@ -244,7 +244,7 @@ class RodPull(Quantity):
     """The force in a light rod that holds a small body on a moving axle; in structured questions only, never drawn."""
 
     name, unit, symbol = "rod pull", "N", "T"
-    of = HungBodies()
+    of = SuspendedBodies()
     drawn_by_recipes = False
     needs = ("mass",)
     floor, heavy = 0.1, True
@@ -253,7 +253,7 @@ class RodPull(Quantity):
     def evaluate(state: State, subject: str) -> Array:
         """Return m (g − a) along the rod in N, (n,): positive if the rod pulls."""
         arm = minus(state.frames.center(subject).place, state.frames[subject].point(ZERO).place)
-        along = state.vector(arm) / np.broadcast_to(np.sqrt(product(arm, arm)), state.times.shape)[:, None]
+        along = state.vector(arm) / np.broadcast_to(np.sqrt(dot(arm, arm)), state.times.shape)[:, None]
         force = np.array(state.mechanism.gravity) - Acceleration.evaluate(state, subject)
         return state.mechanism.body[subject].mass * np.einsum("ij,ij->i", force, along)
 

@@ -8,7 +8,7 @@ from sim2reason.scenes.dsl.vectors import minus, plus, times
 from sim2reason.simulation.quantities import Quantity, quantity
 from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.simulation.quantities.subjects.bodies import HORIZONTAL, VERTICAL, Bodies
-from sim2reason.simulation.quantities.subjects.paths import EVEN, center_path
+from sim2reason.simulation.quantities.subjects.paths import DIRECTION_TOL, center_path
 
 RANGE, SLANTED = 1.5, 0.15  # relative frequencies of the range of a projectile, and of its slanted distance
 SWUNG = 0.3  # relative frequency of the acceleration of a point on a swinging body
@@ -59,16 +59,16 @@ class Displacement(Quantity):
 def _falls_in_a_plane(mechanism: Mechanism, name: str) -> bool:
     """Return whether a body can move both up and sideways in a uniform gravitational field."""
     ways = [way[2] for way in center_path(mechanism, name).ways]
-    upright = any(abs(way) > 1.0 - EVEN for way in ways) and any(abs(way) < EVEN for way in ways)
+    upright = any(abs(way) > 1.0 - DIRECTION_TOL for way in ways) and any(abs(way) < DIRECTION_TOL for way in ways)
     return upright and mechanism.gravity != ZERO
 
 
 def _direction(sense: Sense, mechanism: Mechanism, name: str) -> str:
     """Return *horizontal* or *vertical* for an axis of a vertical plane with gravity, else an empty string."""
     along = abs(sense.vector[2])
-    if not sense.axis or not _falls_in_a_plane(mechanism, name) or EVEN < along < 1.0 - EVEN:
+    if not sense.axis or not _falls_in_a_plane(mechanism, name) or DIRECTION_TOL < along < 1.0 - DIRECTION_TOL:
         return ""
-    return HORIZONTAL if along <= EVEN else VERTICAL
+    return HORIZONTAL if along <= DIRECTION_TOL else VERTICAL
 
 
 @quantity

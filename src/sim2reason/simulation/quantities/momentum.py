@@ -4,11 +4,11 @@ import numpy as np
 
 from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.scenes.dsl.vectors import applied, cross, minus, plus, product
+from sim2reason.scenes.dsl.vectors import applied, cross, dot, minus, plus
 from sim2reason.simulation.quantities import Quantity, quantity
 from sim2reason.simulation.quantities.kinematics import Acceleration, Velocity
 from sim2reason.simulation.quantities.rotation import AngularAcceleration, AngularVelocity
-from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies, Whole, moves
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies, WholeScene, can_move
 from sim2reason.simulation.quantities.subjects.paths import chain, is_welded_part, turning_axes
 
 
@@ -56,7 +56,7 @@ class NetForce(Quantity):
         return np.asarray(state.mass(subject))[..., None] * Acceleration.evaluate(state, subject)
 
 
-class AboutCenter(Quantity):
+class CentralQuantity(Quantity):
     """Base class of rotational quantities of a body about its own centre of mass."""
 
     of, vector = TurningBodies(), True
@@ -74,7 +74,7 @@ class AboutCenter(Quantity):
 
 
 @quantity
-class AngularMomentum(AboutCenter):
+class AngularMomentum(CentralQuantity):
     """The angular momentum of a single body about its own centre of mass."""
 
     name, unit, symbol = "angular momentum", "kg m^2/s", "L"
@@ -90,7 +90,7 @@ class AngularMomentum(AboutCenter):
 
 
 @quantity
-class Torque(AboutCenter):
+class Torque(CentralQuantity):
     """The sum of the torques of all forces on a body about its own centre of mass."""
 
     name, unit, symbol = "torque", "N m", "τ"
@@ -131,7 +131,7 @@ class BodyMass(Quantity):
 
 
 @quantity
-class MomentOfInertia(AboutCenter):
+class MomentOfInertia(CentralQuantity):
     """The moment of inertia of a body about its axis of rotation through its centre of mass."""
 
     name, unit, symbol = "moment of inertia", "kg m^2", "I"
@@ -147,11 +147,11 @@ class MomentOfInertia(AboutCenter):
     def evaluate(state: State, subject: str) -> Array:
         """Return n·I n in kg m², (n,), with the axis n of the innermost hinge."""
         _, axis = turning_axes(state.mechanism, subject)[0]
-        held = product(axis, applied(state.mechanism.body[subject].inertia, axis))
+        held = dot(axis, applied(state.mechanism.body[subject].inertia, axis))
         return np.full(len(state.times), held)
 
 
-class InertiaTensor(AboutCenter):
+class InertiaTensor(CentralQuantity):
     """Base class of the components of the inertia tensor of a body about its centre of mass, in the world axes."""
 
     @staticmethod
@@ -213,7 +213,7 @@ class AxleDistance(Quantity):
 
 
 @quantity
-class InertiaAboutAxle(AboutCenter):
+class InertiaAboutAxle(CentralQuantity):
     """The moment of inertia of a body about its fixed axle; in structured questions only, never drawn."""
 
     name, unit, symbol = "moment of inertia about the axle", "kg m^2", "I"
@@ -225,7 +225,7 @@ class InertiaAboutAxle(AboutCenter):
         """Return n·I n + m d² in kg m², with the distance d of the centre of mass from the axis of the hinge, (n,)."""
         mechanism = state.mechanism
         _, axis = turning_axes(mechanism, subject)[0]
-        held = product(axis, applied(mechanism.body[subject].inertia, axis))
+        held = dot(axis, applied(mechanism.body[subject].inertia, axis))
         return held + mechanism.body[subject].mass * AxleDistance.evaluate(state, subject) ** 2
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
@@ -258,7 +258,7 @@ class MassCenterVelocity(Quantity):
     """The velocity of the centre of mass of all bodies, if there are several and all can move."""
 
     name, unit, symbol = "velocity of the centre of mass", "m/s", "v"
-    of, vector = Whole(), True
+    of, vector = WholeScene(), True
     drawn_by_recipes = False
     needs = ("mass",)
     floor = 0.1
@@ -267,7 +267,7 @@ class MassCenterVelocity(Quantity):
         """Return whether there are several bodies with a mass and all of them can move."""
         del name
         heavy = [body.name for body in mechanism.bodies if body.mass > 0.0]
-        return len(heavy) > 1 and all(moves(mechanism, each) for each in heavy)
+        return len(heavy) > 1 and all(can_move(mechanism, each) for each in heavy)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:

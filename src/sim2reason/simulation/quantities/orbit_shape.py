@@ -6,8 +6,8 @@ from sim2reason.scenes.dsl.mechanism import Attraction, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.quantities import Quantity, quantity
 from sim2reason.simulation.quantities.kinematics import Velocity
-from sim2reason.simulation.quantities.subjects.bodies import moves
-from sim2reason.simulation.quantities.subjects.pairs import AND, Pairs
+from sim2reason.simulation.quantities.subjects.bodies import can_move
+from sim2reason.simulation.quantities.subjects.pairs import PAIR_SEPARATOR, Pairs
 
 
 class OrbitShape(Quantity):
@@ -19,7 +19,7 @@ class OrbitShape(Quantity):
 
     def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
         """Return the names of attracting pairs of which one body alone moves and is attracted by the other alone."""
-        return tuple(AND.join((pull.a, pull.b)) for pull in mechanism.attractions if _alone(mechanism, pull))
+        return tuple(PAIR_SEPARATOR.join((pull.a, pull.b)) for pull in mechanism.attractions if _alone(mechanism, pull))
 
 
 @quantity
@@ -63,7 +63,7 @@ class CircularSpeed(OrbitShape):
 
 
 def _alone(mechanism: Mechanism, pull: Attraction) -> bool:
-    moving = [name for name in (pull.a, pull.b) if moves(mechanism, name)]
+    moving = [name for name in (pull.a, pull.b) if can_move(mechanism, name)]
     others = [other for other in mechanism.attractions if moving and moving[0] in (other.a, other.b)]
     return len(moving) == 1 and others == [pull] and pull.power == 2.0 and not mechanism.forces
 
@@ -71,7 +71,7 @@ def _alone(mechanism: Mechanism, pull: Attraction) -> bool:
 def _relative(state: State, subject: str) -> tuple[Array, Array, float]:
     """Return the position and velocity of the moving body relative to the fixed one, (n, 3), and G M."""
     mechanism = state.mechanism
-    pull = next(pull for pull in mechanism.attractions if AND.join((pull.a, pull.b)) == subject)
-    planet, star = (pull.a, pull.b) if moves(mechanism, pull.a) else (pull.b, pull.a)
+    pull = next(pull for pull in mechanism.attractions if PAIR_SEPARATOR.join((pull.a, pull.b)) == subject)
+    planet, star = (pull.a, pull.b) if can_move(mechanism, pull.a) else (pull.b, pull.a)
     apart = state.vector(state.frames.center(planet).place) - state.vector(state.frames.center(star).place)
     return apart, Velocity.evaluate(state, planet), pull.constant * mechanism.body[star].mass

@@ -5,10 +5,10 @@ from typing import ClassVar
 
 import numpy as np
 
-from sim2reason.scenes.dsl.frames import Frames, start
+from sim2reason.scenes.dsl.frames import Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import ZERO, Coordinate, Inextensible, Mechanism, X, Y
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.scenes.dsl.vectors import cross, minus, product, unit
+from sim2reason.scenes.dsl.vectors import cross, dot, minus, unit
 from sim2reason.simulation.quantities import Quantity, quantity
 from sim2reason.simulation.quantities.kinematics import Displacement
 from sim2reason.simulation.quantities.subjects import Sense
@@ -149,7 +149,7 @@ def height_at_start(mechanism: Mechanism, name: str) -> float:
         return -mechanism.coordinates[number].lower
     gap = next(met for met in mechanism.meetings if met.a is None and met.names == (name,))
     assert gap.normal is not None
-    return float(product(start(mechanism).center(name).place, gap.normal)) - gap.distance
+    return float(dot(initial_frames(mechanism).center(name).place, gap.normal)) - gap.distance
 
 
 def _falling(mechanism: Mechanism, name: str) -> int | None:
@@ -198,7 +198,7 @@ def _angle(frames: Frames, mechanism: Mechanism, subject: str) -> Array:
     arm = minus(frames[bottom].point(end).place, frames[top].point(start).place)
     down = unit(mechanism.gravity)
     across = cross(down, arm)
-    return degrees(1.0) * np.arctan2(np.sqrt(product(across, across)), product(down, arm))
+    return degrees(1.0) * np.arctan2(np.sqrt(dot(across, across)), dot(down, arm))
 
 
 def _slack(state: State, subject: str) -> Array:

@@ -8,11 +8,11 @@ import numpy as np
 from sim2reason.scenes.dsl.fields import Magnetic
 from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.scenes.dsl.vectors import minus, product, unit
+from sim2reason.scenes.dsl.vectors import dot, minus, unit
 from sim2reason.simulation.quantities import Quantity, quantity
 from sim2reason.simulation.quantities.kinematics import CurvatureRadius, Velocity
-from sim2reason.simulation.quantities.subjects.bodies import Bodies, moves, moves_in_plane
-from sim2reason.simulation.quantities.subjects.pairs import AND, Pairs, RelativeBodies, members
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, can_move, moves_in_plane
+from sim2reason.simulation.quantities.subjects.pairs import PAIR_SEPARATOR, Pairs, RelativeBodies, members
 from sim2reason.simulation.quantities.subjects.paths import center_path, rides
 
 
@@ -32,14 +32,16 @@ class DistanceBetween(Quantity):
     def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
         """Return the names of the pairs, and of any other two bodies that move freely in a plane, in either order."""
         free = [body.name for body in mechanism.bodies if moves_in_plane(mechanism, body.name)]
-        return tuple(dict.fromkeys((*self.of.names(mechanism), *(AND.join(two) for two in permutations(free, 2)))))
+        return tuple(
+            dict.fromkeys((*self.of.names(mechanism), *(PAIR_SEPARATOR.join(two) for two in permutations(free, 2))))
+        )
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
         """Return |r − r′| in m, (n,)."""
         a, b = members(subject)
         apart = minus(state.frames.center(a).place, state.frames.center(b).place)
-        return np.sqrt(product(apart, apart)) + 0.0 * state.times
+        return np.sqrt(dot(apart, apart)) + 0.0 * state.times
 
 
 @quantity
@@ -56,7 +58,7 @@ class RelativeSpeed(Quantity):
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
         """Return whether both bodies move; otherwise it is the speed of the moving one."""
-        return all(moves(mechanism, body) for body in members(name))
+        return all(can_move(mechanism, body) for body in members(name))
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
@@ -83,7 +85,7 @@ class RelativeVelocity(Quantity):
         return Velocity.evaluate(state, a) - Velocity.evaluate(state, b)
 
 
-class OfRider(Quantity):
+class CarriedBodyQuantity(Quantity):
     """Base class of quantities of a body that slides along one line on a body that moves without turning."""
 
     of = Bodies()
@@ -96,7 +98,7 @@ class OfRider(Quantity):
 
 
 @quantity
-class RiderDisplacement(OfRider):
+class RiderDisplacement(CarriedBodyQuantity):
     """The displacement of a body relative to the body that carries it."""
 
     name, unit, symbol = "displacement relative to its carrier", "m", "s"
@@ -108,7 +110,7 @@ class RiderDisplacement(OfRider):
 
 
 @quantity
-class RiderVelocity(OfRider):
+class RiderVelocity(CarriedBodyQuantity):
     """The velocity of a body relative to the body that carries it."""
 
     name, unit, symbol = "speed relative to its carrier", "m/s", "v"
@@ -120,7 +122,7 @@ class RiderVelocity(OfRider):
 
 
 @quantity
-class RiderAcceleration(OfRider):
+class RiderAcceleration(CarriedBodyQuantity):
     """The acceleration of a body relative to the body that carries it."""
 
     name, unit, symbol = "acceleration relative to its carrier", "m/s^2", "a"

@@ -13,7 +13,16 @@ from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.fields import Magnetic, Push
 from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism
 from sim2reason.scenes.dsl.state import Dynamics, State
-from sim2reason.simulation.rest.loads import EXACT, LITTLE, Loads, RestingLoads, Vector, shared, symmetric, ways
+from sim2reason.simulation.rest.loads import (
+    EXACT,
+    ZERO_FORCE_TOL,
+    Loads,
+    RestingLoads,
+    Vector,
+    null_space,
+    symmetric,
+    undetermined_forces,
+)
 
 
 class Balance:
@@ -40,17 +49,17 @@ class Balance:
         Forces up to `little`, N, count as zero.
         """
         system, q = self.system, self.places
-        slack = all(float(row.value) >= -LITTLE for i, row in enumerate(self.rows) if i not in self.active)
+        slack = all(float(row.value) >= -ZERO_FORCE_TOL for i, row in enumerate(self.rows) if i not in self.active)
         pushed = all(force >= -little for i, force in enumerate(self.normal) if i not in system.guided)
-        apart = all(float(self.assembly.separation(pair).gap) > LITTLE for pair in system.mechanism.meetings)
-        within = all(limit.room + limit.sign * float(q[limit.coordinate]) > LITTLE for limit in system.limits)
+        apart = all(float(self.assembly.separation(pair).gap) > ZERO_FORCE_TOL for pair in system.mechanism.meetings)
+        within = all(limit.room + limit.sign * float(q[limit.coordinate]) > ZERO_FORCE_TOL for limit in system.limits)
         return slack and pushed and apart and within and self._strained() and self._ahead()
 
     def _strained(self) -> bool:
         """Return whether one-sided springs are in the same state here as at the start."""
         for (line, law), strained in zip(self.system.mechanism.half_springs, self.system.phase.strained, strict=True):
             strain = law.side * float(self.assembly.length(line).value - law.length)
-            if (strain > LITTLE) != strained or abs(strain) <= LITTLE:
+            if (strain > ZERO_FORCE_TOL) != strained or abs(strain) <= ZERO_FORCE_TOL:
                 return False
         return True
 
@@ -58,7 +67,7 @@ class Balance:
         """Return whether no straight line segment has reversed its direction, as after its end passes a pulley."""
         for ends, run in self.system.runs.items():
             way = self.assembly.frames.distance(*ends).way
-            if sum(float(a) * float(b) for a, b in zip(way, run.way, strict=True)) < LITTLE - 1.0:
+            if sum(float(a) * float(b) for a, b in zip(way, run.way, strict=True)) < ZERO_FORCE_TOL - 1.0:
                 return False
         return True
 
@@ -66,7 +75,7 @@ class Balance:
         """Return the resting state; undetermined constraint forces are NaN, and then all normal forces."""
         mechanism, kinds, still = self.system.mechanism, self.loads.kinds, np.zeros((1, self.loads.size))
         known = self.forces.copy()
-        open_ = shared(self.loads.at(self.places).along[self.active])
+        open_ = undetermined_forces(self.loads.at(self.places).along[self.active])
         known[self.active] = np.where(open_, math.nan, self.forces[self.active])
         friction = {grip.contact: -float(known[len(kinds) + i]) for i, grip in enumerate(self.loads.slips)}
         names = [face.subject for face in mechanism.faces]
@@ -83,12 +92,12 @@ class Balance:
 
 
 STEPS = 40  # largest number of steps of the search
-PATIENCE = 6  # steps after which a force without restoring stiffness must have vanished
-FLAT = 1e-6  # fraction of the largest stiffness: a smaller one counts as zero
-LONGEST = 0.5  # largest step: rad, or as a fraction of the longest line
+FORCE_DECAY_STEPS = 6  # steps after which a force without restoring stiffness must have vanished
+ZERO_STIFFNESS_RTOL = 1e-6  # fraction of the largest stiffness: a smaller one counts as zero
+MAX_STEP = 0.5  # largest step: rad, or as a fraction of the longest line
 STARTS = 32  # starting points of the search for other equilibria; few miss a basin of a tenth of the range
-NEAR = 0.2  # rad, and fraction of the shortest line: a motion within that avoids collisions
-APART = 1e-5  # m or rad, of the largest stiffness: equilibria closer than that are equal
+COLLISION_FREE_RANGE = 0.2  # rad, and fraction of the shortest line: a motion within that avoids collisions
+EQUILIBRIUM_DISTANCE_TOL = 1e-5  # m or rad, of the largest stiffness: equilibria closer than that are equal
 KEPT = 8  # number of cached results
 
 
@@ -134,7 +143,7 @@ def equilibrium(mechanism: Mechanism) -> Rest | None:
 
 
 @lru_cache(maxsize=KEPT)
-def lone_equilibrium(mechanism: Mechanism) -> Rest | None:
+def unique_equilibrium(mechanism: Mechanism) -> Rest | None:
     """Return the only stable equilibrium; None if a search from other positions finds a different one."""
     rest = equilibrium(mechanism)
     if rest is None or rest.linear:
@@ -173,12 +182,14 @@ def _same(one: Rest, other: Rest, loads: RestingLoads) -> bool:
     apart = np.where(loads.hinges, np.remainder(apart + math.pi, 2.0 * math.pi) - math.pi, apart)
     rolled = [number for grip in loads.slips for number, _ in grip.slip.terms if not loads.hinges[number]]
     apart[rolled] = 0.0  # what never slips is as far on as it has turned
-    if float(np.abs(apart).max()) <= APART:
+    if float(np.abs(apart).max()) <= EQUILIBRIUM_DISTANCE_TOL:
         return True
     if not one.free or one.free != other.free:
         return False
     mine, others = np.linalg.eigvalsh(one.stiffness), np.linalg.eigvalsh(other.stiffness)
-    return bool(np.allclose(mine, others, rtol=APART, atol=APART * float(mine[-1])))
+    return bool(
+        np.allclose(mine, others, rtol=EQUILIBRIUM_DISTANCE_TOL, atol=EQUILIBRIUM_DISTANCE_TOL * float(mine[-1]))
+    )
 
 
 def _spread(size: int) -> Vector:
@@ -196,7 +207,7 @@ class _Descent:
     def __init__(self, loads: RestingLoads, places: Vector | None = None) -> None:
         """Initialize with the force scale at `places`, by default at the start."""
         self.loads, self.size = loads, loads.size
-        lengths = [length for length in loads.system.starts.values() if length > LITTLE] or [1.0]
+        lengths = [length for length in loads.system.starts.values() if length > ZERO_FORCE_TOL] or [1.0]
         self.shortest, self.longest = min(lengths), max(lengths)
         self.scale = loads.largest(np.zeros(self.size) if places is None else places)
 
@@ -204,13 +215,15 @@ class _Descent:
         """Return the equilibrium reached from the start; strings that would have to push are released on the way."""
         places, both = np.zeros(self.size), self.loads.both
         spare = self.loads.at(places).spare
-        active = [number for number, always in enumerate(both) if always or spare[number] <= LITTLE]
+        active = [number for number, always in enumerate(both) if always or spare[number] <= ZERO_FORCE_TOL]
         for _ in range(1 + len(both)):
             found = self._settled(places, active)
             if found is None:
                 return None
             places, forces = found
-            pushing = [number for number in active if not both[number] and forces[number] < -LITTLE * self.scale]
+            pushing = [
+                number for number in active if not both[number] and forces[number] < -ZERO_FORCE_TOL * self.scale
+            ]
             if not pushing:
                 return self._checked(places, active, forces)
             active = [number for number in active if number not in pushing]
@@ -231,16 +244,16 @@ class _Descent:
 
     def linear(self) -> bool:
         """Return whether loads are linear in the coordinates, within the range without collisions."""
-        near = np.where(self.loads.hinges, NEAR, NEAR * self.shortest)
+        near = np.where(self.loads.hinges, COLLISION_FREE_RANGE, COLLISION_FREE_RANGE * self.shortest)
         return self.loads.linear(_spread(self.size)[:2] * near, self.scale)
 
     def _settled(self, places: Vector, active: list[int]) -> tuple[Vector, Vector] | None:
         """Return the coordinates and the forces of all rows at equilibrium; None if the search does not converge."""
         driven = 0
-        most = LONGEST * np.where(self.loads.hinges, 1.0, self.longest)
+        most = MAX_STEP * np.where(self.loads.hinges, 1.0, self.longest)
         for _ in range(STEPS):
             loads = self.loads.at(places)
-            free = ways(loads.along[active], self.size)
+            free = null_space(loads.along[active], self.size)
             forces = self.loads.forces(loads, active)
             down = free.T @ loads.force
             if self._balanced(loads, down, active):
@@ -249,10 +262,10 @@ class _Descent:
             stiffness = free.T @ self.loads.stiffness(places, forces, active)
             sizes, axes = np.linalg.eigh(symmetric(stiffness @ free))
             along = axes.T @ (down - stiffness @ tight)
-            firm = np.abs(sizes) > FLAT * np.abs(sizes).max(initial=0.0)
-            pushed = ~firm & (np.abs(along) > LITTLE * self.scale)
+            firm = np.abs(sizes) > ZERO_STIFFNESS_RTOL * np.abs(sizes).max(initial=0.0)
+            pushed = ~firm & (np.abs(along) > ZERO_FORCE_TOL * self.scale)
             driven = driven + 1 if pushed.any() else 0
-            if driven > PATIENCE:
+            if driven > FORCE_DECAY_STEPS:
                 return None
             part = np.where(firm, along / np.where(firm, np.abs(sizes), 1.0), np.where(pushed, np.sign(along), 0.0))
             step = tight + free @ (axes @ part)
@@ -269,17 +282,17 @@ class _Descent:
 
     def _is_rest(self, places: Vector, active: list[int]) -> bool:
         loads = self.loads.at(places)
-        return self._balanced(loads, ways(loads.along[active], self.size).T @ loads.force, active)
+        return self._balanced(loads, null_space(loads.along[active], self.size).T @ loads.force, active)
 
     def _checked(self, places: Vector, active: list[int], forces: Vector) -> Rest | None:
         """Return the equilibrium if all conditions hold and it is stable; else None."""
-        free = ways(self.loads.at(places).along[active], self.size)
+        free = null_space(self.loads.at(places).along[active], self.size)
         stiffness = symmetric(free.T @ self.loads.stiffness(places, forces, active) @ free)
         sizes = np.linalg.eigvalsh(stiffness)
-        least = FLAT * float(np.abs(sizes).max(initial=0.0))
+        least = ZERO_STIFFNESS_RTOL * float(np.abs(sizes).max(initial=0.0))
         if not len(sizes) or float(sizes.max()) <= 0.0 or float(sizes.min()) < -least:
             return None
         balance = Balance(self.loads, places, active, forces)
-        if not balance.holds(LITTLE * self.scale):
+        if not balance.holds(ZERO_FORCE_TOL * self.scale):
             return None
         return Rest(balance.state(), free, stiffness, int((sizes <= least).sum()), tuple(active))

@@ -15,7 +15,7 @@ from sim2reason.simulation.engines.exact.tape import Tape
 Vector = NDArray[np.float64]
 
 EXACT = 1e-10  # fraction of the largest force, or m: accuracy of an equilibrium
-LITTLE = 1e-6  # fraction of the largest force, or m: smaller values count as zero
+ZERO_FORCE_TOL = 1e-6  # fraction of the largest force, or m: smaller values count as zero
 SLIGHT = 1e-3  # strain of the stiffest spring that sets the scale of forces
 DIFFERENCE = 6e-6  # m or rad, for central differences
 
@@ -118,21 +118,21 @@ class RestingLoads:
         return True
 
 
-def ways(rows: Vector, size: int) -> Vector:
+def null_space(rows: Vector, size: int) -> Vector:
     """Return an orthonormal basis of the null space of the rows, (size, m)."""
     if not rows.size:
         return np.eye(size)
     _, sizes, found = np.linalg.svd(rows, full_matrices=True)
-    return found[int((sizes > LITTLE).sum()) :].T
+    return found[int((sizes > ZERO_FORCE_TOL).sum()) :].T
 
 
-def shared(rows: Vector) -> NDArray[np.bool_]:
+def undetermined_forces(rows: Vector) -> NDArray[np.bool_]:
     """Return whether the force of each row is undetermined, since other rows could bear it, (rows,)."""
     if not rows.size:
         return np.zeros(len(rows), dtype=np.bool_)
     sides, sizes, _ = np.linalg.svd(rows, full_matrices=True)
-    spare: Vector = np.abs(sides[:, int((sizes > LITTLE).sum()) :]).max(axis=1, initial=0.0)
-    return spare > LITTLE
+    spare: Vector = np.abs(sides[:, int((sizes > ZERO_FORCE_TOL).sum()) :]).max(axis=1, initial=0.0)
+    return spare > ZERO_FORCE_TOL
 
 
 def symmetric(matrix: Vector) -> Vector:

@@ -20,7 +20,7 @@ from sim2reason.simulation.rest.loads import Vector
 from sim2reason.simulation.trace import ENGINES
 
 MASSLESS = 1e-9  # fraction of the largest inertia: a smaller one counts as massless
-STILL = 1e-6  # fraction of the largest ω²: a smaller one counts as zero
+ZERO_FREQUENCY_RTOL = 1e-6  # fraction of the largest ω²: a smaller one counts as zero
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ def oscillations(rest: Rest) -> Oscillations | None:
     reduced = stiffness[np.ix_(heavy, heavy)] + stiffness[np.ix_(heavy, ~heavy)] @ follow
     roots = 1.0 / np.sqrt(sizes[heavy])
     squares, turned = np.linalg.eigh(roots[:, None] * reduced * roots)
-    moving = squares > STILL * float(squares.max(initial=0.0))
+    moving = squares > ZERO_FREQUENCY_RTOL * float(squares.max(initial=0.0))
     main = roots[:, None] * turned[:, moving]
     shapes = np.zeros((len(sizes), int(moving.sum())))
     shapes[heavy], shapes[~heavy] = main, follow @ main
@@ -63,7 +63,7 @@ def inertia(rest: Rest) -> Vector:
 def _following(stiffness: Vector, heavy: NDArray[np.bool_]) -> Vector | None:
     """Return the matrix by which massless coordinates follow the others; None if one is not held."""
     light = stiffness[np.ix_(~heavy, ~heavy)]
-    if len(light) and float(np.linalg.eigvalsh(light).min()) <= STILL * float(np.abs(stiffness).max()):
+    if len(light) and float(np.linalg.eigvalsh(light).min()) <= ZERO_FREQUENCY_RTOL * float(np.abs(stiffness).max()):
         return None
     found: Vector = np.zeros((int((~heavy).sum()), int(heavy.sum())))
     return found - np.linalg.solve(light, stiffness[np.ix_(~heavy, heavy)])
@@ -75,10 +75,12 @@ def _conserves(mechanism: Mechanism) -> bool:
     return not dashpots and all(isinstance(force.law, Push) or force.law.constant for force in mechanism.forces)
 
 
-SAME = 1e-6  # relative: smaller differences count as equal; a stated number is shifted by a thousand times as much
+RELATIVE_DIFFERENCE_TOL = (
+    1e-6  # relative: smaller differences count as equal; a stated number is shifted by a thousand times as much
+)
 
 
-def alike_at_rest(one: Mechanism, other: Mechanism, aspects: Collection[str]) -> bool:
+def agree_at_rest(one: Mechanism, other: Mechanism, aspects: Collection[str]) -> bool:
     """Return whether two mechanisms differ in initial speeds alone, or agree at rest in some aspects.
 
     Aspects are ``lengths`` of lines, ``forces``, ``inertia`` and ``stiffness``.
@@ -116,17 +118,21 @@ def _facts(rest: Rest) -> dict[str, Vector]:
 def _same(mine: Vector, its: Vector) -> bool:
     if mine.shape != its.shape:
         return False
-    return bool(np.allclose(mine, its, rtol=0.0, atol=SAME * float(np.abs(mine).max(initial=0.0)), equal_nan=True))
+    return bool(
+        np.allclose(
+            mine, its, rtol=0.0, atol=RELATIVE_DIFFERENCE_TOL * float(np.abs(mine).max(initial=0.0)), equal_nan=True
+        )
+    )
 
 
-SMALL = 1e-3  # amplitude: rad, or fraction of the shortest straight line segment
+AMPLITUDE = 1e-3  # amplitude: rad, or fraction of the shortest straight line segment
 SAMPLES = 5  # in half a period
 SHAPE = 1e-2  # fraction of the amplitude: largest deviation of a small oscillation from a sine
 PHASE = 1e-3  # fraction of a period: largest phase error
 INSTANT = 1e-3  # s: duration of the simulation of a state at rest
 
 
-def unrest(rest: Rest) -> str:
+def equilibrium_disagreement(rest: Rest) -> str:
     """Return why the second engine disagrees about an equilibrium or its forces; empty if it agrees."""
     mechanism, still = rest.mechanism, [0.0] * len(rest.mechanism.coordinates)
     try:
@@ -151,13 +157,13 @@ def _load(state: State) -> float:
     return max([weight, *(abs(float(force[0])) for force in forces if np.isfinite(force[0]))]) or 1.0
 
 
-def disagreement(rest: Rest, modes: Oscillations, number: int) -> str:
+def mode_disagreement(rest: Rest, modes: Oscillations, number: int) -> str:
     """Return why the second engine disagrees about a normal mode of small amplitude; empty if it agrees."""
     mechanism, frequency, shape = rest.mechanism, float(modes.frequencies[number]), modes.shapes[:, number]
     system = System(mechanism)
     shortest = min([run.value for run in system.runs.values()], default=1.0)
     hinges = np.array([coordinate.kind == "hinge" for coordinate in mechanism.coordinates])
-    shift = SMALL * shape / float((np.abs(shape) / np.where(hinges, 1.0, shortest)).max())
+    shift = AMPLITUDE * shape / float((np.abs(shape) / np.where(hinges, 1.0, shortest)).max())
     begun = neighbour(rest, shift)
     times = np.linspace(0.0, np.pi / frequency, SAMPLES)
     try:

@@ -15,7 +15,7 @@ from sim2reason.solutions.algebra.expressions import (
 )
 from sim2reason.solutions.algebra.functions import Absolute, Call, Power, Root
 
-NOTHING = 1e-9  # relative: a smaller sum of leading terms counts as zero
+CANCELLATION_RTOL = 1e-9  # relative: a smaller sum of leading terms counts as zero
 
 
 class CancelledError(Exception):
@@ -72,6 +72,6 @@ def _of_sum(held: Sum, name: str, at: Mapping[str, float], sense: float) -> tupl
     most = max(sense * power for _, power in parts)
     kept = [part for part, power in parts if sense * power == most]
     values = [part.value(at).real for part in kept]
-    if abs(sum(values)) <= NOTHING * max(map(abs, values)):
+    if abs(sum(values)) <= CANCELLATION_RTOL * max(map(abs, values)):
         raise CancelledError("leading terms cancel")
     return reduce(added, kept), sense * most

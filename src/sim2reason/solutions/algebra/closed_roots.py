@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import reduce
 from operator import add, mul
 
-from sim2reason.solutions.algebra.evaluated import Worked
+from sim2reason.solutions.algebra.evaluated import NumericFormula
 from sim2reason.solutions.algebra.expressions import (
     ZERO,
     Expression,
@@ -18,20 +18,20 @@ from sim2reason.solutions.algebra.expressions import (
     multiplied,
     ratio,
 )
-from sim2reason.solutions.algebra.fractions import over, quotient
+from sim2reason.solutions.algebra.fractions import cancel_common_sum, reduced_quotient
 from sim2reason.solutions.algebra.functions import PI, Call, Function, Power, Root
-from sim2reason.solutions.algebra.polynomials import Monomial, Polynomial, common, divided
+from sim2reason.solutions.algebra.polynomials import Monomial, Polynomial, common_monomial, divide_by_term
 
-MOST = 60  # terms of an equation that is solved in symbols, at most
+MAX_TERMS = 60  # terms of an equation that is solved in symbols, at most
 QUADRATIC = 2  # highest degree of an equation that is solved
-FEW = 12  # terms of an equation with several square roots, at most
-SQUARED = 2  # different square roots with the symbol in one equation, at most
+MAX_TERMS_WITH_ROOTS = 12  # terms of an equation with several square roots, at most
+MAX_SQUARE_ROOTS = 2  # different square roots with the symbol in one equation, at most
 
 
-Written = Callable[[Polynomial], Expression]
+CoefficientWriter = Callable[[Polynomial], Expression]
 
 
-def roots(name: str, zero: Polynomial, written: Written = Polynomial.factored) -> Iterator[Expression]:
+def roots(name: str, zero: Polynomial, written: CoefficientWriter = Polynomial.factored) -> Iterator[Expression]:
     """Yield closed-form candidates for a symbol at which a polynomial in it, its functions and roots vanishes.
 
     Squaring may add extraneous roots. `written` converts coefficients to formulas.
@@ -49,34 +49,36 @@ def roots(name: str, zero: Polynomial, written: Written = Polynomial.factored) -
 
 
 @dataclass(frozen=True)
-class Fraction:
+class PolynomialFraction:
     """A polynomial of symbols, functions and roots over a product of polynomials, unexpanded so that factors cancel."""
 
     above: Polynomial
     below: tuple[Polynomial, ...] = ()
 
-    def __add__(self, other: "Fraction") -> "Fraction":
+    def __add__(self, other: "PolynomialFraction") -> "PolynomialFraction":
         """Return the sum over the least common denominator."""
         mine, others = _without(self.below, other.below), _without(other.below, self.below)
-        return Fraction(_times(self.above, others) + _times(other.above, mine), (*self.below, *others))
+        return PolynomialFraction(_times(self.above, others) + _times(other.above, mine), (*self.below, *others))
 
-    def __mul__(self, other: "Fraction") -> "Fraction":
+    def __mul__(self, other: "PolynomialFraction") -> "PolynomialFraction":
         """Return the product; a numerator equal to a factor of the denominator cancels."""
         above, below = _short(self.above * other.above), (*self.below, *other.below)
         if above in below:
-            return Fraction(Polynomial.of(1.0), _without(below, (above,)))
-        return Fraction(above, below)
+            return PolynomialFraction(Polynomial.of(1.0), _without(below, (above,)))
+        return PolynomialFraction(above, below)
 
-    def inverted(self) -> "Fraction":
+    def inverted(self) -> "PolynomialFraction":
         """Return the reciprocal."""
-        return Fraction(_times(Polynomial.of(1.0), self.below), () if self.above.number == 1.0 else (self.above,))
+        return PolynomialFraction(
+            _times(Polynomial.of(1.0), self.below), () if self.above.number == 1.0 else (self.above,)
+        )
 
 
-def fraction(held: Expression) -> Fraction:
+def fraction(held: Expression) -> PolynomialFraction:
     """Convert a formula to a single fraction; OverflowError if it has too many terms."""
     match held:
         case Number():
-            return Fraction(Polynomial.of(held.x))
+            return PolynomialFraction(Polynomial.of(held.x))
         case Sum():
             return reduce(add, map(fraction, held.terms))
         case Product():
@@ -84,12 +86,12 @@ def fraction(held: Expression) -> Fraction:
         case Quotient():
             above, below = fraction(held.above), fraction(held.below)
             shared = _without(below.below, _without(below.below, above.below))
-            above, below = (Fraction(f.above, _without(f.below, shared)) for f in (above, below))
+            above, below = (PolynomialFraction(f.above, _without(f.below, shared)) for f in (above, below))
             return above * below.inverted()
         case Power() if held.exponent > 0:
             return reduce(mul, [fraction(held.base)] * held.exponent)
         case _:
-            return Fraction(Polynomial.of(held))
+            return PolynomialFraction(Polynomial.of(held))
 
 
 def _without(held: tuple[Polynomial, ...], others: tuple[Polynomial, ...]) -> tuple[Polynomial, ...]:
@@ -110,7 +112,7 @@ def _times(held: Polynomial, factors: tuple[Polynomial, ...]) -> Polynomial:
 
 def _short(held: Polynomial) -> Polynomial:
     """Return the polynomial; OverflowError if it has more terms than can be solved."""
-    if len(held.terms) > MOST:
+    if len(held.terms) > MAX_TERMS:
         raise OverflowError("an equation of too many terms")
     return held
 
@@ -125,9 +127,9 @@ def without_radicals(zero: Polynomial, name: str) -> Polynomial:
         OverflowError: the equation has too many roots or terms to be solved for the symbol.
     """
     radicals = {a for monomial in zero.terms for a, _ in monomial if isinstance(a, Root) and name in a.symbols()}
-    if len(radicals) > SQUARED or (len(radicals) > 1 and len(zero.terms) > FEW):
+    if len(radicals) > MAX_SQUARE_ROOTS or (len(radicals) > 1 and len(zero.terms) > MAX_TERMS_WITH_ROOTS):
         raise OverflowError("an equation of too many roots")
-    for _ in range(SQUARED + 1):
+    for _ in range(MAX_SQUARE_ROOTS + 1):
         held = (atom for monomial in zero.terms for atom, _ in monomial if isinstance(atom, Root))
         root = next((atom for atom in held if name in atom.symbols()), None)
         if root is None:
@@ -160,7 +162,7 @@ def coefficient(held: Polynomial, atom: Expression, power: int) -> Polynomial:
     return Polynomial(found)
 
 
-def _powers(zero: Polynomial, atom: Expression, written: Written) -> Iterator[Expression]:
+def _powers(zero: Polynomial, atom: Expression, written: CoefficientWriter) -> Iterator[Expression]:
     """Yield the roots of an equation that is linear or quadratic in an atom or its square, up to a common power."""
     powers = sorted({dict(monomial).get(atom, 0) for monomial in zero.terms})
     least, steps = powers[0], [power - powers[0] for power in powers]
@@ -172,7 +174,9 @@ def _powers(zero: Polynomial, atom: Expression, written: Written) -> Iterator[Ex
         yield from [found] if step == 1 else [Root(found), -Root(found)]
 
 
-def _quadratic(rest: Polynomial, linear: Polynomial, square: Polynomial, written: Written) -> Iterator[Expression]:
+def _quadratic(
+    rest: Polynomial, linear: Polynomial, square: Polynomial, written: CoefficientWriter
+) -> Iterator[Expression]:
     """Yield the roots x of rest + linear · x + square · x² = 0."""
     if not square:
         if linear:
@@ -182,8 +186,8 @@ def _quadratic(rest: Polynomial, linear: Polynomial, square: Polynomial, written
         size = Root(_over(rest.scaled(-1.0), square, written))
         yield from (size, -size)
         return
-    shared = common([*rest.terms, *linear.terms, *square.terms])
-    rest, linear, square = (divided(part, shared, 1.0) or part for part in (rest, linear, square))
+    shared = common_monomial([*rest.terms, *linear.terms, *square.terms])
+    rest, linear, square = (divide_by_term(part, shared, 1.0) or part for part in (rest, linear, square))
     if written(square).negative:
         rest, linear, square = (part.scaled(-1.0) for part in (rest, linear, square))
     if all(abs(part) == 0.5 for part in square.terms.values()):  # 2 (½ b − √…)/a is (b − √…)/a
@@ -198,15 +202,15 @@ def _quadratic(rest: Polynomial, linear: Polynomial, square: Polynomial, written
         yield ratio(added(written(half.scaled(-1.0)), multiplied(Number(sign), root)), written(square))
 
 
-def _over(above: Polynomial, below: Polynomial, written: Written) -> Expression:
+def _over(above: Polynomial, below: Polynomial, written: CoefficientWriter) -> Expression:
     """Return the quotient of two polynomials with common factors cancelled."""
-    return over(above, below) if written is Polynomial.factored else ratio(written(above), written(below))
+    return reduced_quotient(above, below) if written is Polynomial.factored else ratio(written(above), written(below))
 
 
 # ---- angles
 
 
-def _angles(zero: Polynomial, sine: Call, cosine: Call, written: Written) -> Iterator[Expression]:
+def _angles(zero: Polynomial, sine: Call, cosine: Call, written: CoefficientWriter) -> Iterator[Expression]:
     """Yield the roots of an equation in sin x or cos x alone, linear in both, or of second degree in both."""
     pairs = {_degrees(monomial, sine, cosine) for monomial in zero.terms}
     alone: tuple[tuple[Call, Function, int], ...] = ((sine, "arcsin", 1), (cosine, "arccos", 0))
@@ -236,7 +240,7 @@ def _constant(zero: Polynomial, sine: Call, cosine: Call) -> Polynomial:
     return coefficient(coefficient(zero, sine, 0), cosine, 0)
 
 
-def _linear(a: Polynomial, b: Polynomial, rest: Polynomial, written: Written) -> Iterator[Expression]:
+def _linear(a: Polynomial, b: Polynomial, rest: Polynomial, written: CoefficientWriter) -> Iterator[Expression]:
     """Yield the roots of a sin x + b cos x + c = 0: x = arcsin(−c/√(a² + b²)) − arctan(b/a), or with π − arcsin."""
     if not a:
         if b:
@@ -253,32 +257,32 @@ def _linear(a: Polynomial, b: Polynomial, rest: Polynomial, written: Written) ->
         yield from (added(inverse, -turn), added(added(PI, -inverse), -turn))
 
 
-def _sizes(a: Polynomial, b: Polynomial, written: Written) -> Iterator[Expression]:
+def _sizes(a: Polynomial, b: Polynomial, written: CoefficientWriter) -> Iterator[Expression]:
     """Yield forms of √(a² + b²): first those with positive common factors taken out of the root."""
-    shares = quotient(b, a) if b and written is Polynomial.factored else None
+    shares = cancel_common_sum(b, a) if b and written is Polynomial.factored else None
     if shares is not None:  # b/a is a single term, or one over it
         above, below = shares
         whole, rest = (a, above) if below.number is not None else (b, below)
         yield multiplied(written(whole), Root(written(Polynomial.of(1.0) + rest * rest)))
-    shared = common([*a.terms, *b.terms]) if b and written is Polynomial.factored else ()
-    parts = [divided(held, shared, 1.0) for held in (a, b)] if shared else []
+    shared = common_monomial([*a.terms, *b.terms]) if b and written is Polynomial.factored else ()
+    parts = [divide_by_term(held, shared, 1.0) for held in (a, b)] if shared else []
     if parts and None not in parts:
         one, other = (part for part in parts if part is not None)
         yield multiplied(
-            reduce(multiplied, (raised(*held) for held in shared)), Root(written(one * one + other * other))
+            reduce(multiplied, (power_of(*held) for held in shared)), Root(written(one * one + other * other))
         )
     yield Root(written(a * a + b * b)) if b else written(a)
 
 
-def raised(atom: Expression, power: int) -> Expression:
+def power_of(atom: Expression, power: int) -> Expression:
     """Return an integer power of an expression; the expression itself if the exponent is one."""
     return atom if power == 1 else Power(atom, power)
 
 
-def atoms_worked(held: Expression, name: str) -> Expression:
+def expand_numbers(held: Expression, name: str) -> Expression:
     """Replace rounded numbers whose formulas contain a symbol by those formulas."""
-    if isinstance(held, Worked):
-        return atoms_worked(held.inner, name) if name in held.symbols() else held
+    if isinstance(held, NumericFormula):
+        return expand_numbers(held.inner, name) if name in held.symbols() else held
     if name not in held.symbols() or not held.parts:
         return held
-    return held.built_of([atoms_worked(part, name) for part in held.parts])
+    return held.built_of([expand_numbers(part, name) for part in held.parts])

@@ -6,15 +6,21 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from sim2reason.base.lazy import cached_property
-from sim2reason.solutions.algebra.evaluated import Worked
+from sim2reason.solutions.algebra.evaluated import NumericFormula
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied
-from sim2reason.solutions.algebra.fractions import CrossElimination, NumericEquation, SymbolicEquation, over, term
+from sim2reason.solutions.algebra.fractions import (
+    CrossElimination,
+    NumericEquation,
+    SymbolicEquation,
+    reduced_quotient,
+    signed_term,
+)
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
-from sim2reason.solutions.setting import joined
-from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
+from sim2reason.solutions.setting import join_words
+from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError
 
-TINY = 1e-7  # relative: smaller weights count as zero
-LONG = 130  # characters of a formula; longer ones are written with numbers
+WEIGHT_RTOL = 1e-7  # relative: smaller weights count as zero
+MAX_FORMULA_LENGTH = 130  # characters of a formula; longer ones are written with numbers
 
 
 @dataclass(frozen=True)
@@ -36,13 +42,13 @@ class Equation:
         """Forces minus inertia, which is zero by the equation."""
         return self.forces - self.inertia
 
-    def put(self, values: Mapping[str, Polynomial]) -> "Equation":
+    def substitute(self, values: Mapping[str, Polynomial]) -> "Equation":
         """Substitute polynomials for unknowns."""
-        forces, inertia, moves = (part.put(values) for part in (self.forces, self.inertia, self.moves))
+        forces, inertia, moves = (part.substitute(values) for part in (self.forces, self.inertia, self.moves))
         return Equation(self.label, forces, inertia, moves, self.told or self.forces, self.links)
 
     @property
-    def among(self) -> frozenset[str]:
+    def substituted_labels(self) -> frozenset[str]:
         """Return the labels of equations that were substituted into this one."""
         return frozenset[str]().union(*self.links.values())
 
@@ -55,13 +61,13 @@ class Equation:
 class Elimination:
     """A solver of linear equations for unknowns that writes each step into a solution."""
 
-    def __init__(self, book: Book, units: Mapping[str, str], rests: Sequence[str] = ()) -> None:
+    def __init__(self, book: SolutionBuilder, units: Mapping[str, str], rests: Sequence[str] = ()) -> None:
         """Take the LaTeX `units` of the unknowns, and as `rests` the labels of the steps that state the equations."""
         self.book, self.units, self._rests = book, units, rests
 
-    def _open(self, kind: str) -> Writing:
+    def _open(self, kind: str) -> StepBuilder:
         """Begin a step that depends on the steps in which the equations are stated."""
-        step = self.book.open(kind)
+        step = self.book.begin_step(kind)
         for label in self._rests:
             step.rest_on(label)
         return step
@@ -76,9 +82,9 @@ class Elimination:
                 return
             single = self._single(equations, left, wanted)
             if single is not None:
-                self._one(*single)
+                self._solve_single(*single)
             else:
-                self._several(equations, left, wanted)
+                self._solve_system(equations, left, wanted)
         raise UnsolvedError("the equations could not be solved one after the other")
 
     # ---- one unknown
@@ -90,51 +96,53 @@ class Elimination:
         found = [(e, names[0]) for e in equations if len(names := sorted(e.zero.names() & left)) == 1]
         return min(found, key=lambda pair: (pair[1] not in wanted, len(pair[0].zero.terms)), default=None)
 
-    def _one(self, equation: Equation, name: str) -> None:
+    def _solve_single(self, equation: Equation, name: str) -> None:
         """Write the step that solves an equation for its only unknown."""
         step = self._open("solve")
         step.rest_on(_key(equation) if not equation.label else "")
-        formula = solved(equation.zero, name, grouped=True)
-        where = f"From {joined(sorted({equation.label, *equation.among}))}, " if equation.label else "So "
-        if len(formula.latex()) <= LONG or self.book.is_hidden(formula):
-            step.say(f"{where}{step.result(Symbol(name), formula, self.units[name])}.")
+        formula = solve_linear(equation.zero, name, grouped=True)
+        where = (
+            f"From {join_words(sorted({equation.label, *equation.substituted_labels}))}, " if equation.label else "So "
+        )
+        if len(formula.latex()) <= MAX_FORMULA_LENGTH or self.book.is_hidden(formula):
+            step.add_text(f"{where}{step.result(Symbol(name), formula, self.units[name])}.")
         else:
-            left, right = (self.book.worked(held.expression()) for held in parts(equation.zero, name))
+            left, right = (self.book.worked(held.expression()) for held in split_linear(equation.zero, name))
             numbers = step.derived(right, multiplied(left, Symbol(name)))
             result = step.result(Symbol(name), self.book.worked(right / left), self.units[name])
-            step.say(f"In numbers, {numbers}, so {result}.")
+            step.add_text(f"In numbers, {numbers}, so {result}.")
         step.close()
 
     # ---- several unknowns
 
-    def _several(self, equations: Sequence[Equation], left: set[str], wanted: Sequence[str]) -> None:
+    def _solve_system(self, equations: Sequence[Equation], left: set[str], wanted: Sequence[str]) -> None:
         """Write sums of equations in which forces cancel, one for each independent acceleration, and solve them."""
         free = sorted({name for e in equations for name in e.moves.names() if name in left})
         weights = [self._weights(equations, name, left, free) for name in free]
         if not weights or not all(weights):
-            self._one(self._alone(equations, left, wanted[0]), wanted[0])
+            self._solve_single(self._isolating_sum(equations, left, wanted[0]), wanted[0])
             return
         sums = (total(e.zero * weight for e, weight in held) for held in weights)
         hidden = any(self.book.is_hidden(held.coefficient(n).expression()) for held in sums for n in free)
         labelled = len(weights) > 1 and hidden
         combined = [self._sum(held, free, labelled=labelled) for held in weights]
         if len(combined) == 1:
-            self._one(combined[0], free[0])
+            self._solve_single(combined[0], free[0])
             return
         goal = next((name for name in wanted if name in free), free[0])
         ordered = [goal, *(name for name in free if name != goal)]
         (self._in_symbols if hidden else self._in_numbers)(combined, ordered)
 
-    def _alone(self, equations: Sequence[Equation], left: set[str], goal: str) -> Equation:
+    def _isolating_sum(self, equations: Sequence[Equation], left: set[str], goal: str) -> Equation:
         """Return the weighted sum of equations in which only one unknown remains; UnsolvedError if there is none."""
         names = sorted(left)
         known = self.book.values | self.book.observed
         rows = [[e.zero.coefficient(name).value(known) for name in names] for e in equations]
         target = np.array([1.0 if name == goal else 0.0 for name in names])
         weights = np.linalg.lstsq(np.array(rows).T, target, rcond=1e-12)[0]
-        least = min((abs(w) for w in weights if abs(w) > TINY * np.abs(weights).max()), default=1.0)
+        least = min((abs(w) for w in weights if abs(w) > WEIGHT_RTOL * np.abs(weights).max()), default=1.0)
         whole = [round(float(w) / least) for w in weights]
-        if any(abs(w / least - n) > TINY for w, n in zip(weights, whole, strict=True)):
+        if any(abs(w / least - n) > WEIGHT_RTOL for w, n in zip(weights, whole, strict=True)):
             raise UnsolvedError("no sum of the equations is free of forces")
         weighted = [(e, Polynomial.of(float(n))) for e, n in zip(equations, whole, strict=True) if n]
         found = self._combined(weighted, [goal])
@@ -156,10 +164,10 @@ class Elimination:
         left = total(e.told * weight for e, weight in weighted).names()  # names that cancel need no other equation
         links = (labels for e, _ in weighted for name, labels in e.links.items() if name in left)
         among = sorted(frozenset[str]().union(*links))
-        how += f", with {joined(among)}" if among else ""
+        how += f", with {join_words(among)}" if among else ""
         whole = Equation(self.book.labels.next() if labelled else "", forces, inertia, NIL)
         law = step.derived(forces.expression(), inertia.collected(names))
-        step.say(f"{how}: {f'{whole.label} {law}'.strip()}.")
+        step.add_text(f"{how}: {f'{whole.label} {law}'.strip()}.")
         step.label(_key(whole))
         step.close()
         return whole
@@ -191,7 +199,7 @@ class Elimination:
             step = self._open("solve")
             step.rest_on(_key(equation))
             step.label(numeric[-1].label)
-            step.say(f"{how}{numeric[-1].label} {step.derived(numeric[-1].sum, rest)}.")
+            step.add_text(f"{how}{numeric[-1].label} {step.derived(numeric[-1].sum, rest)}.")
             step.close()
             how = ""
         self._reduce(numeric, list(names))
@@ -208,7 +216,7 @@ class Elimination:
     def _number(self, formula: Expression) -> Expression:
         """Return the numerical value of a formula with guard digits; the formula itself if it has unknowns."""
         found = self.book.worked(formula)
-        return replace(found, guarded=True) if isinstance(found, Worked) else found
+        return replace(found, guarded=True) if isinstance(found, NumericFormula) else found
 
     def _reduce(self, equations: list[NumericEquation], names: list[str]) -> None:
         """Write the steps of Gaussian elimination of numerical equations."""
@@ -218,7 +226,7 @@ class Elimination:
             step = self._open("solve")
             step.rest_on(equation.label)
             formula = self.book.worked(equation.right / equation.left[first])
-            step.say(f"So {step.result(Symbol(first), formula, self.units[first])}.")
+            step.add_text(f"So {step.result(Symbol(first), formula, self.units[first])}.")
             step.close()
             return
         last = names[-1]
@@ -230,9 +238,9 @@ class Elimination:
         step.rest_on(pivot.label)
         rest = pivot.right if self.book.value(pivot.right) else ZERO
         for name, part in pivot.left.items():
-            rest = added(rest, term(part, name, -1.0)) if name != last else rest
+            rest = added(rest, signed_term(part, name, -1.0)) if name != last else rest
         formula = rest / pivot.left[last]
-        step.say(f"From {pivot.label}, {step.result(Symbol(last), formula, self.units[last])}.")
+        step.add_text(f"From {pivot.label}, {step.result(Symbol(last), formula, self.units[last])}.")
         step.close()
 
     def _without(self, equation: NumericEquation, pivot: NumericEquation, last: str) -> NumericEquation:
@@ -250,11 +258,11 @@ class Elimination:
         step.rest_on(equation.label)
         step.rest_on(pivot.label)
         step.label(found.label)
-        turned = isinstance(ratio, Worked) and ratio.comes_to < 0.0
+        turned = isinstance(ratio, NumericFormula) and ratio.comes_to < 0.0
         sign = "+" if turned else "−"
-        size = (-ratio).latex() if isinstance(ratio, Worked) and turned else ratio.latex()
-        size = size if isinstance(ratio, Worked) else f"${size}$"
-        step.say(f"{equation.label} {sign} {size}·{pivot.label}: {found.label} {step.derived(found.sum, right)}.")
+        size = (-ratio).latex() if isinstance(ratio, NumericFormula) and turned else ratio.latex()
+        size = size if isinstance(ratio, NumericFormula) else f"${size}$"
+        step.add_text(f"{equation.label} {sign} {size}·{pivot.label}: {found.label} {step.derived(found.sum, right)}.")
         step.close()
         return found
 
@@ -281,13 +289,13 @@ def _whole(weighted: list[tuple[Equation, Polynomial]]) -> list[tuple[Equation, 
     return [(e, weight.scaled(1.0 / least)) for e, weight in weighted]
 
 
-def parts(zero: Polynomial, name: str) -> tuple[Polynomial, Polynomial]:
+def split_linear(zero: Polynomial, name: str) -> tuple[Polynomial, Polynomial]:
     """Split an equation zero = 0 into `before` · name = `rest`, with the sign that makes `before` mostly positive."""
     before, rest = zero.coefficient(name), zero.without((name,))
     return (before, rest.scaled(-1.0)) if sum(before.terms.values()) > 0.0 else (before.scaled(-1.0), rest)
 
 
-def solved(zero: Polynomial, name: str, *, grouped: bool = False) -> Expression:
+def solve_linear(zero: Polynomial, name: str, *, grouped: bool = False) -> Expression:
     """Solve a linear equation for its only unknown."""
-    before, rest = parts(zero, name)
-    return over(rest, before, grouped=grouped)
+    before, rest = split_linear(zero, name)
+    return reduced_quotient(rest, before, grouped=grouped)

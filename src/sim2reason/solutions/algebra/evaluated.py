@@ -7,11 +7,11 @@ from itertools import pairwise
 from math import pi
 
 from sim2reason.base.record import record
-from sim2reason.solutions.algebra.digits import rounded, shortened, with_guard_digits
+from sim2reason.solutions.algebra.digits import round_to_digits, rounded_latex, with_guard_digits
 from sim2reason.solutions.algebra.expressions import Expression, Number, Scalar, Values
 
 MEANS = 40  # most steps of the arithmetic-geometric mean; six suffice for nearly all moduli
-CLOSE = 1e-17  # difference of the two means at which the iteration ends
+MEANS_ATOL = 1e-17  # difference of the two means at which the iteration ends
 
 
 class SpecialFunction(Expression):
@@ -44,7 +44,7 @@ class CompleteElliptic(SpecialFunction):
 
 
 @dataclass(frozen=True, slots=True)
-class _OfTwo(SpecialFunction):
+class _ModulusFunction(SpecialFunction):
     """A function of an argument and a modulus k between 0 and 1."""
 
     argument: Expression
@@ -62,7 +62,7 @@ class _OfTwo(SpecialFunction):
 
 
 @dataclass(frozen=True, slots=True)
-class IncompleteElliptic(_OfTwo):
+class IncompleteElliptic(_ModulusFunction):
     """The incomplete elliptic integral of the first kind, F(θ, k), of an angle θ in radians."""
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
@@ -79,7 +79,7 @@ class IncompleteElliptic(_OfTwo):
 
 
 @dataclass(frozen=True, slots=True)
-class Amplitude(_OfTwo):
+class Amplitude(_ModulusFunction):
     """Jacobi's amplitude am(u, k), in radians: the angle whose incomplete elliptic integral of the first kind is u."""
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
@@ -100,7 +100,7 @@ def _means(modulus: Scalar) -> list[tuple[complex, complex]]:
     if not 0.0 <= modulus.real < 1.0:
         raise ValueError(f"an elliptic integral of the modulus {modulus.real:g}")
     found = [(complex(1.0), cmath.sqrt(1.0 - complex(modulus) ** 2))]
-    while len(found) < MEANS and abs(found[-1][0] - found[-1][1]) > CLOSE:
+    while len(found) < MEANS and abs(found[-1][0] - found[-1][1]) > MEANS_ATOL:
         a, b = found[-1]
         found.append((0.5 * (a + b), cmath.sqrt(a * b)))
         if found[-1][0] == a:  # the limit of floating-point precision
@@ -114,12 +114,12 @@ def _real_if(value: complex) -> Scalar:
 
 
 NEWTON = 6  # Newton steps from an approximate root
-WRITTEN = 5e-5  # relative: largest error of a result computed from rounded numbers
-STEP = 1e-30  # imaginary step of the complex-step derivative
+ROUNDED_RESULT_RTOL = 5e-5  # relative: largest error of a result computed from rounded numbers
+COMPLEX_STEP = 1e-30  # imaginary step of the complex-step derivative
 
 
 @record(slots=True)
-class Worked(Expression):
+class NumericFormula(Expression):
     """A formula that is written as its numerical value, as in *34.800 a*; with guard digits no value ends in 0."""
 
     inner: Expression
@@ -129,11 +129,11 @@ class Worked(Expression):
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """Return the value of the formula, rounded if `digits` are given."""
         found = self.inner.value(at, digits)
-        return found if digits is None or isinstance(found, complex) else shortened(found, digits)
+        return found if digits is None or isinstance(found, complex) else round_to_digits(found, digits)
 
     def latex(self) -> str:
         """Return the number in LaTeX."""
-        return with_guard_digits(self.comes_to) if self.guarded else rounded(self.comes_to)
+        return with_guard_digits(self.comes_to) if self.guarded else rounded_latex(self.comes_to)
 
     def symbols(self) -> Iterator[str]:
         """Yield the symbols of the formula."""
@@ -141,7 +141,7 @@ class Worked(Expression):
 
     def __neg__(self) -> Expression:
         """Return the negative as a single number."""
-        return Worked(-self.inner, -self.comes_to, self.guarded)
+        return NumericFormula(-self.inner, -self.comes_to, self.guarded)
 
     @property
     def rank(self) -> int:
@@ -170,11 +170,11 @@ class NumericRoot(Expression):
 
     def slope(self, at: Mapping[str, float], root: float) -> float:
         """Return the derivative of the formula with respect to the unknown."""
-        return complex(self.residual.value({**at, self.name: root + STEP * 1j})).imag / STEP
+        return complex(self.residual.value({**at, self.name: root + COMPLEX_STEP * 1j})).imag / COMPLEX_STEP
 
     def latex(self) -> str:
         """Return the number in LaTeX."""
-        return rounded(self.near)
+        return rounded_latex(self.near)
 
     def symbols(self) -> Iterator[str]:
         """Yield the symbols of the formula without the unknown."""
@@ -231,26 +231,26 @@ class Chain(Expression):
         return (name for _, formula in self.formulas for name in formula.symbols() if name not in own)
 
 
-def numbers(held: Expression) -> Iterator[Expression]:
+def numeric_parts(held: Expression) -> Iterator[Expression]:
     """Yield the parts of a formula that are written as numbers."""
-    if isinstance(held, Worked | NumericRoot):
+    if isinstance(held, NumericFormula | NumericRoot):
         if not isinstance(held, ImplicitRoot):
             yield held
         return
     for part in held.parts:
-        yield from numbers(part)
+        yield from numeric_parts(part)
 
 
 def loses_digits(held: Expression, at: Values) -> bool:
     """Return whether the rounded numbers in a formula change its result within five significant digits."""
     exact = held.value(at).real
-    return abs(_as_written(held).value(at).real - exact) > WRITTEN * abs(exact)
+    return abs(_as_written(held).value(at).real - exact) > ROUNDED_RESULT_RTOL * abs(exact)
 
 
 def _as_written(held: Expression) -> Expression:
     """Return a formula with its numbers rounded as in the text."""
-    if isinstance(held, Worked):
-        return Number(shortened(held.comes_to))
+    if isinstance(held, NumericFormula):
+        return Number(round_to_digits(held.comes_to))
     return held.built_of([_as_written(part) for part in held.parts]) if held.parts else held
 
 
@@ -264,5 +264,5 @@ def gradient(held: Expression, at: Mapping[str, float], names: Mapping[str, int]
     found = [0.0] * len(names)
     for name in dict.fromkeys(held.symbols()):
         if name in names:
-            found[names[name]] = complex(held.value({**at, name: at[name] + STEP * 1j})).imag / STEP
+            found[names[name]] = complex(held.value({**at, name: at[name] + COMPLEX_STEP * 1j})).imag / COMPLEX_STEP
     return found

@@ -68,23 +68,23 @@ class Expression:
 
     def __add__(self, other: "Expression | float") -> "Expression":
         """Return the sum."""
-        return added(self, lifted(other))
+        return added(self, as_expression(other))
 
     def __sub__(self, other: "Expression | float") -> "Expression":
         """Return the difference."""
-        return added(self, -lifted(other))
+        return added(self, -as_expression(other))
 
     def __mul__(self, other: "Expression | float") -> "Expression":
         """Return the product."""
-        return multiplied(self, lifted(other))
+        return multiplied(self, as_expression(other))
 
     def __rmul__(self, other: "Expression | float") -> "Expression":
         """Return the product."""
-        return multiplied(lifted(other), self)
+        return multiplied(as_expression(other), self)
 
     def __truediv__(self, other: "Expression | float") -> "Expression":
         """Return the quotient as a fraction that contains no fraction above or below."""
-        match self, lifted(other):
+        match self, as_expression(other):
             case _, divisor if divisor == ONE or self == ZERO:
                 return self
             case _, Quotient(above, below):
@@ -260,7 +260,7 @@ def ratio(above: Expression, below: Expression) -> Expression:
     return -above / -below if below.negative else above / below
 
 
-def lifted(value: "Expression | float") -> Expression:
+def as_expression(value: "Expression | float") -> Expression:
     """Convert a number to a formula; a formula is returned unchanged."""
     return value if isinstance(value, Expression) else Number(float(value))
 

@@ -19,7 +19,7 @@ from sim2reason.solutions.algebra.expressions import (
 from sim2reason.solutions.algebra.functions import Absolute, Call, Pi, Power, Root
 
 LARGEST_DENOMINATOR = 10**6  # largest denominator of a number that is written as a fraction
-EXACT = 1e-13  # relative rounding error allowed in such a number
+NUMBER_RTOL = 1e-13  # relative rounding error allowed in such a number
 NEVER_NEGATIVE = {"m", "M", "k", "g", "R", "d", "t", r"\mu", r"\ell", r"\rho"}
 """Letters of masses, stiffnesses, lengths, times and coefficients, which no scene has with a minus sign."""
 LETTER = re.compile(r"\\?[A-Za-z]+")
@@ -45,14 +45,14 @@ class Factors:
 
     def sides(self) -> "tuple[Factors, Factors]":
         """Return the numerator and the denominator, with integer coefficients if the number is a simple fraction."""
-        over, under = whole_sides(self.number)
+        over, under = integer_sides(self.number)
         above = {base: power for base, power in self.powers.items() if power > 0}
         below = {base: -power for base, power in self.powers.items() if power < 0}
         return Factors(over, above), Factors(under, below)
 
     def product(self) -> Expression:
         """Return the product of all factors as a formula; all exponents must be positive."""
-        factors = sorted(self.powers.items(), key=lambda factor: place(factor[0]))
+        factors = sorted(self.powers.items(), key=lambda factor: factor_rank(factor[0]))
         return reduce(multiplied, (_raised(base, power) for base, power in factors), Number(self.number))
 
     def written(self) -> Expression:
@@ -82,12 +82,12 @@ def factors_of(held: Expression, of_sum: Callable[[Sum], Expression] = lambda he
             return Factors(1.0, {held: 1})
 
 
-def whole_sides(number: float) -> tuple[float, float]:
+def integer_sides(number: float) -> tuple[float, float]:
     """Return the signed numerator and the denominator of a number; the number and 1 if it is no simple fraction."""
     if number.is_integer():
         return number, 1.0
     fraction = Fraction(number).limit_denominator(LARGEST_DENOMINATOR)
-    if abs(float(fraction) - number) > EXACT * abs(number):
+    if abs(float(fraction) - number) > NUMBER_RTOL * abs(number):
         return number, 1.0
     return float(fraction.numerator), float(fraction.denominator)
 
@@ -119,7 +119,7 @@ def _fractions(held: Expression) -> Iterator[Expression]:
     match held:
         case Quotient():
             yield held
-        case Number(x) if not x.is_integer() and whole_sides(x)[1] != 1.0:
+        case Number(x) if not x.is_integer() and integer_sides(x)[1] != 1.0:
             yield held
         case Call() | Number():
             return
@@ -132,7 +132,7 @@ def _raised(base: Expression, power: int) -> Expression:
     return base if power == 1 else Power(base, power)
 
 
-def place(held: Expression) -> int:
+def factor_rank(held: Expression) -> int:
     """Return the sort key of a factor: numbers, symbols, sums, roots, functions, fractions."""
     base = held.base if isinstance(held, Power) else held
     match base:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from itertools import permutations
 from math import gcd
 
-from sim2reason.solutions.algebra.evaluated import Worked
+from sim2reason.solutions.algebra.evaluated import NumericFormula
 from sim2reason.solutions.algebra.expressions import (
     ZERO,
     Expression,
@@ -17,16 +17,16 @@ from sim2reason.solutions.algebra.expressions import (
     parenthesized,
 )
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
-from sim2reason.solutions.writing.steps import Book, Writing
+from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder
 
-WHOLE = 1e-12  # largest difference between a factor and an integer
+INTEGER_ATOL = 1e-12  # largest difference between a factor and an integer
 
 
-def over(above: Polynomial, below: Polynomial, *, grouped: bool = False) -> Expression:
+def reduced_quotient(above: Polynomial, below: Polynomial, *, grouped: bool = False) -> Expression:
     """Return the quotient of two polynomials in lowest terms; with `grouped`, factor common numbers out of sums."""
     if below.number is None:
         above, below = _cancelled(above, below)
-        above, below = quotient(above, below) or (above, below)
+        above, below = cancel_common_sum(above, below) or (above, below)
     if below.number is not None:
         above = above.scaled(1.0 / below.number)
         shared = _shared_number([*above.terms.values()]) if grouped else 1.0
@@ -41,7 +41,7 @@ def over(above: Polynomial, below: Polynomial, *, grouped: bool = False) -> Expr
 def _common_number(factors: list[float]) -> float:
     """Return the greatest common divisor of integer factors; 1 if one is no integer."""
     whole = [round(factor) for factor in factors]
-    if any(abs(factor - number) > WHOLE for factor, number in zip(factors, whole, strict=True)):
+    if any(abs(factor - number) > INTEGER_ATOL for factor, number in zip(factors, whole, strict=True)):
         return 1.0
     return float(gcd(*whole)) or 1.0
 
@@ -49,11 +49,11 @@ def _common_number(factors: list[float]) -> float:
 def _shared_number(factors: list[float]) -> float:
     """Return the coefficient of smallest magnitude if it divides all others, else 1."""
     least = min(map(abs, factors), default=1.0)
-    whole = len(factors) > 1 and all(abs(factor / least - round(factor / least)) <= WHOLE for factor in factors)
+    whole = len(factors) > 1 and all(abs(factor / least - round(factor / least)) <= INTEGER_ATOL for factor in factors)
     return least if whole else 1.0
 
 
-def quotient(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial] | None:
+def cancel_common_sum(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial] | None:
     """Cancel a sum that occurs above and below: return both remaining sides, or None if the sides share no sum."""
     for whole, part in ((above, below), (below, above)):
         if not whole.terms or len(whole.terms) != len(part.terms):
@@ -103,7 +103,7 @@ def cramer(rows: Rows, right: Sequence[Polynomial]) -> list[Expression]:
     found: list[Expression] = []
     for n in range(len(rows)):
         above = determinant([_put(row, n, held) for row, held in zip(rows, right, strict=True)])
-        found.append(over(above, below) if above else ZERO)
+        found.append(reduced_quotient(above, below) if above else ZERO)
     return found
 
 
@@ -154,7 +154,7 @@ class SymbolicEquation:
 class CrossElimination:
     """A solver of symbolic linear equations that eliminates by cross-multiplication and writes the steps."""
 
-    def __init__(self, book: Book, units: Mapping[str, str], opened: Callable[[str], Writing]) -> None:
+    def __init__(self, book: SolutionBuilder, units: Mapping[str, str], opened: Callable[[str], StepBuilder]) -> None:
         """Take the LaTeX `units` of the unknowns and the function `opened` that begins a step."""
         self.book, self.units, self._opened = book, units, opened
 
@@ -175,7 +175,7 @@ class CrossElimination:
         if sum(below.terms.values()) < 0.0:
             above, below = above.scaled(-1.0), below.scaled(-1.0)
         where = f"From {pivot.label}, " if len(names) > 1 else "So "
-        step.say(f"{where}{step.result(Symbol(last), over(above, below), self.units[last])}.")
+        step.add_text(f"{where}{step.result(Symbol(last), reduced_quotient(above, below), self.units[last])}.")
         step.close()
 
     def _without(self, held: SymbolicEquation, pivot: SymbolicEquation, last: str) -> SymbolicEquation:
@@ -199,7 +199,7 @@ class CrossElimination:
         if sign < 0.0 and sum(part for held in found.left.values() for part in held.terms.values()) < 0.0:
             found = found.turned
             told.reverse()
-        step.say(f"{(' + ' if sign > 0.0 else ' − ').join(told)}: {found.label} {step.derived(*found.sides)}.")
+        step.add_text(f"{(' + ' if sign > 0.0 else ' − ').join(told)}: {found.label} {step.derived(*found.sides)}.")
         step.close()
         return found
 
@@ -228,12 +228,12 @@ class NumericEquation:
         """Return the left side as one formula."""
         found: Expression = ZERO
         for name, part in self.left.items():
-            found = added(found, term(part, name, 1.0))
+            found = added(found, signed_term(part, name, 1.0))
         return found
 
 
-def term(part: Expression, name: str, sign: float) -> Expression:
+def signed_term(part: Expression, name: str, sign: float) -> Expression:
     """Return a coefficient times a symbol as a signed term."""
-    negative = isinstance(part, Worked) and part.comes_to < 0.0
+    negative = isinstance(part, NumericFormula) and part.comes_to < 0.0
     size = -part if negative else part
     return multiplied(Number(-sign if negative else sign), multiplied(size, Symbol(name)))

@@ -10,7 +10,7 @@ import numpy as np
 
 from sim2reason.base.record import record
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.solutions.algebra.evaluated import Worked
+from sim2reason.solutions.algebra.evaluated import NumericFormula
 from sim2reason.solutions.algebra.expressions import (
     ONE,
     ZERO,
@@ -72,7 +72,7 @@ class Power(Expression):
 
 
 @record(slots=True)
-class _OfOne(Expression):
+class _UnaryFunction(Expression):
     """A function of one formula."""
 
     inside: Expression
@@ -89,7 +89,7 @@ class _OfOne(Expression):
 
 
 @record(slots=True)
-class Root(_OfOne):
+class Root(_UnaryFunction):
     """A nonnegative square root."""
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
@@ -131,7 +131,7 @@ class Call(Expression):
 
 
 @record(slots=True)
-class Absolute(_OfOne):
+class Absolute(_UnaryFunction):
     """An absolute value."""
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
@@ -163,7 +163,7 @@ class Pi(Expression):
 PI = Pi()
 
 
-def plain(held: Expression) -> Expression:
+def simplify_inverse(held: Expression) -> Expression:
     """Simplify a function of an inverse function, such as sin(arccos x) to √(1 − x²); return others unchanged."""
     if not isinstance(held, Call) or not isinstance(held.argument, Call):
         return held
@@ -188,38 +188,38 @@ def summed(parts: Iterable[Expression]) -> Expression:
     return reduce(added, parts, ZERO)
 
 
-def squares(parts: Iterable[Expression]) -> Expression:
+def sum_of_squares(parts: Iterable[Expression]) -> Expression:
     """Return the sum of the squares of formulas, without zeros."""
     return summed(Power(-part if part.negative else part, 2) for part in parts if part != ZERO)
 
 
-def length_of(parts: Iterable[Expression]) -> Expression:
+def vector_length(parts: Iterable[Expression]) -> Expression:
     """Return the length of a vector with given components; a single nonzero one gives its absolute value."""
     kept = [part for part in parts if part != ZERO]
     if len(kept) != 1:
-        return Root(squares(kept))
+        return Root(sum_of_squares(kept))
     (lone,) = kept
     return Absolute(-lone if lone.negative else lone)
 
 
-def values(held: Expression, at: Mapping[str, Array]) -> Array:
+def array_values(held: Expression, at: Mapping[str, Array]) -> Array:
     """Return the values of a formula, (m,), for arrays of values of its symbols; NaN where it is undefined."""
     with np.errstate(all="ignore"):
         found = held.value(cast("Values", at))
     return np.where(np.isfinite(found), found, np.nan) * np.ones_like(next(iter(at.values())))
 
 
-ODD = ("sin", "tan", "arcsin", "arctan")
+ODD_FUNCTIONS = ("sin", "tan", "arcsin", "arctan")
 
 
 def with_plain_signs(held: Expression) -> Expression:
     """Rewrite a formula with as few minus signs as in handwriting; its value is unchanged."""
-    if not held.parts or isinstance(held, Worked):
+    if not held.parts or isinstance(held, NumericFormula):
         return held
     found = held.built_of([with_plain_signs(part) for part in held.parts])
     if isinstance(found, Power) and found.base.negative and found.exponent % 2 == 0:
         return Power(_opposite(found.base), found.exponent)
-    if isinstance(found, Call) and found.argument.negative and found.function in (*ODD, "cos"):
+    if isinstance(found, Call) and found.argument.negative and found.function in (*ODD_FUNCTIONS, "cos"):
         turned = Call(found.function, _opposite(found.argument))
         return turned if found.function == "cos" else -turned
     if isinstance(found, Product):
@@ -231,7 +231,7 @@ def _product(factors: Sequence[Expression]) -> Expression:
     """Return a product of factors without signs, with at most one minus sign in front."""
     sign, kept = 1.0, list[Expression]()
     for factor in factors:
-        turned = factor.negative if not isinstance(factor, Worked) else factor.comes_to < 0.0
+        turned = factor.negative if not isinstance(factor, NumericFormula) else factor.comes_to < 0.0
         sign = -sign if turned else sign
         kept.append(_opposite(factor) if turned else factor)
     whole = reduce(multiplied, kept)

@@ -3,8 +3,8 @@
 from collections.abc import Callable, Iterator, Mapping
 from functools import reduce
 
-from sim2reason.solutions.algebra.closed_roots import Written, atoms_worked, fraction, roots
-from sim2reason.solutions.algebra.evaluated import NumericRoot, Worked, numbers
+from sim2reason.solutions.algebra.closed_roots import CoefficientWriter, expand_numbers, fraction, roots
+from sim2reason.solutions.algebra.evaluated import NumericFormula, NumericRoot, numeric_parts
 from sim2reason.solutions.algebra.expressions import (
     ZERO,
     Expression,
@@ -20,8 +20,8 @@ from sim2reason.solutions.algebra.expressions import (
 from sim2reason.solutions.algebra.functions import Call, Function, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial
 
-NEAR = 1e-6  # relative: largest difference between a root and the known value
-UNDONE: dict[str, Function] = {
+BRANCH_RTOL = 1e-6  # relative: largest difference between a root and the known value
+INVERSE_FUNCTIONS: dict[str, Function] = {
     "sin": "arcsin",
     "cos": "arccos",
     "tan": "arctan",
@@ -38,7 +38,7 @@ def solved_for(
     formula: Expression,
     value: Expression,
     at: Mapping[str, float],
-    written: Written = Polynomial.factored,
+    written: CoefficientWriter = Polynomial.factored,
 ) -> Expression:
     """Solve formula = value for a symbol; among several branches, choose the one with the known value in `at`.
 
@@ -46,7 +46,7 @@ def solved_for(
     """
     for held in _branches(name, formula, value, written):
         found = _real(held, at)
-        if found is not None and abs(found - at[name]) <= NEAR * abs(at[name]):
+        if found is not None and abs(found - at[name]) <= BRANCH_RTOL * abs(at[name]):
             return held
     return numeric_root(name, formula, value, at)
 
@@ -56,12 +56,12 @@ def other_solutions(name: str, formula: Expression, value: Expression, at: Mappi
     found: list[float] = []
     for held in _branches(name, formula, value, Polynomial.factored):
         other = _real(held, at)
-        if other is None or any(abs(other - known) <= NEAR * abs(known) for known in (at[name], *found)):
+        if other is None or any(abs(other - known) <= BRANCH_RTOL * abs(known) for known in (at[name], *found)):
             continue
         reached, wanted = (_real(side, {**at, name: other}) for side in (formula, value))
         if reached is None or wanted is None:
             continue
-        if abs(reached - wanted) <= NEAR * (abs(wanted) or max(1.0, other**2)):
+        if abs(reached - wanted) <= BRANCH_RTOL * (abs(wanted) or max(1.0, other**2)):
             found.append(other)
     return found
 
@@ -71,28 +71,30 @@ def numeric_root(name: str, formula: Expression, value: Expression, at: Mapping[
     return NumericRoot(added(formula, -value), name, at[name])
 
 
-def put(held: Expression, name: str, formula: Expression) -> Expression:
+def substitute(held: Expression, name: str, formula: Expression) -> Expression:
     """Substitute a formula for a symbol."""
     if name not in held.symbols():
         return held
     if isinstance(held, Symbol):
         return formula
-    if isinstance(held, Worked):
-        return put(held.inner, name, formula)
+    if isinstance(held, NumericFormula):
+        return substitute(held.inner, name, formula)
     if not held.parts:
         raise TypeError(f"{type(held).__name__} holds no symbol that could be replaced")
-    return held.built_of([put(part, name, formula) for part in held.parts])
+    return held.built_of([substitute(part, name, formula) for part in held.parts])
 
 
-def put_all(held: Expression, formulas: Mapping[str, Expression]) -> Expression:
+def substitute_all(held: Expression, formulas: Mapping[str, Expression]) -> Expression:
     """Substitute formulas for symbols, one after the other."""
-    return reduce(lambda whole, pair: put(whole, *pair), formulas.items(), held)
+    return reduce(lambda whole, pair: substitute(whole, *pair), formulas.items(), held)
 
 
-def settled(held: Expression, unknown: frozenset[str], worked: Callable[[Expression], Expression]) -> Expression:
+def evaluate_known_parts(
+    held: Expression, unknown: frozenset[str], worked: Callable[[Expression], Expression]
+) -> Expression:
     """Replace the known parts of a formula by numbers, unless all of them are single symbols."""
     found = _Settling(unknown, worked).of(held)
-    return _without_symbols(found, unknown, worked) if next(numbers(found), None) is not None else found
+    return _without_symbols(found, unknown, worked) if next(numeric_parts(found), None) is not None else found
 
 
 def _without_symbols(
@@ -101,11 +103,11 @@ def _without_symbols(
     """Replace known symbols by their values and put numbers first in products, as in 3.2 v."""
     if isinstance(held, Symbol):
         return held if held.name in unknown else worked(held)
-    if not held.parts or isinstance(held, Worked):
+    if not held.parts or isinstance(held, NumericFormula):
         return held
     parts = [_without_symbols(part, unknown, worked) for part in held.parts]
     if isinstance(held, Product):
-        parts.sort(key=lambda part: not isinstance(part, Worked))
+        parts.sort(key=lambda part: not isinstance(part, NumericFormula))
     return held.built_of(parts)
 
 
@@ -126,8 +128,8 @@ class _Settling:
     def _settled(self, held: Expression) -> Expression:
         """Return a formula with its known parts replaced by numbers, without the cache."""
         if not self._is_open(held):
-            return held if isinstance(held, Number | Symbol | Worked) else self._worked(held)
-        if not held.parts or isinstance(held, Worked):
+            return held if isinstance(held, Number | Symbol | NumericFormula) else self._worked(held)
+        if not held.parts or isinstance(held, NumericFormula):
             return held
         if isinstance(held, Sum | Product):
             known = [part for part in held.parts if not self._is_open(part)]
@@ -154,9 +156,9 @@ def _real(held: Expression, at: Mapping[str, float]) -> float | None:
     return None if isinstance(found, complex) else found
 
 
-def _branches(name: str, formula: Expression, value: Expression, written: Written) -> Iterator[Expression]:
+def _branches(name: str, formula: Expression, value: Expression, written: CoefficientWriter) -> Iterator[Expression]:
     """Yield all closed-form solutions of formula = value for a symbol."""
-    formula = atoms_worked(formula, name)
+    formula = expand_numbers(formula, name)
     if formula == Symbol(name):
         yield value
         return
@@ -186,12 +188,12 @@ def _undone(formula: Expression, part: Expression, value: Expression) -> Iterato
         case Root():
             yield Power(value, 2)
         case Call():
-            yield Call(UNDONE[formula.function], value)
+            yield Call(INVERSE_FUNCTIONS[formula.function], value)
         case _:
             return
 
 
-def _roots(name: str, formula: Expression, value: Expression, written: Written) -> Iterator[Expression]:
+def _roots(name: str, formula: Expression, value: Expression, written: CoefficientWriter) -> Iterator[Expression]:
     """Yield the closed-form solutions for a symbol that occurs several times in an equation."""
     try:
         zero = fraction(formula) + fraction(-value)

@@ -3,14 +3,14 @@
 from collections.abc import Iterable, Mapping
 from functools import cache
 
-from sim2reason.questions.need import Need, greatest
+from sim2reason.questions.need import Need, most_advanced
 from sim2reason.solutions.algebra.evaluated import (
     Chain,
     ClosedRoot,
+    NumericFormula,
     NumericRoot,
     QuadraticRoot,
     SpecialFunction,
-    Worked,
 )
 from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Absolute, Call, Function, Pi, Power, Root
@@ -24,7 +24,7 @@ OPERATIONS: Mapping[type[Expression], Need] = {
     Quotient: Need.ARITHMETIC,
     Power: Need.ARITHMETIC,
     Absolute: Need.ARITHMETIC,
-    Worked: Need.ARITHMETIC,
+    NumericFormula: Need.ARITHMETIC,
     Chain: Need.ARITHMETIC,
     ClosedRoot: Need.ARITHMETIC,
     Root: Need.QUADRATIC,
@@ -46,7 +46,7 @@ def need_of(held: Expression) -> Need:
         return Need.ARITHMETIC
     direct = isinstance(held, Call) and held.function in DIRECT
     own = Need.ARITHMETIC if direct else operation(cls)
-    return max(own, greatest(map(need_of, _inside(held))))
+    return max(own, most_advanced(map(need_of, _inside(held))))
 
 
 @cache
@@ -58,7 +58,7 @@ def operation(cls: type[Expression]) -> Need:
 def _inside(held: Expression) -> Iterable[Expression]:
     """Return the subexpressions whose needs count."""
     match held:
-        case Worked():
+        case NumericFormula():
             return (held.inner,)
         case ClosedRoot():
             return (held.closed,)

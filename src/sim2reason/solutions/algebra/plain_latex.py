@@ -6,7 +6,7 @@ from functools import reduce
 from math import lcm, sqrt
 from operator import is_
 
-from sim2reason.solutions.algebra.evaluated import Worked
+from sim2reason.solutions.algebra.evaluated import NumericFormula
 from sim2reason.solutions.algebra.expressions import (
     ONE,
     Expression,
@@ -20,25 +20,25 @@ from sim2reason.solutions.algebra.expressions import (
 from sim2reason.solutions.algebra.factors import (
     LARGEST_DENOMINATOR,
     Factors,
+    factor_rank,
     factors_of,
     has_fraction,
+    integer_sides,
     never_negative,
-    place,
-    whole_sides,
 )
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root, is_difference, with_plain_signs
 
 
-def one_storey(held: Expression) -> Expression:
+def without_nested_fractions(held: Expression) -> Expression:
     """Rewrite a formula without nested fractions; its value is unchanged.
 
     Arguments of functions may contain fractions. A root of a fraction is a separate factor.
     """
-    if not held.parts or isinstance(held, Worked):
+    if not held.parts or isinstance(held, NumericFormula):
         return held
     if isinstance(held, Absolute) and isinstance(held.inside, Number):
         return Number(abs(held.inside.x))
-    parts = [one_storey(part) for part in held.parts]
+    parts = [without_nested_fractions(part) for part in held.parts]
     found = held if all(map(is_, parts, held.parts)) else held.built_of(parts)
     return _one_storey(found)
 
@@ -49,7 +49,7 @@ def _one_storey(held: Expression) -> Expression:
         case Quotient(above, below) if has_fraction(above) or has_fraction(below) or is_reducible(held):
             return _reduced(held)
         case Product(factors):
-            return _reduced(held) if is_reducible(held) else reduce(multiplied, sorted(factors, key=place))
+            return _reduced(held) if is_reducible(held) else reduce(multiplied, sorted(factors, key=factor_rank))
         case Power(base, exponent) if exponent % 2 == 0 and any(isinstance(f, Root) for f in factors_of(base).powers):
             return _reduced(held)
         case Root(inside):
@@ -60,12 +60,12 @@ def _one_storey(held: Expression) -> Expression:
             return held
 
 
-def is_storeyed(held: Expression) -> bool:
+def has_nested_fraction(held: Expression) -> bool:
     """Return whether a formula contains a nested fraction."""
-    if isinstance(held, Worked):
+    if isinstance(held, NumericFormula):
         return False
     here = isinstance(held, Quotient) and (has_fraction(held.above) or has_fraction(held.below))
-    return here or any(map(is_storeyed, held.parts))
+    return here or any(map(has_nested_fraction, held.parts))
 
 
 def is_reducible(held: Expression) -> bool:
@@ -161,7 +161,7 @@ def _as_fraction(held: Sum) -> Expression:
     for term in terms:
         for base, power in term.powers.items():
             below[base] = max(below.get(base, 0), -power)
-    number = float(lcm(*(int(whole_sides(term.number)[1]) for term in terms)))
+    number = float(lcm(*(int(integer_sides(term.number)[1]) for term in terms)))
     if number > LARGEST_DENOMINATOR:  # then the numbers are no fractions, but decimals
         return held
     common = Factors(number, {base: power for base, power in below.items() if power})
@@ -187,7 +187,7 @@ def _terms(held: Expression) -> tuple[Expression, ...]:
 
 def _is_divided(term: Factors) -> bool:
     """Return whether a term has a denominator."""
-    return whole_sides(term.number)[1] != 1.0 or any(power < 0 for power in term.powers.values())
+    return integer_sides(term.number)[1] != 1.0 or any(power < 0 for power in term.powers.values())
 
 
 def _shared(held: Expression) -> Factors:
@@ -222,7 +222,7 @@ def _root(held: Root, inside: Expression) -> Expression:
     if not isinstance(inside, Quotient | Product):
         return held
     whole = factors_of(inside)
-    over, under = whole_sides(whole.number)
+    over, under = integer_sides(whole.number)
     number = sqrt(over) if over > 1.0 and under == 1.0 and sqrt(over).is_integer() else 1.0
     if number == 1.0 and over > 0.0:
         return held
@@ -273,20 +273,20 @@ def _root_of(inside: Factors) -> Factors:
     return factors_of(_root(Root(formula), formula)) if formula != ONE else Factors(1.0, {})
 
 
-SIGNS = re.compile(r"\\left\(-|-\\frac|-\\left\(|\{-")
+SIGN_PATTERN = re.compile(r"\\left\(-|-\\frac|-\\left\(|\{-")
 """Matches the LaTeX of formulas whose signs can be simplified."""
 SYMBOL = r"(?<![A-Za-z\\])(\\?[A-Za-z]+(?:_\w|_\{[^{}]*\})?)"
-REPEATED = re.compile(SYMBOL + r"(?:\^\{\d\})? \1(?![\w'])")
+REPEATED_SYMBOL_PATTERN = re.compile(SYMBOL + r"(?:\^\{\d\})? \1(?![\w'])")
 """Matches the LaTeX of products in which a symbol stands twice."""
 
 
 def plain_latex(held: Expression) -> str:
     """Return the LaTeX of a formula after simplification of its signs and fractions."""
     found = held.latex()
-    if SIGNS.search(found):
+    if SIGN_PATTERN.search(found):
         found = (held := with_plain_signs(held)).latex()
     fractions = found.count("frac{")
-    nested = fractions > 1 and is_storeyed(held)
-    if nested or (fractions and is_reducible(held)) or REPEATED.search(found):
-        return one_storey(held).latex()
+    nested = fractions > 1 and has_nested_fraction(held)
+    if nested or (fractions and is_reducible(held)) or REPEATED_SYMBOL_PATTERN.search(found):
+        return without_nested_fractions(held).latex()
     return found

@@ -17,8 +17,18 @@ from sim2reason.solutions.algebra.expressions import (
 )
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 
-NOTHING = 1e-12  # smaller coefficients count as zero
-PLACES = {r"\mu": 0, "m": 1, "M": 1, "g": 3, "a": 4, "T": 4, "N": 4, "v": 5, "t": 6}  # sort keys of letters; others 2
+COEFFICIENT_ATOL = 1e-12  # smaller coefficients count as zero
+LETTER_RANKS = {
+    r"\mu": 0,
+    "m": 1,
+    "M": 1,
+    "g": 3,
+    "a": 4,
+    "T": 4,
+    "N": 4,
+    "v": 5,
+    "t": 6,
+}  # sort keys of letters; others 2
 Monomial = tuple[tuple[Expression, int], ...]  # atoms and their exponents, in written order
 
 
@@ -98,7 +108,7 @@ class Polynomial:
         """Return the terms that contain one of some symbols."""
         return Polynomial({m: part for m, part in self.terms.items() if _holds(m, names)})
 
-    def put(self, values: Mapping[str, "Polynomial"]) -> "Polynomial":
+    def substitute(self, values: Mapping[str, "Polynomial"]) -> "Polynomial":
         """Substitute polynomials for symbols that occur in first powers."""
         if not any(_holds(monomial, values) for monomial in self.terms):
             return self
@@ -126,19 +136,19 @@ class Polynomial:
 
     def expression(self) -> Expression:
         """Return the polynomial as a formula, term by term."""
-        return added(*(written(monomial, part) for monomial, part in self.terms.items()))
+        return added(*(term_expression(monomial, part) for monomial, part in self.terms.items()))
 
     def factored(self) -> Expression:
         """Return the polynomial as a formula with common factors in front: m g (sin θ − µ cos θ)."""
         if len(self.terms) < 2:
             return self.expression()
-        shared = common(list(self.terms))
+        shared = common_monomial(list(self.terms))
         if not shared:
             return self.expression()
         if all(part < 0.0 for part in self.terms.values()):
             return -self.scaled(-1.0).factored()
         rest = Polynomial({_less(monomial, shared): part for monomial, part in self.terms.items()})
-        inner, outer = rest.expression(), written(shared, 1.0)
+        inner, outer = rest.expression(), term_expression(shared, 1.0)
         trailing = isinstance(shared[-1][0], Call)
         return multiplied(inner, outer) if trailing and len(shared) == 1 else multiplied(outer, inner)
 
@@ -167,7 +177,7 @@ def total(parts: Iterable[Polynomial]) -> Polynomial:
     return Polynomial(_cleaned(found))
 
 
-def written(monomial: Monomial, part: float) -> Expression:
+def term_expression(monomial: Monomial, part: float) -> Expression:
     """Return a term as a formula."""
     above, below = list[Expression]([Number(part)]), list[Expression]()
     for atom, power in monomial:
@@ -193,20 +203,20 @@ def _times(before: Polynomial, last: Symbol) -> Expression:
     """Return a polynomial times a symbol as a formula, with the symbol last."""
     if len(before.terms) == 1:
         (monomial, part), *_ = before.terms.items()
-        return written(_joined(monomial, ((last, 1),)), part)
+        return term_expression(_joined(monomial, ((last, 1),)), part)
     if all(part < 0.0 for part in before.terms.values()):
         return -multiplied(before.scaled(-1.0).expression(), last)
     return multiplied(before.expression(), last)
 
 
-def written_order(part: tuple[Expression, int]) -> tuple[int, str]:
+def atom_sort_key(part: tuple[Expression, int]) -> tuple[int, str]:
     """Return the sort key of an atom in a product: µ, masses, others, g, unknowns, roots, functions."""
     name = part[0].latex()
     if isinstance(part[0], Root):
         return 8, name
     if isinstance(part[0], Call):
         return 9, name
-    return PLACES.get(name.partition("_")[0], 2), name
+    return LETTER_RANKS.get(name.partition("_")[0], 2), name
 
 
 def _joined(one: Monomial, two: Monomial) -> Monomial:
@@ -216,7 +226,7 @@ def _joined(one: Monomial, two: Monomial) -> Monomial:
     powers: dict[Expression, int] = dict(one)
     for atom, power in two:
         powers[atom] = powers.get(atom, 0) + power
-    return tuple(sorted(((atom, power) for atom, power in powers.items() if power), key=written_order))
+    return tuple(sorted(((atom, power) for atom, power in powers.items() if power), key=atom_sort_key))
 
 
 def _holds(monomial: Monomial, names: Collection[str]) -> bool:
@@ -238,7 +248,7 @@ def _cleaned(terms: dict[Monomial, float]) -> dict[Monomial, float]:
         part = kept[monomial]
         rest = tuple(held for held in monomial if held[0] != sine)
         partner = _joined(rest, ((Call("cos", sine.argument), 2),))
-        if abs(kept.get(partner, 0.0) - part) <= NOTHING and partner in kept:
+        if abs(kept.get(partner, 0.0) - part) <= COEFFICIENT_ATOL and partner in kept:
             del kept[monomial], kept[partner]
             kept[rest] = kept.get(rest, 0.0) + part
             waiting.insert(0, rest)  # may pair with terms in sines and cosines of another angle
@@ -248,11 +258,11 @@ def _cleaned(terms: dict[Monomial, float]) -> dict[Monomial, float]:
 def _without_nothing(terms: dict[Monomial, float]) -> dict[Monomial, float]:
     """Remove terms that cancel; return the same object if none does, which saves hashing all terms again."""
     for part in terms.values():
-        if -NOTHING <= part <= NOTHING:
+        if -COEFFICIENT_ATOL <= part <= COEFFICIENT_ATOL:
             break
     else:
         return terms
-    return {monomial: part for monomial, part in terms.items() if abs(part) > NOTHING}
+    return {monomial: part for monomial, part in terms.items() if abs(part) > COEFFICIENT_ATOL}
 
 
 def _squared_sine(monomial: Monomial) -> Call | None:
@@ -263,7 +273,7 @@ def _squared_sine(monomial: Monomial) -> Call | None:
     return None
 
 
-def divided(held: Polynomial, monomial: Monomial, part: float) -> Polynomial | None:
+def divide_by_term(held: Polynomial, monomial: Monomial, part: float) -> Polynomial | None:
     """Divide a polynomial by a single term; return None if a term is not divisible."""
     found: dict[Monomial, float] = {}
     for term, factor in held.terms.items():
@@ -276,13 +286,13 @@ def divided(held: Polynomial, monomial: Monomial, part: float) -> Polynomial | N
     return Polynomial(found)
 
 
-def common(monomials: list[Monomial]) -> Monomial:
+def common_monomial(monomials: list[Monomial]) -> Monomial:
     """Return the common atoms of all monomials in their lowest powers; empty if there are no monomials."""
     found = dict(monomials[0]) if monomials else {}
     for monomial in monomials[1:]:
         powers = dict(monomial)
         found = {atom: min(power, powers[atom]) for atom, power in found.items() if atom in powers}
-    return tuple(sorted(found.items(), key=written_order))
+    return tuple(sorted(found.items(), key=atom_sort_key))
 
 
 def _less(monomial: Monomial, shared: Monomial) -> Monomial:

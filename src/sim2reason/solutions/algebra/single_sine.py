@@ -14,10 +14,13 @@ from sim2reason.solutions.algebra.inverse import solved_for
 from sim2reason.solutions.solution import with_unit
 from sim2reason.solutions.writing.unit_latex import DEGREES
 
-WINDOWS = (0.3, 3.0), (0.7, 1.4)  # ranges relative to the unknown; the second if formulas are undefined in the first
+SAMPLE_WINDOWS = (
+    (0.3, 3.0),
+    (0.7, 1.4),
+)  # ranges relative to the unknown; the second if formulas are undefined in the first
 POINTS = 14  # samples in a range
-EXACT = 1e-11  # relative: largest singular value that counts as zero
-SHOWN = 1e-9  # relative to the largest term: smaller ones are left out of a stated equation
+SINGULAR_VALUE_RTOL = 1e-11  # relative: largest singular value that counts as zero
+VISIBLE_TERM_RATIO = 1e-9  # relative to the largest term: smaller ones are left out of a stated equation
 MEANS = 1e-13  # relative to the largest coefficient: smaller ones are rounding errors
 
 Basis = Sequence[Expression]
@@ -71,7 +74,7 @@ def _bases(x: Symbol) -> Iterator[Basis]:
 
 def _sampled(chain: Chain, unknown: str, values: Mapping[str, float]) -> tuple[Array, Array] | None:
     """Return sample points near the unknown's value and the chain's values there; None if it is undefined."""
-    for first, last in WINDOWS:
+    for first, last in SAMPLE_WINDOWS:
         points = values[unknown] * np.geomspace(first, last, POINTS)
         try:
             found = [chain.value({**values, unknown: x}) for x in points.tolist()]
@@ -89,7 +92,7 @@ def _summed(basis: Basis, parts: Array, kept: Array) -> Expression:
 
 def _is_shown(terms: Array) -> Array:
     """Return which terms are large enough to be written."""
-    return terms > SHOWN * terms.max()
+    return terms > VISIBLE_TERM_RATIO * terms.max()
 
 
 def _largest(parts: Array) -> float:
@@ -106,13 +109,17 @@ def _parts(seen: tuple[Array, Array], basis: Basis, unknown: str, power: int) ->
     if not np.all(np.isfinite(whole)) or np.any(sizes == 0.0):
         return None
     _, singular, rows = np.linalg.svd(whole / sizes)
-    if singular[-1] > EXACT * singular[0] or singular[-2] <= EXACT * singular[0]:
+    if singular[-1] > SINGULAR_VALUE_RTOL * singular[0] or singular[-2] <= SINGULAR_VALUE_RTOL * singular[0]:
         return None
     above, below = np.split(rows[-1] / sizes, 2)
     return above, below
 
 
-SPAN, SAMPLES, LEAST = 1e3, 160, 20  # ratio of largest value to the known one; samples; least number of defined ones
+SPAN, SAMPLES, MIN_TREND_SAMPLES = (
+    1e3,
+    160,
+    20,
+)  # ratio of largest value to the known one; samples; least number of defined ones
 
 
 def trend(formula: Expression, name: str, values: Mapping[str, float]) -> str:
@@ -129,7 +136,7 @@ def trend(formula: Expression, name: str, values: Mapping[str, float]) -> str:
         if isinstance(value, float):
             found.append(value)
     steps = [after - before for before, after in pairwise(found)]
-    if len(steps) < LEAST or values[name] <= 0.0:
+    if len(steps) < MIN_TREND_SAMPLES or values[name] <= 0.0:
         return ""
     if all(step > 0.0 for step in steps):
         return "increases"

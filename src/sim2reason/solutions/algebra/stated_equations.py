@@ -5,12 +5,12 @@ from functools import reduce
 from operator import mul
 
 from sim2reason.solutions.algebra.closed_roots import (
-    Fraction,
-    Written,
-    atoms_worked,
+    CoefficientWriter,
+    PolynomialFraction,
     coefficient,
+    expand_numbers,
     fraction,
-    raised,
+    power_of,
     without_radicals,
 )
 from sim2reason.solutions.algebra.expressions import (
@@ -23,23 +23,23 @@ from sim2reason.solutions.algebra.expressions import (
     added,
     multiplied,
 )
-from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.algebra.fractions import reduced_quotient
 from sim2reason.solutions.algebra.functions import Call, Power, Root
-from sim2reason.solutions.algebra.polynomials import Polynomial, common, divided
+from sim2reason.solutions.algebra.polynomials import Polynomial, common_monomial, divide_by_term
 
 
 def stated_equation(
-    name: str, formula: Expression, value: Expression, written: Written
+    name: str, formula: Expression, value: Expression, written: CoefficientWriter
 ) -> tuple[Expression, Expression] | None:
     """Reduce an equation to a x² + b x = c or a sin x + b cos x = c; return both sides, or None if it is neither.
 
     In the first form, x may also be the sine or the cosine of the symbol.
     """
     try:
-        zero = without_radicals((fraction(atoms_worked(formula, name)) + fraction(-value)).above, name)
+        zero = without_radicals((fraction(expand_numbers(formula, name)) + fraction(-value)).above, name)
     except OverflowError:
         return None
-    zero = divided(zero, common([*zero.terms]), 1.0) or zero
+    zero = divide_by_term(zero, common_monomial([*zero.terms]), 1.0) or zero
     symbol, sine, cosine = Symbol(name), Call("sin", Symbol(name)), Call("cos", Symbol(name))
     squares = ((atom, atom, (2, 1)) for atom in (symbol, sine, cosine))
     for first, second, powers in (*squares, (sine, cosine, (1, 1))):
@@ -55,34 +55,34 @@ def stated_equation(
             continue
         sign = -1.0 if written(parts[0]).negative else 1.0
         terms = (
-            multiplied(written(part.scaled(sign)), raised(atom, power))
+            multiplied(written(part.scaled(sign)), power_of(atom, power))
             for part, atom, power in zip(parts, (first, second), powers, strict=True)
         )
         return reduce(added, terms), written(rest.scaled(-sign))
     return None
 
 
-def tidied(formula: Expression, name: str, *, always: bool = False) -> Expression:
+def as_one_fraction(formula: Expression, name: str, *, always: bool = False) -> Expression:
     """Return a formula of a symbol as one fraction if that is shorter; a square root keeps the fraction under it.
 
     With `always` it is one fraction of any length, with the common number of all terms in front.
     """
     if isinstance(formula, Root):
-        return Root(tidied(formula.inside, name))
+        return Root(as_one_fraction(formula.inside, name))
     plain = _without_squared_roots(formula)
     try:
-        found = over(*_sides(fraction(atoms_worked(plain, name))), grouped=always)
+        found = reduced_quotient(*_sides(fraction(expand_numbers(plain, name))), grouped=always)
     except OverflowError:
         return plain
     again = _without_squared_roots(found)  # squares of roots may appear once other terms have cancelled
-    found = tidied(again, name) if again != found else found
+    found = as_one_fraction(again, name) if again != found else found
     return found if always or len(found.latex()) < len(plain.latex()) else plain
 
 
 def as_power(formula: Expression, name: str, worked: Callable[[Expression], Expression]) -> Expression | None:
     """Return a formula proportional to a power of a symbol as a number times that power; None for others."""
     try:
-        above, below = _sides(fraction(atoms_worked(_without_squared_roots(formula), name)))
+        above, below = _sides(fraction(expand_numbers(_without_squared_roots(formula), name)))
     except OverflowError:
         return None
     powers = {dict(monomial).get(Symbol(name), 0) for monomial in above.terms}
@@ -92,10 +92,10 @@ def as_power(formula: Expression, name: str, worked: Callable[[Expression], Expr
     rest = coefficient(above, Symbol(name), power)
     if power < 1 or name in rest.names():
         return None
-    return multiplied(worked(over(rest, below)), raised(Symbol(name), power))
+    return multiplied(worked(reduced_quotient(rest, below)), power_of(Symbol(name), power))
 
 
-def doubled(formula: Expression, found: Expression, name: str) -> bool:
+def found_by_double_angle(formula: Expression, found: Expression, name: str) -> bool:
     """Return whether an angle is found as half of a double angle, from the squares of its sine and cosine."""
     squares = {Power(Call(function, Symbol(name)), 2) for function in ("sin", "cos")}
     halved = isinstance(found, Quotient) and found.below == Number(2.0)
@@ -128,10 +128,10 @@ def _without_squared_roots(held: Expression) -> Expression:
     if not any(isinstance(factor, Root) for factor in factors):
         return held
     half = held.exponent // 2
-    squared = (raised(f.inside, half) if isinstance(f, Root) else Power(f, held.exponent) for f in factors)
+    squared = (power_of(f.inside, half) if isinstance(f, Root) else Power(f, held.exponent) for f in factors)
     return reduce(multiplied, squared)
 
 
-def _sides(held: Fraction) -> tuple[Polynomial, Polynomial]:
+def _sides(held: PolynomialFraction) -> tuple[Polynomial, Polynomial]:
     """Return the numerator and the expanded denominator of a fraction."""
     return held.above, reduce(mul, held.below, Polynomial.of(1.0))

@@ -3,14 +3,14 @@
 from functools import singledispatch
 from typing import TypeAlias
 
-from sim2reason.solutions.algebra.digits import shortened
+from sim2reason.solutions.algebra.digits import round_to_digits
 from sim2reason.solutions.algebra.evaluated import (
     Amplitude,
     Chain,
     CompleteElliptic,
     IncompleteElliptic,
+    NumericFormula,
     NumericRoot,
-    Worked,
 )
 from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Absolute, Call, Pi, Power, Root
@@ -91,7 +91,7 @@ def _(held: Amplitude) -> Tree:
 
 
 @tree.register
-def _(held: Worked) -> Tree:
+def _(held: NumericFormula) -> Tree:
     """Keep the number in the text beside its formula, so that both can be compared."""
     return ["worked", tree(held.inner), float(held.comes_to)]
 
@@ -102,7 +102,7 @@ def _(held: NumericRoot) -> Tree:
 
     For a chain of formulas in earlier relations, those relations are the equation.
     """
-    near = shortened(held.near)
+    near = round_to_digits(held.near)
     return ["solve", near] if _has_chain(held.residual) else ["root", held.name, tree(held.residual), near]
 
 

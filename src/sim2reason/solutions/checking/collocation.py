@@ -24,10 +24,10 @@ INTEGRALS: Array = (
     chebyshev.chebvander(NODES, DEGREE + 1) @ chebyshev.chebint(np.eye(DEGREE + 1), lbnd=-1) @ COEFFICIENTS
 )  # integrals from -1 to each node
 TOLERANCE = 1e-13  # relative: largest final coefficients of the state in a step
-SETTLED, CLOSE = 2e-15, 1e-12  # relative changes at which an iteration ends: at once; if it stalls
+CONVERGENCE_RTOL, STALL_RTOL = 2e-15, 1e-12  # relative changes at which an iteration ends: at once; if it stalls
 ITERATIONS = 40
-LEAST = 1e-3  # error scale: relative to the largest coordinate or rate, or in SI units, whichever is larger
-FIRST, SHORTEST = 1e-2, 1e-13  # first step, s; shortest step, relative to the first
+ERROR_SCALE_RATIO = 1e-3  # error scale: relative to the largest coordinate or rate, or in SI units, whichever is larger
+FIRST, MIN_STEP_RATIO = 1e-2, 1e-13  # first step, s; shortest step, relative to the first
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +65,7 @@ def pieces(slope: Slope, begin: float, start: Array, count: int, fits: Callable[
         fits: returns whether functions of the state are polynomials within a step, too; if not, it is shortened.
     """
     length, time, state = FIRST, begin, start
-    while length > SHORTEST * max(FIRST, abs(time)):
+    while length > MIN_STEP_RATIO * max(FIRST, abs(time)):
         guess = np.tile(state, (DEGREE + 1, 1))
         found = _step(slope, Piece(time, length, guess), state, count)
         ratio = np.inf if found is None else float((tail(found.states) / _sizes(found.states, count)).max()) / TOLERANCE
@@ -83,7 +83,7 @@ def state_at(slope: Slope, piece: Piece, time: float, count: int) -> Array:
     Rates may have a kink at that time, as the rate of a path length has at zero speed.
     """
     begin, length = piece.state(piece.begin), time - piece.begin
-    if length <= SHORTEST * piece.length:
+    if length <= MIN_STEP_RATIO * piece.length:
         return begin
     found = _step(slope, Piece(piece.begin, length, np.tile(begin, (DEGREE + 1, 1))), begin, count)
     return piece.state(time) if found is None else found.states[-1]
@@ -91,9 +91,9 @@ def state_at(slope: Slope, piece: Piece, time: float, count: int) -> Array:
 
 def _sizes(states: Array, count: int) -> Array:
     """Return the error scales of coordinates, rates and integrals, (n,)."""
-    sizes = np.maximum(np.abs(states).max(axis=0), LEAST)
+    sizes = np.maximum(np.abs(states).max(axis=0), ERROR_SCALE_RATIO)
     for group in (slice(0, count), slice(count, 2 * count)):
-        sizes[group] = np.maximum(sizes[group], LEAST * sizes[group].max(initial=0.0))
+        sizes[group] = np.maximum(sizes[group], ERROR_SCALE_RATIO * sizes[group].max(initial=0.0))
     return sizes
 
 
@@ -109,7 +109,7 @@ def _step(slope: Slope, piece: Piece, start: Array, count: int) -> Piece | None:
             return None
         change = float((np.abs(found - states).max(axis=0) / _sizes(found, count)).max())
         states = found
-        if change <= SETTLED or (change <= CLOSE and change >= 0.5 * last):
+        if change <= CONVERGENCE_RTOL or (change <= STALL_RTOL and change >= 0.5 * last):
             return Piece(piece.begin, piece.length, states)
         last = change
     return None

@@ -19,8 +19,8 @@ from sim2reason.solutions.checking.trees import (
     written,
 )
 
-WELL = 1e-9  # relative to the largest term: largest difference of the two sides
-ROUNDING = 1e-13  # in SI units: largest rounding error of numbers that cancel
+RELATION_RTOL = 1e-9  # relative to the largest term: largest difference of the two sides
+ROUNDING_ATOL = 1e-13  # in SI units: largest rounding error of numbers that cancel
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,7 +68,7 @@ class Equation:
 
     def holds(self, at: Values) -> bool:
         """Return whether both sides agree relative to their largest term."""
-        return abs(self.excess(at)) <= WELL * max(size(self.left, at), size(self.right, at)) + ROUNDING
+        return abs(self.excess(at)) <= RELATION_RTOL * max(size(self.left, at), size(self.right, at)) + ROUNDING_ATOL
 
     def slopes(self, at: Values) -> tuple[float, Mapping[str, float]]:
         """Return left minus right, and its partial derivatives with respect to the symbols."""
@@ -78,8 +78,8 @@ class Equation:
         return one - other, found
 
 
-CONSISTENT = 1e-8  # relative: largest contradiction of redundant equations
-RANK = 1e-11  # relative: smaller singular values count as zero
+CONSISTENCY_RTOL = 1e-8  # relative: largest contradiction of redundant equations
+RANK_RTOL = 1e-11  # relative: smaller singular values count as zero
 UNDETERMINED = "the equations of motion do not determine accelerations and forces"
 
 
@@ -148,7 +148,7 @@ class LinearSystem:
             elif matrix.shape[1] == matrix.shape[2]:
                 found = np.linalg.solve(matrix, right)
             else:
-                found = np.linalg.pinv(matrix, rcond=RANK) @ right
+                found = np.linalg.pinv(matrix, rcond=RANK_RTOL) @ right
         except np.linalg.LinAlgError as error:
             raise ArithmeticError(UNDETERMINED) from error
         return {name: np.asarray(found[:, number, 0], dtype=np.float64) for number, name in enumerate(self.unknowns)}
@@ -162,9 +162,9 @@ class LinearSystem:
         rows = np.where(rows == 0.0, 1.0, rows)
         matrix, right = matrix / rows[:, None], right[:, 0] / rows
         columns = np.abs(matrix).max(axis=0)
-        if not columns.all() or np.linalg.matrix_rank(matrix / columns, tol=RANK) < matrix.shape[1]:
+        if not columns.all() or np.linalg.matrix_rank(matrix / columns, tol=RANK_RTOL) < matrix.shape[1]:
             raise ArithmeticError(UNDETERMINED)
         found: Array = np.asarray(np.linalg.lstsq(matrix / columns, right, rcond=None)[0], dtype=np.float64) / columns
         terms = np.abs(matrix) @ np.abs(found) + np.abs(right)
-        if (np.abs(matrix @ found - right) > CONSISTENT * terms + ROUNDING).any():
+        if (np.abs(matrix @ found - right) > CONSISTENCY_RTOL * terms + ROUNDING_ATOL).any():
             raise ArithmeticError("the equations of motion contradict each other")

@@ -92,12 +92,21 @@ class Instant:
         self._system.examine(self.at)
 
 
-SMOOTH, TINY = 1e-8, 1e-14  # largest final Chebyshev coefficients of a condition: relative, absolute
-TRIMMED, REAL = 1e-13, 1e-6  # relative: smallest coefficient that counts; largest imaginary part of a real root
-ZERO = 1e-9  # relative to the largest coefficient of a condition in the first step: a zero at the start
-NARROW, RESTING = 1e-9, 1e-4  # fractions of a step with untrusted signs: between zeros, after one at the start
+SMOOTHNESS_RTOL, SMOOTHNESS_ATOL = (
+    1e-8,
+    1e-14,
+)  # largest final Chebyshev coefficients of a condition: relative, absolute
+TRIM_RTOL, REAL_ROOT_ATOL = (
+    1e-13,
+    1e-6,
+)  # relative: smallest coefficient that counts; largest imaginary part of a real root
+INITIAL_ZERO_RTOL = 1e-9  # relative to the largest coefficient of a condition in the first step: a zero at the start
+MIN_ZERO_GAP, MIN_GAP_AFTER_START = (
+    1e-9,
+    1e-4,
+)  # fractions of a step with untrusted signs: between zeros, after one at the start
 ROUNDING = 1e-12  # relative to the largest term of a condition: the sign of smaller values is not trusted
-SIZE, MOST = 40, 10_000  # most coordinates or unknowns; most occurrences of an event
+MAX_UNKNOWNS, MAX_OCCURRENCES = 40, 10_000  # most coordinates or unknowns; most occurrences of an event
 ENDLESS = "a phase does not come to the end that is stated"
 
 
@@ -135,7 +144,7 @@ def integrate(data: Mapping[str, Any], known: Mapping[str, float], steps: int) -
 
 def _check(data: Mapping[str, Any]) -> None:
     """Raise TreeError if a phase is too large or contains an invalid tree."""
-    if max(len(data[part]) for part in ("coordinates", "unknowns", "equations", "accumulated", "ends")) > SIZE:
+    if max(len(data[part]) for part in ("coordinates", "unknowns", "equations", "accumulated", "ends")) > MAX_UNKNOWNS:
         raise TreeError("a phase is too large")
     if not data["coordinates"] and not data["accumulated"]:
         raise TreeError("there is nothing to integrate")
@@ -171,7 +180,7 @@ class _Phase:
         self._begin = value(data["begin"], known)
         self._flows = [compiled_for_many(held["rate"]) for held in sums]
         self._direction, self._occurrence = int(until["direction"]), int(until["occurrence"])
-        if not 1 <= self._occurrence <= MOST or self._direction not in (-1, 0, 1):
+        if not 1 <= self._occurrence <= MAX_OCCURRENCES or self._direction not in (-1, 0, 1):
             raise TreeError("the end of a phase has no such occurrence or direction")
         self._condition = compiled_for_many(until["expression"])
         self._needs_forces = not self._instant.solved.isdisjoint(symbols(until["expression"]))
@@ -211,7 +220,7 @@ class _Phase:
     def _fits(self, piece: Piece) -> bool:
         """Return whether the end condition is a polynomial within a step, to the accuracy needed."""
         values = self._excess(piece.times, piece.states)
-        return bool(tail(values[:, None])[0] <= SMOOTH * np.abs(values).max() + TINY)
+        return bool(tail(values[:, None])[0] <= SMOOTHNESS_RTOL * np.abs(values).max() + SMOOTHNESS_ATOL)
 
     def run(self, steps: int) -> tuple[dict[str, float], int]:
         """Integrate until the end condition has crossed zero as often as stated; return end values and step count."""
@@ -238,11 +247,11 @@ class _Phase:
             raise TreeError(ENDLESS)
         if not large:
             return
-        kept = np.nonzero(np.abs(coefficients) > TRIMMED * large)[0][-1] + 1
+        kept = np.nonzero(np.abs(coefficients) > TRIM_RTOL * large)[0][-1] + 1
         roots = chebroots(coefficients[:kept]) if kept > 1 else np.empty(0)
-        inside = np.sort(roots[(np.abs(roots.imag) < REAL) & (np.abs(roots.real) < 1.0)].real)
-        resting = first and abs(self._excess_at(piece.begin)) <= ZERO * large
-        shortest = RESTING if resting else NARROW
+        inside = np.sort(roots[(np.abs(roots.imag) < REAL_ROOT_ATOL) & (np.abs(roots.real) < 1.0)].real)
+        resting = first and abs(self._excess_at(piece.begin)) <= INITIAL_ZERO_RTOL * large
+        shortest = MIN_GAP_AFTER_START if resting else MIN_ZERO_GAP
         for one, other in pairwise([-1.0, *map(float, inside), 1.0]):
             time = piece.begin + 0.25 * piece.length * (one + other + 2.0)
             excess = self._excess_at(time)

@@ -8,15 +8,15 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from sim2reason.solutions.checking.equation import ROUNDING, Equation
+from sim2reason.solutions.checking.equation import ROUNDING_ATOL, Equation
 from sim2reason.solutions.checking.integration import PhaseError, formulas, integrate
 from sim2reason.solutions.checking.relations import UNDEFINED, Relations, zero
-from sim2reason.solutions.checking.trees import ROUGH, TreeError, check, symbols, written
+from sim2reason.solutions.checking.trees import STATED_ROOT_RTOL, TreeError, check, symbols, written
 
 Array: TypeAlias = npt.NDArray[np.float64]
 
-FAINT = 1e-8  # relative: largest residual of a row that depends linearly on others
-RANK = 1e-12  # relative: smaller singular values count as zero
+RESIDUAL_RTOL = 1e-8  # relative: largest residual of a row that depends linearly on others
+RANK_RTOL = 1e-12  # relative: smaller singular values count as zero
 LAW = "law"
 
 
@@ -33,7 +33,7 @@ def undetermined(
     """
     names = sorted({name for equation in equations for name in equation.names} - known)
     place = {name: number for number, name in enumerate(names)}
-    sizes = np.array([abs(values[name]) if abs(values[name]) > ROUNDING else 1.0 for name in names])
+    sizes = np.array([abs(values[name]) if abs(values[name]) > ROUNDING_ATOL else 1.0 for name in names])
     rows = [_row(equation, values, place, sizes) for equation in equations]
     basis = _basis([row for row, equation in zip(rows, equations, strict=True) if equation.role == LAW], len(names))
     for name in needed:
@@ -61,12 +61,12 @@ def _basis(rows: Sequence[Array], width: int) -> Array:
     if not rows or not width:
         return np.zeros((0, width))
     _, sizes, ways = np.linalg.svd(np.array(rows), full_matrices=False)
-    return ways[sizes > RANK * sizes.max(initial=0.0)]
+    return ways[sizes > RANK_RTOL * sizes.max(initial=0.0)]
 
 
 def _spanned(basis: Array, row: Array) -> bool:
     """Return whether a row is a linear combination of basis vectors."""
-    return bool(np.abs(row - basis.T @ (basis @ row)).max(initial=0.0) <= FAINT * np.abs(row).max(initial=0.0))
+    return bool(np.abs(row - basis.T @ (basis @ row)).max(initial=0.0) <= RESIDUAL_RTOL * np.abs(row).max(initial=0.0))
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,14 +85,14 @@ class Recomputed:
         return not self.faults and self.answer is not None and abs(self.answer - answer) <= within * abs(answer)
 
 
-FOUND = 1e-13  # relative accuracy of the unknown
-FULFILLED = 1e-9  # relative: largest deviation of the result, which excludes a jump at the unknown
+UNKNOWN_RTOL = 1e-13  # relative accuracy of the unknown
+CONDITION_RTOL = 1e-9  # relative: largest deviation of the result, which excludes a jump at the unknown
 TRIAL, CONDITION = "trial", "condition"  # roles of relations
 
 Reader = Callable[[Mapping[str, Any]], Recomputed]
 
 
-def sought(data: Mapping[str, Any]) -> tuple[str, float] | None:
+def unknown_by_trial(data: Mapping[str, Any]) -> tuple[str, float] | None:
     """Return the unknown that a solution finds by trial, with its stated value; None if there is none.
 
     Raises:
@@ -129,13 +129,13 @@ def by_trial(data: Mapping[str, Any], unknown: tuple[str, float], read: Reader) 
             raise TreeError(next(iter(found.faults), f"{result} has no value"))
         return found.values[result] - value
 
-    ends = near * (1.0 - 1.01 * ROUGH), near * (1.0 + 1.01 * ROUGH)
+    ends = near * (1.0 - 1.01 * STATED_ROOT_RTOL), near * (1.0 + 1.01 * STATED_ROOT_RTOL)
     failed = f"no value of {name} near {near:.6g} leads to {result} = {value:.6g}"
     if (excess(ends[0]) > 0.0) == (excess(ends[1]) > 0.0):
         raise TreeError(failed)
-    found = zero(excess, *ends, within=FOUND)
+    found = zero(excess, *ends, within=UNKNOWN_RTOL)
     reached = read(_with(data, name, found, result))
-    if abs(reached.values[result] - value) > FULFILLED * abs(value):
+    if abs(reached.values[result] - value) > CONDITION_RTOL * abs(value):
         raise TreeError(failed)
     goal = str(data["goal"])
     if goal not in reached.values:
@@ -161,9 +161,9 @@ def _with(data: Mapping[str, Any], name: str, value: float, goal: str) -> dict[s
 
 COMPARED = "exceeds"  # role of relations whose left side is larger than the right one
 STATED = "law", "derived", "result", "verified"  # roles of equations
-STEPS = 1000  # most integration steps of one solution
-MOST = 2000  # most relations of one solution
-WHOLE = 1e-9  # largest difference between a count and an integer
+MAX_STEPS = 1000  # most integration steps of one solution
+MAX_RELATIONS = 2000  # most relations of one solution
+INTEGER_ATOL = 1e-9  # largest difference between a count and an integer
 
 
 def recompute(data: Mapping[str, Any]) -> Recomputed:
@@ -173,7 +173,7 @@ def recompute(data: Mapping[str, Any]) -> Recomputed:
     every relation must hold, and the laws must determine the goal. Faults are returned as messages, never raised.
     """
     try:
-        unknown = sought(data)
+        unknown = unknown_by_trial(data)
         return _read(data) if unknown is None else by_trial(data, unknown, _read)
     except (TreeError, ArithmeticError, RecursionError) as error:
         return Recomputed(None, (str(error),))
@@ -183,10 +183,10 @@ def recompute(data: Mapping[str, Any]) -> Recomputed:
 
 def _read(data: Mapping[str, Any]) -> Recomputed:
     """Recompute the answer of a solution without an unknown found by trial."""
-    return _Reading(data).result()
+    return _Recomputation(data).result()
 
 
-class _Reading:
+class _Recomputation:
     """The recomputation of one solution, step by step."""
 
     def __init__(self, data: Mapping[str, Any]) -> None:
@@ -194,7 +194,7 @@ class _Reading:
         given = {str(name): float(number) for name, number in data["givens"].items()}
         if not all(map(isfinite, given.values())):
             raise TreeError("a given is no number")
-        self._relations, self._steps = Relations(given), STEPS
+        self._relations, self._steps = Relations(given), MAX_STEPS
         self._equations: list[Equation] = []
         self._compared: list[Equation] = []
         self._given = frozenset(given)
@@ -204,7 +204,7 @@ class _Reading:
     def result(self) -> Recomputed:
         """Process all steps and return the answer with its faults."""
         known = self._relations
-        if sum(len(step["relations"]) for step in self._data["steps"]) > MOST:
+        if sum(len(step["relations"]) for step in self._data["steps"]) > MAX_RELATIONS:
             raise TreeError("there are too many relations")
         for step in self._data["steps"]:
             self._read(step)
@@ -216,7 +216,7 @@ class _Reading:
         faults += [] if answer is not None or goal in known.unknown else [f"no relation speaks of {goal}"]
         if not faults:
             faults += self._undetermined()
-        if answer is not None and self._data["whole"] and abs(answer - round(answer)) > WHOLE:
+        if answer is not None and self._data["whole"] and abs(answer - round(answer)) > INTEGER_ATOL:
             faults.append(f"a count is {answer:.6g}")
         return Recomputed(answer, tuple(dict.fromkeys(faults)), known.values)
 

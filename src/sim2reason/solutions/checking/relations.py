@@ -7,8 +7,8 @@ import numpy as np
 
 from sim2reason.solutions.checking.equation import Equation, separated
 from sim2reason.solutions.checking.trees import (
-    ROUGH,
     SAMPLES,
+    STATED_ROOT_RTOL,
     Tree,
     bound,
     has_other_root,
@@ -16,7 +16,7 @@ from sim2reason.solutions.checking.trees import (
     value,
 )
 
-HALVINGS = 200  # iterations
+MAX_ITERATIONS = 200  # iterations
 EPS = 4e-16  # relative
 
 
@@ -27,7 +27,7 @@ def zero(function: Callable[[float], float], one: float, other: float, *, within
     function propagate.
     """
     low, high = function(one), function(other)
-    for n in range(HALVINGS):
+    for n in range(MAX_ITERATIONS):
         if not low:
             return one
         if not high or abs(other - one) <= within * max(abs(one), abs(other)):
@@ -45,10 +45,10 @@ def zero(function: Callable[[float], float], one: float, other: float, *, within
     return other
 
 
-CERTAIN = 1e-9  # largest part of a determined symbol in the null space of the equations
+NULL_SPACE_ATOL = 1e-9  # largest part of a determined symbol in the null space of the equations
 ROUNDING = 1e-13  # relative to its terms: smaller coefficients count as zero
 RANK = 1e-10  # relative: smaller singular values count as zero
-SAID = 2e-9  # relative: largest difference between a stated number and its formula
+STATED_NUMBER_RTOL = 2e-9  # relative: largest difference between a stated number and its formula
 UNDEFINED = (ArithmeticError, ValueError, KeyError)
 
 
@@ -130,7 +130,7 @@ class Relations:
         """Record faults of stated numbers that differ from their formulas, and of roots that are not unique."""
         for _, inner, number in parts_named(tree, "worked"):
             found, said = value(inner, self.values), float(number)  # type: ignore[arg-type]
-            if abs(found - said) > SAID * abs(found):
+            if abs(found - said) > STATED_NUMBER_RTOL * abs(found):
                 self.faults.append(f"a formula comes to {found:.9g}, not {said:.9g}")
         for part in parts_named(tree, "root"):
             if has_other_root(part, self.values):
@@ -142,11 +142,11 @@ class Relations:
         """Find the value of a symbol near a number for which all waiting relations hold."""
         self.solve_linear()
         if name in self.values:
-            if abs(self.values[name] - near) > ROUGH * abs(near):
+            if abs(self.values[name] - near) > STATED_ROOT_RTOL * abs(near):
                 self.faults.append(f"{name} is {self.values[name]:.6g}, not {near:.6g}")
             return
         chain, whole = self._chain(name)
-        places = [near * (1.0 + 1.01 * ROUGH * (2.0 * n / SAMPLES - 1.0)) for n in range(SAMPLES + 1)]
+        places = [near * (1.0 + 1.01 * STATED_ROOT_RTOL * (2.0 * n / SAMPLES - 1.0)) for n in range(SAMPLES + 1)]
         try:
             there = [self._along(chain, name, place) for place in places]
             sharp = [each for each in whole if not (each.holds(there[0]) and each.holds(there[-1]))]
@@ -243,5 +243,5 @@ def _determined(rows: list[tuple[dict[str, float], float]]) -> dict[str, float]:
     left, sizes, ways = np.linalg.svd(matrix / columns, full_matrices=False)
     kept = sizes > RANK * sizes.max(initial=0.0)
     numbers = ways[kept].T @ ((left[:, kept].T @ right) / sizes[kept]) / columns
-    certain = (ways[kept] ** 2).sum(axis=0) > 1.0 - CERTAIN
+    certain = (ways[kept] ** 2).sum(axis=0) > 1.0 - NULL_SPACE_ATOL
     return {name: float(x) for name, x, sure in zip(names, numbers, certain, strict=True) if sure}

@@ -28,7 +28,7 @@ EvaluateAll = Callable[[Mapping[str, float | Array]], float | Array]
 NODES, DEPTH = 4000, 100  # most nodes and greatest depth of a tree
 ITERATIONS = 60  # of Newton's method
 CONVERGED = 4e-16  # relative
-ROUGH = 1e-4  # relative: rounding of roots, which are stated to five digits
+STATED_ROOT_RTOL = 1e-4  # relative: rounding of roots, which are stated to five digits
 SAMPLES = 8  # subintervals searched for other roots
 FUNCTIONS: Mapping[str, tuple[Callable[[float], float], Callable[[float], float]]] = {
     "sqrt": (math.sqrt, lambda x: 0.5 / math.sqrt(x)),
@@ -288,9 +288,9 @@ def has_other_root(tree: list[Tree], at: Values) -> bool:
     """Return whether the interval of numbers with the stated digits contains a second root, or no root."""
     _, name, residual, near = tree
     middle = float(near)  # type: ignore[arg-type]
-    if abs(root(tree, at) - middle) > ROUGH * abs(middle):
+    if abs(root(tree, at) - middle) > STATED_ROOT_RTOL * abs(middle):
         return True
-    places = [middle * (1.0 + ROUGH * (2.0 * n / SAMPLES - 1.0) * 1.01) for n in range(SAMPLES + 1)]
+    places = [middle * (1.0 + STATED_ROOT_RTOL * (2.0 * n / SAMPLES - 1.0) * 1.01) for n in range(SAMPLES + 1)]
     signs = [math.copysign(1.0, value(residual, {**at, str(name): x})) for x in places]
     return sum(one != other for one, other in pairwise(signs)) > 1
 

@@ -1,12 +1,12 @@
 """Closed forms: the answer of a worked solution as one formula of the given quantities."""
 
 from sim2reason.solutions.closed_forms.closed_form import (
-    LONGEST,
+    MAX_LATEX_LENGTH,
     ClosedForm,
     ClosedFormError,
     closed_form,
-    put_together,
-    shortened,
+    combined_formula,
+    simplified_form,
 )
 
-__all__ = ["LONGEST", "ClosedForm", "ClosedFormError", "closed_form", "put_together", "shortened"]
+__all__ = ["MAX_LATEX_LENGTH", "ClosedForm", "ClosedFormError", "closed_form", "combined_formula", "simplified_form"]

@@ -6,7 +6,7 @@ from functools import lru_cache, reduce
 from math import inf
 
 from sim2reason.solutions.algebra.digits import simple_fraction
-from sim2reason.solutions.algebra.evaluated import SpecialFunction, Worked
+from sim2reason.solutions.algebra.evaluated import NumericFormula, SpecialFunction
 from sim2reason.solutions.algebra.expressions import (
     ONE,
     Expression,
@@ -17,16 +17,19 @@ from sim2reason.solutions.algebra.expressions import (
     multiplied,
     ratio,
 )
-from sim2reason.solutions.algebra.functions import Absolute, Pi, Power, Root, is_difference, plain
-from sim2reason.solutions.algebra.plain_latex import one_storey
-from sim2reason.solutions.closed_forms.gathering import gathered, with_factors_in_front
-from sim2reason.solutions.closed_forms.rewriting import length, shortest
-from sim2reason.solutions.closed_forms.tidying import tidied
+from sim2reason.solutions.algebra.functions import Absolute, Pi, Power, Root, is_difference, simplify_inverse
+from sim2reason.solutions.algebra.plain_latex import without_nested_fractions
+from sim2reason.solutions.closed_forms.gathering import factor_terms, with_factors_in_front
+from sim2reason.solutions.closed_forms.rewriting import latex_length, shortest_form
+from sim2reason.solutions.closed_forms.tidying import tidy
 from sim2reason.solutions.solution import Solution, Step
 
-MOST = 150  # symbols in a formula before simplification, at most
-LONGEST = 230  # characters of LaTeX, at most; a sum is repeated in reduced fractions
-ROOTED = {2: 400, 3: 250}  # by number of different roots: characters of the longest formula worth simplifying
+MAX_SYMBOLS = 150  # symbols in a formula before simplification, at most
+MAX_LATEX_LENGTH = 230  # characters of LaTeX, at most; a sum is repeated in reduced fractions
+MAX_LATEX_BY_ROOTS = {
+    2: 400,
+    3: 250,
+}  # by number of different roots: characters of the longest formula worth simplifying
 
 
 class ClosedFormError(Exception):
@@ -46,12 +49,12 @@ class ClosedForm:
 
         Factors with one sign at all points get that sign; all others stand between bars.
         """
-        found = one_storey(tidied(_of_size(_rooted_in_sizes(self.expression, points), points)))
+        found = without_nested_fractions(tidy(_of_size(_rooted_in_sizes(self.expression, points), points)))
         return ClosedForm(found, found.latex(), self.symbols)
 
     def without_roots_of_squares(self, at: Mapping[str, float] | None = None) -> "ClosedForm":
         """Take squares out of roots, between bars or with their sign at a given point."""
-        found = one_storey(tidied(_out_of_roots(self.expression, at)))
+        found = without_nested_fractions(tidy(_out_of_roots(self.expression, at)))
         return ClosedForm(found, found.latex(), self.symbols)
 
     def with_positive_factors(self, points: Sequence[Mapping[str, float]]) -> "ClosedForm":
@@ -68,10 +71,10 @@ class ClosedForm:
 
 def closed_form(solution: Solution, own: Sequence[str] = ()) -> ClosedForm:
     """Return the answer of a solution as one simplified formula."""
-    return shortened(put_together(solution, own))
+    return simplified_form(combined_formula(solution, own))
 
 
-def put_together(solution: Solution, own: Sequence[str] = ()) -> Expression:
+def combined_formula(solution: Solution, own: Sequence[str] = ()) -> Expression:
     """Substitute the formulas of a solution into one; ClosedFormError if a number is in the way or it gets too long.
 
     `own` has new names for the numbers in the question, in its order, in place of the solution's names.
@@ -123,7 +126,9 @@ def _without_bars(held: Expression) -> Expression:
 def hopeless(whole: Expression) -> bool:
     """Return whether a formula with so many roots is too long to be simplified, since roots do not cancel."""
     roots = len(set(_roots(whole)))
-    most = next((characters for count, characters in sorted(ROOTED.items(), reverse=True) if roots >= count), inf)
+    most = next(
+        (characters for count, characters in sorted(MAX_LATEX_BY_ROOTS.items(), reverse=True) if roots >= count), inf
+    )
     return len(whole.latex()) > most
 
 
@@ -135,10 +140,10 @@ def _roots(held: Expression) -> Iterator[str]:
         yield from _roots(part)
 
 
-def shortened(whole: Expression) -> ClosedForm:
+def simplified_form(whole: Expression) -> ClosedForm:
     """Simplify a formula; ClosedFormError if the result is too long."""
     found = _written(whole)
-    if len(found.latex) > LONGEST:
+    if len(found.latex) > MAX_LATEX_LENGTH:
         raise ClosedFormError(f"it takes {len(found.latex)} characters")
     return found
 
@@ -149,13 +154,13 @@ def _written(whole: Expression) -> ClosedForm:
     if isinstance(whole, Absolute):
         found = Absolute(_written(whole.inside).expression)
         return ClosedForm(found, found.latex(), tuple(sorted(set(found.symbols()))))
-    found = min((_reduced(held) for held in (shortest(whole, LONGEST), whole)), key=length)
+    found = min((_reduced(held) for held in (shortest_form(whole, MAX_LATEX_LENGTH), whole)), key=latex_length)
     return ClosedForm(found, found.latex(), tuple(sorted(set(found.symbols()))))
 
 
 def _reduced(whole: Expression) -> Expression:
     """Return a formula with common factors in front and without nested fractions."""
-    return one_storey(tidied(with_factors_in_front(tidied(gathered(tidied(whole))))))
+    return without_nested_fractions(tidy(with_factors_in_front(tidy(factor_terms(tidy(whole))))))
 
 
 def _rooted_in_sizes(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
@@ -264,7 +269,7 @@ class Substitution:
             if name not in self._definitions:
                 raise ClosedFormError(f"{name} comes from no formula")
             self._known[name] = found = self.of(self._definitions[name])
-            if sum(1 for _ in found.symbols()) > MOST:
+            if sum(1 for _ in found.symbols()) > MAX_SYMBOLS:
                 raise ClosedFormError("its formula grows too long")
         return self._known[name]
 
@@ -277,12 +282,12 @@ class Substitution:
                 found = _simple(held)
             case Pi():
                 found = held
-            case Worked():
+            case NumericFormula():
                 found = self.of(held.inner)
             case SpecialFunction():
                 raise ClosedFormError("it needs a special function")
             case _ if held.parts:
-                found = plain(held.built_of([self.of(part) for part in held.parts]))
+                found = simplify_inverse(held.built_of([self.of(part) for part in held.parts]))
             case _:
                 raise ClosedFormError("a number in it was found numerically")
         return found

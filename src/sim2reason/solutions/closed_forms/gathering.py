@@ -21,10 +21,10 @@ from sim2reason.solutions.algebra.expressions import (
     ratio,
 )
 from sim2reason.solutions.algebra.functions import Power, is_difference
-from sim2reason.solutions.closed_forms.rewriting import length
+from sim2reason.solutions.closed_forms.rewriting import latex_length
 
-MANY = 30  # terms of a sum that is factored, at most
-FEW = 6  # terms of a sum that is searched for products of two sums, at most
+MAX_TERMS = 30  # terms of a sum that is factored, at most
+MAX_CROSS_TERMS = 6  # terms of a sum that is searched for products of two sums, at most
 
 
 @record()
@@ -46,18 +46,18 @@ class Term:
         return Term(self.number / other.number, _less(self.factors, other.factors), _less(self.below, other.below))
 
 
-def gathered(held: Expression, size: Callable[[Expression], int] = length) -> Expression:
+def factor_terms(held: Expression, size: Callable[[Expression], int] = latex_length) -> Expression:
     """Factor common terms out of each sum where that is shorter; the value is unchanged.
 
     `size` returns the length of a formula, by default that of its LaTeX.
     """
     if not held.parts:
         return held
-    found = held.built_of([gathered(part, size) for part in held.parts])
-    if not isinstance(found, Sum) or len(found.terms) > MANY:
+    found = held.built_of([factor_terms(part, size) for part in held.parts])
+    if not isinstance(found, Sum) or len(found.terms) > MAX_TERMS:
         return found
     terms = [_term(term) for term in found.terms]
-    crossed = _crosswise(_merged(terms)) if size is length else None
+    crossed = _crosswise(_merged(terms)) if size is latex_length else None
     alike = all(term.number > 0.0 for term in terms)  # with differences, only where that is shorter
     if crossed is not None and (alike or size(crossed) <= size(found)):
         return crossed
@@ -163,14 +163,14 @@ def _product(terms: Sequence[Term]) -> Expression:
 
 def _crosswise(terms: Sequence[Term]) -> Expression | None:
     """Return a sum with four of its terms factored as (a + b)(c + d); None if no four terms allow it."""
-    for four in combinations(range(len(terms)), 4) if 4 <= len(terms) <= FEW else ():
+    for four in combinations(range(len(terms)), 4) if 4 <= len(terms) <= MAX_CROSS_TERMS else ():
         first, *others = (terms[n] for n in four)
         for last in range(3):
             second, third = (others[n] for n in range(3) if n != last)
             sums = _two_sums(first, second, third, others[last])
             if sums is not None:
                 rest = [term for n, term in enumerate(terms) if n not in four]
-                return _plain([Term(first.number, sums)]) + min((_plain(rest), _product(rest)), key=length)
+                return _plain([Term(first.number, sums)]) + min((_plain(rest), _product(rest)), key=latex_length)
     return None
 
 

@@ -7,35 +7,38 @@ from math import isclose
 from sim2reason.base.lazy import cached_property
 from sim2reason.solutions.algebra.expressions import Expression, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Absolute
-from sim2reason.solutions.algebra.inverse import put
+from sim2reason.solutions.algebra.inverse import substitute
 from sim2reason.solutions.closed_forms.closed_form import (
     ClosedForm,
     ClosedFormError,
     Substitution,
     definitions,
-    shortened,
+    simplified_form,
 )
-from sim2reason.solutions.closed_forms.tidying import tidied
-from sim2reason.solutions.setting import joined
-from sim2reason.solutions.solution import SAME, Relation, Solution, Step
+from sim2reason.solutions.closed_forms.tidying import tidy
+from sim2reason.solutions.setting import join_words
+from sim2reason.solutions.solution import ANSWER_RTOL, Relation, Solution, Step
 
-MOST, LONG = 4, 120  # most quantities that are stated; characters of the longest of their formulas
-LONGEST = 240  # characters of a formula that is written before it is simplified, at most
-SHORTER = 0.9  # of its characters: only a shorter result counts as simplified
+MAX_QUANTITIES, MAX_FORMULA_LENGTH = (
+    4,
+    120,
+)  # most quantities that are stated; characters of the longest of their formulas
+MAX_INSERTED_LENGTH = 240  # characters of a formula that is written before it is simplified, at most
+SIMPLIFIED_RATIO = 0.9  # of its characters: only a shorter result counts as simplified
 
 
-def with_ingredients(solution: Solution) -> Solution:
+def with_final_algebra(solution: Solution) -> Solution:
     """Return a symbolic solution with a final step that leads to the formula of the answer.
 
     The step gives intermediate quantities in terms of given ones, and names those inserted into the last formula. It
     omits quantities that are given, that a single formula gives in terms of given ones, or that the text contains.
     """
-    algebra = _LastAlgebra(solution)
-    relations, insertion, inserted = algebra.told, *algebra.insertion()
+    algebra = _FinalAlgebra(solution)
+    relations, insertion, inserted = algebra.intermediate_relations, *algebra.insertion()
     if not relations and not insertion:
         return solution
     used = {name for relation in (*relations, *inserted) for name in relation.left.symbols()}
-    text = f"In terms of the given quantities, {joined([held.latex() for held in relations])}." if relations else ""
+    text = f"In terms of the given quantities, {join_words([held.latex() for held in relations])}." if relations else ""
     needs = tuple(step.id for step in solution.steps if used.intersection(step.gives))
     step = Step(
         len(solution.steps),
@@ -50,7 +53,7 @@ def with_ingredients(solution: Solution) -> Solution:
 
 
 @dataclass(frozen=True)
-class _LastAlgebra:
+class _FinalAlgebra:
     """The quantities between the given ones and the answer, and their formulas."""
 
     solution: Solution
@@ -86,12 +89,12 @@ class _LastAlgebra:
         return [other for other in names if other in self._formulas and other not in self._given]
 
     @cached_property
-    def told(self) -> list[Relation]:
+    def intermediate_relations(self) -> list[Relation]:
         """Return equations of intermediate quantities in given ones, such as a = F/m; of many, the last ones."""
         last = [*self._last()]
         whole = last if any(not isinstance(held, Symbol) for held in last) else [*map(Symbol, self._on_the_way())]
         relations = [*self._in_given(whole)]
-        return relations if len(relations) <= MOST else [*self._in_given(last)][:MOST]
+        return relations if len(relations) <= MAX_QUANTITIES else [*self._in_given(last)][:MAX_QUANTITIES]
 
     def _last(self) -> Iterator[Expression]:
         """Yield the parts of the last formula with more than one derived name."""
@@ -121,7 +124,7 @@ class _LastAlgebra:
             if isinstance(part, Symbol) and self._is_plain(part.name):
                 continue
             found = self._closed(part)
-            if found is None or len(found.latex) > LONG:
+            if found is None or len(found.latex) > MAX_FORMULA_LENGTH:
                 continue
             relation = Relation(part, found.expression, "derived")
             if relation.latex() not in self._said and self._holds(relation):
@@ -140,7 +143,7 @@ class _LastAlgebra:
     def _closed(self, part: Expression) -> ClosedForm | None:
         """Return the closed form of a part, or None."""
         try:
-            return shortened(self._put_in.of(part))
+            return simplified_form(self._put_in.of(part))
         except ClosedFormError:
             return None
 
@@ -150,7 +153,7 @@ class _LastAlgebra:
         if not {*relation.symbols()} <= values.keys():
             return True
         left, right = (side.value(values).real for side in (relation.left, relation.right))
-        return isclose(left, right, rel_tol=SAME)
+        return isclose(left, right, rel_tol=ANSWER_RTOL)
 
     def insertion(self) -> tuple[str, list[Relation]]:
         """Return a sentence about the quantities inserted into the last formula, and that unsimplified formula."""
@@ -160,14 +163,19 @@ class _LastAlgebra:
             return "", []
         inserted = self._formulas[self._whole]
         for name, found in closed.items():
-            inserted = put(inserted, name, found.expression)
-        relation = Relation(Symbol(self._whole), tidied(inserted), "derived")
+            inserted = substitute(inserted, name, found.expression)
+        relation = Relation(Symbol(self._whole), tidy(inserted), "derived")
         simple, size = self._simplified(), len(relation.right.latex())
-        if not simple or len(simple) > SHORTER * size or relation.latex() in self._said or not self._holds(relation):
+        if (
+            not simple
+            or len(simple) > SIMPLIFIED_RATIO * size
+            or relation.latex() in self._said
+            or not self._holds(relation)
+        ):
             return "", []
-        lead = f"Inserting {joined([f'${name}$' for name in names])} into the formula for ${self._whole}$"
+        lead = f"Inserting {join_words([f'${name}$' for name in names])} into the formula for ${self._whole}$"
         end = "the result" if self._whole == self.solution.goal else f"${simple}$"
-        if size > LONGEST:
+        if size > MAX_INSERTED_LENGTH:
             return f"{lead} and simplifying gives {end}.", []
         return f"{lead} gives {relation.latex()}, which simplifies to {end}.", [relation]
 

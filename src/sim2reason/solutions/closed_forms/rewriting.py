@@ -29,12 +29,12 @@ from sim2reason.solutions.algebra.expressions import (
     ratio,
 )
 from sim2reason.solutions.algebra.functions import Call, Pi, Power, Root
-from sim2reason.solutions.algebra.polynomials import Monomial, Polynomial, written_order
+from sim2reason.solutions.algebra.polynomials import Monomial, Polynomial, atom_sort_key
 
 SHORT = 60  # characters: shorter formulas are not simplified further
-HOPELESS = 400  # characters: simplifying longer formulas part by part has never saved half
-PARTED = 80  # symbols in a formula that is simplified part by part, at most
-CLEARLY = 0.9  # relative length of a form that replaces a plainer one, at most
+MAX_LENGTH_BY_PARTS = 400  # characters: simplifying longer formulas part by part has never saved half
+MAX_SYMBOLS_BY_PARTS = 80  # symbols in a formula that is simplified part by part, at most
+SHORTER_RATIO = 0.9  # relative length of a form that replaces a plainer one, at most
 UGLY = 8  # characters that a leading minus sign costs
 FACTORED = 30  # terms of a factored polynomial, at most
 FUNCTIONS = 8  # sines, cosines and roots in one formula, at most
@@ -48,26 +48,30 @@ class TooLongError(Exception):
     """An error raised for a formula that exceeds the limits on its length."""
 
 
-def shortest(held: Expression, room: float = inf) -> Expression:
+def shortest_form(held: Expression, room: float = inf) -> Expression:
     """Return the shortest equivalent form found: over one denominator as a whole, or part by part.
 
     The search part by part stops when the symbols of the parts exceed `room` characters.
     """
-    found = min((*_over_one(held), held), key=length)
-    many = sum(1 for _ in held.symbols()) > PARTED
-    if many or not SHORT < length(found) <= HOPELESS or not any(name.startswith("\\sqrt") for name in _functions(held)):
+    found = min((*_over_one(held), held), key=latex_length)
+    many = sum(1 for _ in held.symbols()) > MAX_SYMBOLS_BY_PARTS
+    if (
+        many
+        or not SHORT < latex_length(found) <= MAX_LENGTH_BY_PARTS
+        or not any(name.startswith("\\sqrt") for name in _functions(held))
+    ):
         return found
     parts = list[Expression]()
     for part in held.parts:
-        parts.append(shortest(part, room))
+        parts.append(shortest_form(part, room))
         room -= sum(map(len, parts[-1].symbols()))
         if room < 0.0:
             return found
     parted = held.built_of(parts)
-    return parted if length(parted) < CLEARLY * length(found) else found
+    return parted if latex_length(parted) < SHORTER_RATIO * latex_length(found) else found
 
 
-def length(held: Expression) -> int:
+def latex_length(held: Expression) -> int:
     """Return the number of characters of a formula's LaTeX, plus a penalty for avoidable minus signs."""
     latex = held.latex()
     return len(latex) + UGLY * (latex.count(r"\left(-") + latex.count("{-") + latex.startswith("-"))
@@ -140,7 +144,9 @@ class RationalFunctions:
                 raise TooLongError
             place = len(self._atoms)
             self._met[function, inner] = self._spare[len(self._met)]
-            self._atoms.append(held if isinstance(held, Pi) else held.built_of([min(self.written(inner), key=length)]))
+            self._atoms.append(
+                held if isinstance(held, Pi) else held.built_of([min(self.written(inner), key=latex_length)])
+            )
             if isinstance(held, Root):
                 self._squares[place] = inner
         return self._met[function, inner]
@@ -200,8 +206,8 @@ class RationalFunctions:
         terms: dict[Monomial, float] = {}
         for powers, part in side.items():
             monomial = tuple((atom, power) for atom, power in zip(self._atoms, powers, strict=False) if power)
-            terms[tuple(sorted(monomial, key=written_order))] = float(part)
-        return Polynomial(dict(sorted(terms.items(), key=lambda term: [written_order(atom) for atom in term[0]])))
+            terms[tuple(sorted(monomial, key=atom_sort_key))] = float(part)
+        return Polynomial(dict(sorted(terms.items(), key=lambda term: [atom_sort_key(atom) for atom in term[0]])))
 
     def _gathered(self, side: Any) -> Expression:
         """Return a polynomial with one atom collected, where that is shorter."""
@@ -215,7 +221,7 @@ class RationalFunctions:
             if len(inside.terms) > 1:
                 rest = Polynomial({m: part for m, part in whole.terms.items() if (atom, 1) not in m})
                 options.append(rest.expression() + Product((atom, inside.factored())))
-        return min(options, key=length)
+        return min(options, key=latex_length)
 
 
 def _factored(side: Any) -> tuple[Any, list[tuple[Any, int]]]:
@@ -255,7 +261,7 @@ def _functions(held: Expression) -> Iterator[str]:
 def _place(factor: Expression) -> tuple[int, str]:
     """Return the sort key of a factor: numbers, symbols, sums, roots, sines."""
     base = factor.base if isinstance(factor, Power) else factor
-    return (6, "") if isinstance(base, Sum) else written_order((base, 1))
+    return (6, "") if isinstance(base, Sum) else atom_sort_key((base, 1))
 
 
 def _signed(side: Any) -> tuple[int, Any]:

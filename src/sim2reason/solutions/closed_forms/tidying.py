@@ -21,11 +21,11 @@ from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Power, Ro
 AT_ZERO: Mapping[str, Expression] = {"sin": ZERO, "cos": ONE, "arcsin": ZERO, "arctan": ZERO}
 
 
-def tidied(held: Expression) -> Expression:
+def tidy(held: Expression) -> Expression:
     """Simplify the signs and fractions in all parts of a formula; its value is unchanged."""
     if not held.parts:
         return held
-    found = held.built_of([tidied(part) for part in held.parts])
+    found = held.built_of([tidy(part) for part in held.parts])
     match found:
         case Power(base, exponent):
             return _raised(base, exponent)
@@ -63,7 +63,7 @@ def _whole_turns(held: Call, angle: Sum) -> Expression:
                 rest.append(term)
     if not halves or not rest:
         return held
-    found = tidied(Call(held.function, reduce(added, rest)))
+    found = tidy(Call(held.function, reduce(added, rest)))
     return -found if halves % 2.0 else found
 
 
@@ -168,7 +168,7 @@ def _rooted(held: Expression) -> Expression:
     """Return n √(a/(m b)) as √(n² a/(m b)) if n²/m is an integer, so that the fraction is reduced."""
     match held:
         case Product((Number(x), Root(Quotient(above, Product((Number(y), *rest)))))) if (x * x / y).is_integer():
-            return tidied(Root(ratio(multiplied(Number(x * x / y), above), reduce(multiplied, rest, ONE))))
+            return tidy(Root(ratio(multiplied(Number(x * x / y), above), reduce(multiplied, rest, ONE))))
         case _:
             return held
 

@@ -4,19 +4,19 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import inf
 
-from sim2reason.scenes.dsl.mechanism import Meeting
+from sim2reason.scenes.dsl.mechanism import CollisionPair
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, ratio
 from sim2reason.solutions.algebra.polynomials import NIL
 from sim2reason.solutions.collisions.impacts import Impacts
 from sim2reason.solutions.collisions.legs import Impact
-from sim2reason.solutions.setting import joined
-from sim2reason.solutions.writing.comparing import exceeds
-from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
+from sim2reason.solutions.setting import join_words
+from sim2reason.solutions.writing.comparing import record_inequality
+from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import SPEED
 
 
 @dataclass(frozen=True)
-class Excluded:
+class Exclusion:
     """A pair that does not collide: its names and letters, the kind of argument and the number that proves it.
 
     The number follows from relative position and velocity, which the sentence `motion` states; on a line, the words
@@ -32,7 +32,7 @@ class Excluded:
     aside: str = ""
 
 
-def clauses(told: Sequence[Excluded]) -> Iterator[str]:
+def clauses(told: Sequence[Exclusion]) -> Iterator[str]:
     """Yield one clause for each kind of argument."""
     for kind, clause in CLAUSES.items():
         held = [each for each in told if each.kind == kind]
@@ -40,64 +40,64 @@ def clauses(told: Sequence[Excluded]) -> Iterator[str]:
             yield clause(held)
 
 
-def _pairs(held: Sequence[Excluded]) -> str:
+def _pairs(held: Sequence[Exclusion]) -> str:
     """Return the subject of a clause, such as *pucks A and B* or *the pairs AB and AC*."""
-    return held[0].who if len(held) == 1 else f"the pairs {joined([each.letters for each in held])}"
+    return held[0].who if len(held) == 1 else f"the pairs {join_words([each.letters for each in held])}"
 
 
-def _numbers(held: Sequence[Excluded]) -> str:
+def _numbers(held: Sequence[Exclusion]) -> str:
     """Return the numbers of the arguments, joined as a list."""
-    return joined([each.said for each in held])
+    return join_words([each.said for each in held])
 
 
-def _meet_later(held: Sequence[Excluded]) -> str:
+def _meet_later(held: Sequence[Exclusion]) -> str:
     """Return the clause about discs that would touch only after the end of the interval."""
     return f"{_pairs(held)} would meet, with their centres ${held[0].limit}$ apart, only at {_numbers(held)}"
 
 
-def _meet_later_in_line(held: Sequence[Excluded]) -> str:
+def _meet_later_in_line(held: Sequence[Exclusion]) -> str:
     """Return the clause about bodies on a line that would meet only after the end of the interval."""
-    return joined([f"{each.who}, {each.aside}, would meet only at {each.said}" for each in held])
+    return join_words([f"{each.who}, {each.aside}, would meet only at {each.said}" for each in held])
 
 
-def _reach_later(held: Sequence[Excluded]) -> str:
+def _reach_later(held: Sequence[Exclusion]) -> str:
     """Return the clause about bodies that would reach a wall only after the end of the interval."""
-    return joined([f"{each.who}, {each.aside}, would reach {each.limit} only at {each.said}" for each in held])
+    return join_words([f"{each.who}, {each.aside}, would reach {each.limit} only at {each.said}" for each in held])
 
 
-def _pass(held: Sequence[Excluded]) -> str:
+def _pass(held: Sequence[Exclusion]) -> str:
     """Return the clause about discs whose least distance exceeds the sum of their radii."""
     return f"the centres of {_pairs(held)} would be {_numbers(held)} apart where closest, more than ${held[0].limit}$"
 
 
-def _part(held: Sequence[Excluded]) -> str:
+def _part(held: Sequence[Exclusion]) -> str:
     """Return the clause about discs that separate: relative position times relative velocity is positive."""
     return f"{_pairs(held)} move apart, since {_numbers(held)} {'is' if len(held) == 1 else 'are'} positive"
 
 
-def _part_in_line(held: Sequence[Excluded]) -> str:
+def _part_in_line(held: Sequence[Exclusion]) -> str:
     """Return the clause about bodies on a line that separate."""
     return f"{_pairs(held)} move apart at {_numbers(held)}"
 
 
-def _slide_off(held: Sequence[Excluded]) -> str:
+def _slide_off(held: Sequence[Exclusion]) -> str:
     """Return the clause about discs with only tangential relative velocity since an inelastic collision."""
     return (
         f"{_pairs(held)} keep only a relative velocity perpendicular to their line of centres, which takes them apart"
     )
 
 
-def _go_together(held: Sequence[Excluded]) -> str:
+def _go_together(held: Sequence[Exclusion]) -> str:
     """Return the clause about discs without relative velocity after an inelastic head-on collision."""
     return f"{_pairs(held)} move on together at the same velocity"
 
 
-def _leave_walls(held: Sequence[Excluded]) -> str:
+def _leave_walls(held: Sequence[Exclusion]) -> str:
     """Return the clause about bodies that move away from a wall."""
-    return joined([f"{each.who} moves away from {each.limit} at {each.said}" for each in held])
+    return join_words([f"{each.who} moves away from {each.limit} at {each.said}" for each in held])
 
 
-CLAUSES: Mapping[str, Callable[[Sequence[Excluded]], str]] = {
+CLAUSES: Mapping[str, Callable[[Sequence[Exclusion]], str]] = {
     "later": _meet_later,
     "line later": _meet_later_in_line,
     "wall later": _reach_later,
@@ -110,15 +110,15 @@ CLAUSES: Mapping[str, Callable[[Sequence[Excluded]], str]] = {
 }
 
 
-LONG = 160  # characters of a formula; of a longer one only the value is written
+MAX_FORMULA_LENGTH = 160  # characters of a formula; of a longer one only the value is written
 
 
 @dataclass(frozen=True)
 class RelativeMotion:
     """Named numbers of the relative motion of two bodies for an argument that they do not collide."""
 
-    book: Book
-    step: Writing
+    book: SolutionBuilder
+    step: StepBuilder
     letters: str
     told: list[str] = field(default_factory=list[str])
     names: list[Expression] = field(default_factory=list[Expression])
@@ -145,56 +145,56 @@ class RelativeMotion:
     def _verified(self, base: str, formula: Expression, unit: str, axis: str, told: list[str]) -> Expression:
         """Define a name for a number, append its equation to `told`, and return the name."""
         name = self.book.fresh(base, f"{axis},{self.letters}" if axis else self.letters)
-        self.book.know(name.name, self.book.value(formula), self.book.unit_in_text(unit))
-        short = len(formula.latex()) <= LONG
+        self.book.set_value(name.name, self.book.value(formula), self.book.unit_in_text(unit))
+        short = len(formula.latex()) <= MAX_FORMULA_LENGTH
         told.append(self.step.verified(name, formula if short else self.book.worked(formula), unit))
         return name
 
 
-def told_approach(flights: Impacts, step: Writing, begins: Impact, following: Impact) -> str:
+def approach_sentence(flights: Impacts, step: StepBuilder, begins: Impact, following: Impact) -> str:
     """Return the sentence that the bodies of the `following` collision approach each other; empty if it is obvious."""
     book, meeting = flights.book, flights.mechanism.meetings[following.meeting]
     pair = meeting.normal is not None and len(meeting.names) > 1 and following.meeting != begins.meeting
     if flights.timed or not pair or any(flights.acceleration(k) for b in meeting.names for k in flights.coordinates(b)):
         return ""
     speed = NIL
-    for body, (k, sense) in flights.ways(meeting).items():
+    for body, (k, sense) in flights.normal_coordinates(meeting).items():
         rate = flights.leg(body, flights.count(body, following)).speeds[k]
         speed = speed - rate.scaled(sense * (1.0 if body == meeting.b else -1.0))
-    exceeds(book, step, speed.expression(), ZERO)
+    record_inequality(book, step, speed.expression(), ZERO)
     motion = RelativeMotion(book, step, flights.pair_mark(meeting.names, begins))
     said = motion.concluded("u", speed.expression(), SPEED)
-    who = flights.setting.listed(list(meeting.names))
+    who = flights.setting.bodies_phrase(list(meeting.names))
     lead = f"After {flights.collision(begins)}, {who} approach each other at {said}"
     return f"{lead}; nothing else collides before they do."
 
 
-def late_values(flights: Impacts, step: Writing) -> Iterator[str]:
+def late_values(flights: Impacts, step: StepBuilder) -> Iterator[str]:
     """Yield a sentence with the values of an argument that were unknown before."""
     book = flights.book
     used = [name for r in step.relations if r.role == "verified" for name in r.right.symbols()]
     late = [name for name in dict.fromkeys(used) if name in book.formulas and name not in book.stated]
     if late:
-        yield f"Now {joined([step.stated(Symbol(name), book.units[name]) for name in late])}."
+        yield f"Now {join_words([step.stated(Symbol(name), book.units[name]) for name in late])}."
 
 
-def told_before(flights: Impacts, step: Writing, last: Impact | None, until: Symbol | None) -> str:
+def last_collision_sentence(flights: Impacts, step: StepBuilder, last: Impact | None, until: Symbol | None) -> str:
     """Return the sentence that the `last` collision precedes a given time; empty if that is not needed."""
     book, time = flights.book, flights.times.get(last.number) if last is not None else None
     if book.in_symbols or time is None or until is None:
         return ""
     if time.name in book.formulas and until.name in book.stated:
-        exceeds(book, step, until, time)
+        record_inequality(book, step, until, time)
         which = "last collision" if last is not None and last.number else "collision"
         return f"The {which}, at {step.stated(time, book.units[time.name])}, comes before ${until.latex()}$."
     return ""
 
 
-SAME = 1e-9  # relative: a collision this close to a time counts as simultaneous with it
+TIME_RTOL = 1e-9  # relative: a collision this close to a time counts as simultaneous with it
 
 
 @dataclass(frozen=True)
-class Together:
+class FreeInterval:
     """An interval in which both bodies of a possible collision move freely; `legs` are their flight numbers."""
 
     meeting: int
@@ -214,33 +214,33 @@ class Intervals:
     def __init__(self, flights: Impacts, time: float) -> None:
         """Take the flights of all bodies and the end time, s."""
         self._flights, self._time = flights, time
-        self.early = [impact for impact in flights.impacts if impact.time < time * (1.0 - SAME)]
+        self.early = [impact for impact in flights.impacts if impact.time < time * (1.0 - TIME_RTOL)]
 
-    def __iter__(self) -> Iterator[Together]:
+    def __iter__(self) -> Iterator[FreeInterval]:
         """Yield the intervals of each pair of bodies in turn."""
         for number, meeting in enumerate(self._flights.mechanism.meetings):
             changes = [held for held in self.early if {*held.bodies} & {*meeting.names}]
             for begins, ends in zip([None, *changes], [*changes, None], strict=True):
                 legs = {body: self._number(body, begins) for body in meeting.names}
-                yield Together(number, legs, begins, ends if ends is not None else self._last(meeting))
+                yield FreeInterval(number, legs, begins, ends if ends is not None else self._last(meeting))
 
     @property
     def at_end(self) -> list[Impact]:
         """Return the collisions at the end time; empty for an infinite time."""
         if self._time == inf:
             return []
-        return [held for held in self._flights.impacts if abs(held.time - self._time) <= SAME * self._time]
+        return [held for held in self._flights.impacts if abs(held.time - self._time) <= TIME_RTOL * self._time]
 
     def following(self, begins: Impact | None) -> Impact | None:
         """Return the first collision after a given one, up to the end time, or the first of all for None."""
         number = 0 if begins is None else begins.number + 1
         return next((held for held in (*self.early, *self.at_end) if held.number >= number), None)
 
-    def is_late(self, held: Together) -> bool:
+    def is_late(self, held: FreeInterval) -> bool:
         """Return whether the two bodies of an interval collide at its end, but others collide before."""
         return held.meets and held.ends is not self.following(held.begins)
 
-    def _last(self, meeting: Meeting) -> Impact | None:
+    def _last(self, meeting: CollisionPair) -> Impact | None:
         """Return the collision at the end time if both bodies belong to the given meeting; else None."""
         return next((held for held in self.at_end if {*held.bodies} & {*meeting.names}), None)
 

@@ -6,15 +6,15 @@ from collections.abc import Iterable
 import numpy as np
 
 from sim2reason.base.lazy import cached_property
-from sim2reason.scenes.dsl.frames import Frames, start
-from sim2reason.scenes.dsl.mechanism import Meeting
-from sim2reason.scenes.dsl.vectors import Vector, product
+from sim2reason.scenes.dsl.frames import Frames, initial_frames
+from sim2reason.scenes.dsl.mechanism import CollisionPair
+from sim2reason.scenes.dsl.vectors import Vector, dot
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
-from sim2reason.solutions.collisions.legs import Impact, Leg
+from sim2reason.solutions.collisions.legs import Flight, Impact
 from sim2reason.solutions.collisions.long_chains import DISPLACEMENT, TIME, VELOCITY, gap_at_start
-from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.setting import ProblemContext
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
 
 ALIGNED = 1e-9  # a unit vector's component, or its difference from 1, below which directions are aligned
@@ -23,7 +23,7 @@ ALIGNED = 1e-9  # a unit vector's component, or its difference from 1, below whi
 class FreeFlights(ABC):
     """The free flights of all bodies in a motion; subclasses add the collisions between them."""
 
-    def __init__(self, setting: Setting, book: Book, *, timed: bool = False) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder, *, timed: bool = False) -> None:
         """Take the problem and the book; UnsolvedError for bodies that act on each other between collisions.
 
         With `timed`, all collisions get their times, so that the text proceeds from one to the next.
@@ -34,7 +34,7 @@ class FreeFlights(ABC):
             raise UnsolvedError("bodies act on each other between collisions")
         if any(c.kind != "slide" for c in m.coordinates) or any(b.parent is not None for b in m.bodies):
             raise UnsolvedError("a body turns, or rides on another")
-        self._legs: dict[str, list[Leg]] = {}
+        self._legs: dict[str, list[Flight]] = {}
         self.times: dict[int, Symbol] = {}
         self._spans: dict[tuple[str, str], Symbol] = {}
         self._speeds: dict[tuple[int, int, str], Polynomial] = {}
@@ -54,7 +54,7 @@ class FreeFlights(ABC):
     @cached_property
     def frames(self) -> tuple[Frames, Frames]:
         """Return the initial geometry of the mechanism and of its twin, which has other parameters."""
-        return start(self.setting.lexicon.mechanism), start(self.setting.lexicon.twin)
+        return initial_frames(self.setting.lexicon.mechanism), initial_frames(self.setting.lexicon.twin)
 
     @cached_property
     def impacts(self) -> list[Impact]:
@@ -91,12 +91,12 @@ class FreeFlights(ABC):
         """Return the mass of a body."""
         return self.setting.lexicon.of(lambda m: m.body[body].mass)
 
-    def _first(self, body: str) -> Leg:
+    def _first(self, body: str) -> Flight:
         """Return the initial flight of a body."""
         read = self.setting.lexicon.of
-        return Leg(None, {k: read(lambda m, k=k: m.coordinates[k].speed) for k in self.coordinates(body)})
+        return Flight(None, {k: read(lambda m, k=k: m.coordinates[k].speed) for k in self.coordinates(body)})
 
-    def leg(self, body: str, number: int) -> Leg:
+    def leg(self, body: str, number: int) -> Flight:
         """Return the flight of a body after a number of its collisions."""
         legs = self._legs.setdefault(body, [self._first(body)])
         while len(legs) <= number:
@@ -104,7 +104,7 @@ class FreeFlights(ABC):
             impact = own[len(legs) - 1]
             if self.timed:
                 self.when(impact)
-            legs.append(Leg(None, self.after(impact), after=impact))
+            legs.append(Flight(None, self.after(impact), after=impact))
         return legs[number]
 
     def count(self, body: str, impact: Impact | None) -> int:
@@ -120,7 +120,7 @@ class FreeFlights(ABC):
 
         The motion is that just after this collision; at t = 0 there is no number.
         """
-        letters = "".join(map(self.setting.mark, bodies))
+        letters = "".join(map(self.setting.subscript_of, bodies))
         return letters if begins is None else f"{letters},{begins.number + 1}"
 
     @abstractmethod
@@ -137,34 +137,34 @@ class FreeFlights(ABC):
 
     # ---- along a flight
 
-    def begins(self, leg: Leg) -> Symbol | None:
+    def begins(self, leg: Flight) -> Symbol | None:
         """Return the time at which a flight begins; None at t = 0."""
         return self.when(leg.after) if leg.after is not None else None
 
-    def span(self, leg: Leg, time: Symbol) -> Symbol:
+    def span(self, leg: Flight, time: Symbol) -> Symbol:
         """Return the duration of a flight up to a time."""
         begins = self.begins(leg)
         if begins is None:
             return time
-        return self.passed(begins, time)
+        return self.time_between(begins, time)
 
-    def passed(self, begins: Symbol, time: Symbol) -> Symbol:
+    def time_between(self, begins: Symbol, time: Symbol) -> Symbol:
         """Return the duration between two times."""
         key = (begins.name, time.name)
         if key not in self._spans:
-            step, name = self.book.open(TIME), self.book.fresh("t")
+            step, name = self.book.begin_step(TIME), self.book.fresh("t")
             formula = (Polynomial.of(time) - Polynomial.of(begins)).expression()
-            step.say(f"The time since {self.event(begins)} is {step.result(name, formula, SECONDS, law=True)}.")
+            step.add_text(f"The time since {self.event(begins)} is {step.result(name, formula, SECONDS, law=True)}.")
             step.close()
             self._spans[key] = name
         return self._spans[key]
 
-    def counted(self, begins: Symbol | None, span: Symbol) -> Symbol:
+    def time_since_start(self, begins: Symbol | None, span: Symbol) -> Symbol:
         """Return the time since t = 0 from a duration that begins at another time."""
         if begins is None:
             return span
-        step, until = self.book.open(TIME), self.book.fresh("t")
-        step.say(f"The time since the start is {step.result(until, added(begins, span), SECONDS, law=True)}.")
+        step, until = self.book.begin_step(TIME), self.book.fresh("t")
+        step.add_text(f"The time since the start is {step.result(until, added(begins, span), SECONDS, law=True)}.")
         step.close()
         self._spans[begins.name, until.name], self.sums[until] = span, (begins, span)
         return until
@@ -177,10 +177,10 @@ class FreeFlights(ABC):
         key = (k, number, time.name)
         if key not in self._speeds:
             span = self.span(leg, time)
-            step, name = self.book.open(VELOCITY), self.book.fresh("v", self.mark(body, k))
+            step, name = self.book.begin_step(VELOCITY), self.book.fresh("v", self.mark(body, k))
             formula = (leg.speeds[k] + a * Polynomial.of(span)).expression()
             step.rest_on(time.name)
-            step.say(f"At ${time.name}$ {self._whose(body, k)} {step.result(name, formula, SPEED, law=True)}.")
+            step.add_text(f"At ${time.name}$ {self._whose(body, k)} {step.result(name, formula, SPEED, law=True)}.")
             step.close()
             self._speeds[key] = Polynomial.of(name)
         return self._speeds[key]
@@ -209,7 +209,7 @@ class FreeFlights(ABC):
         if number is None or self.impacts[number].bodies != (body,):
             return None
         meeting = self.impacts[number].meeting
-        ways = self.ways(self.mechanism.meetings[meeting])
+        ways = self.normal_coordinates(self.mechanism.meetings[meeting])
         return self.gap(meeting).scaled(-ways[body][1]) if ways[body][0] == k else None
 
     def _moved(self, body: str, number: int, k: int, time: Symbol) -> Polynomial:
@@ -228,12 +228,12 @@ class FreeFlights(ABC):
         if formula == ZERO:
             return NIL
         mark = ",".join(part for part in (self.mark(body, k), self._instant(time)) if part)
-        step, name = self.book.open(DISPLACEMENT), self.book.fresh("s", mark)
-        whose = "" if len(self.mechanism.coordinates) > 1 else f" of {self.setting.called(body)}"
+        step, name = self.book.begin_step(DISPLACEMENT), self.book.fresh("s", mark)
+        whose = "" if len(self.mechanism.coordinates) > 1 else f" of {self.setting.display_name(body)}"
         says = f"At ${time.name}$ the displacement{whose} is"
         says = f"The velocity{self._axis(k)} is constant, so a{says[1:]}" if steady else says
         step.rest_on(time.name)
-        step.say(f"{says} {step.result(name, formula, METRES, law=True)}.")
+        step.add_text(f"{says} {step.result(name, formula, METRES, law=True)}.")
         step.close()
         return Polynomial.of(name)
 
@@ -241,14 +241,14 @@ class FreeFlights(ABC):
         """Return the number of the collision of discs at a time, as a subscript; empty for other times."""
         impact = next((self.impacts[n] for n, name in self.times.items() if name == time), None)
         oblique = impact is not None and self.mechanism.meetings[impact.meeting].normal is None
-        return self.which(impact) if impact is not None and oblique else ""
+        return self.collision_number(impact) if impact is not None and oblique else ""
 
-    def which(self, impact: Impact) -> str:
+    def collision_number(self, impact: Impact) -> str:
         """Return the number of a collision, as a subscript; empty for the only one before the question's moment."""
         several = sum(held.time <= self.setting.time for held in self.impacts) > 1
         return str(impact.number + 1) if several else ""
 
-    def _lasting(self, leg: Leg, time: Symbol) -> Expression:
+    def _lasting(self, leg: Flight, time: Symbol) -> Expression:
         """Return the duration of a flight up to a time, as a name only if it has one."""
         begins = self.begins(leg)
         if begins is None:
@@ -264,24 +264,24 @@ class FreeFlights(ABC):
 
     def mark(self, body: str, k: int) -> str:
         """Return the subscript of a body's quantities along a coordinate: the axis, then the body."""
-        mark, label = self.setting.mark(body), self.mechanism.coordinates[k].label
+        mark, label = self.setting.subscript_of(body), self.mechanism.coordinates[k].label
         several = len(self.mechanism.body[body].coordinates) > 1
         return ",".join(part for part in (label if several else "", mark) if part)
 
     def _whose(self, body: str, k: int) -> str:
         """Return the words that introduce a velocity along a coordinate."""
-        return f"the velocity of {self.setting.called(body)}{self._axis(k)} is"
+        return f"the velocity of {self.setting.display_name(body)}{self._axis(k)} is"
 
     # ---- what they meet
 
-    def ways(self, meeting: Meeting) -> dict[str, tuple[int, float]]:
+    def normal_coordinates(self, meeting: CollisionPair) -> dict[str, tuple[int, float]]:
         """Return, by body, the coordinate along the normal of a collision and its sign; UnsolvedError if oblique."""
         if meeting.normal is None:
             raise UnsolvedError("the bodies meet at an angle")
         found: dict[str, tuple[int, float]] = {}
         for body in meeting.names:
             for k, axis in self.coordinates(body).items():
-                along = product(axis, meeting.normal)
+                along = dot(axis, meeting.normal)
                 if abs(along) > 1.0 - ALIGNED:
                     found[body] = (k, 1.0 if along > 0.0 else -1.0)
                 elif abs(along) > ALIGNED:

@@ -10,23 +10,23 @@ from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.turning_points import HighestPoint
 from sim2reason.questions.query import Target
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added, multiplied, ratio
-from sim2reason.solutions.algebra.functions import Absolute, Power, Root, squares
+from sim2reason.solutions.algebra.functions import Absolute, Power, Root, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.collisions.flights import ALIGNED
 from sim2reason.solutions.collisions.impacts import Impacts
-from sim2reason.solutions.collisions.legs import Impact, Leg
+from sim2reason.solutions.collisions.legs import Flight, Impact
 from sim2reason.solutions.collisions.oblique import Flights
-from sim2reason.solutions.goals import Stretch
+from sim2reason.solutions.goals import MotionPart
 from sim2reason.solutions.goals.kinematics import squared
-from sim2reason.solutions.setting import Setting, capital
-from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.setting import ProblemContext, capitalized
+from sim2reason.solutions.writing.comparing import record_inequality
 from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES
 
 BOUNDS = (("s", r"\text{top}"), ("d", r"\text{max}"))  # names of the highest point and of the largest possible distance
 
 
-def tell_nearer(flights: Impacts, body: str, leg: Leg, distance: Symbol) -> None:
+def write_nearer_before(flights: Impacts, body: str, leg: Flight, distance: Symbol) -> None:
     """Write that a body was nearer than a distance before a flight: it was inside a box with a near corner.
 
     No other step depends on it; nothing is written if the corner is too far away, or for unknown numbers.
@@ -34,7 +34,7 @@ def tell_nearer(flights: Impacts, body: str, leg: Leg, distance: Symbol) -> None
     impact, begins, book = leg.after, flights.begins(leg), flights.book
     if impact is None or begins is None or impact.bodies != (body,):
         return
-    k, _ = flights.ways(flights.mechanism.meetings[impact.meeting])[body]
+    k, _ = flights.normal_coordinates(flights.mechanism.meetings[impact.meeting])[body]
     level = [j for j in flights.coordinates(body) if j != k]
     if not flights.acceleration(k) or len(level) != 1 or flights.acceleration(level[0]):
         return
@@ -42,21 +42,23 @@ def tell_nearer(flights: Impacts, body: str, leg: Leg, distance: Symbol) -> None
     drop = flights.gap(impact.meeting).expression()
     top = _top(flights, body, k)
     height = drop if top is None or book.value(top) <= book.value(drop) else top
-    corner = Root(squares([along, height]))
+    corner = Root(sum_of_squares([along, height]))
     if book.is_hidden(corner) or book.value(corner) >= book.value(distance):
         return
-    step, names = book.open("verify"), [book.fresh(base, mark) for base, mark in BOUNDS]
-    exceeds(book, step, distance, corner)
+    step, names = book.begin_step("verify"), [book.fresh(base, mark) for base, mark in BOUNDS]
+    record_inequality(book, step, distance, corner)
     rise = "it never rises above its starting point"
     if top is not None:
-        exceeds(book, step, height, ZERO if top == height else top)
+        record_inequality(book, step, height, ZERO if top == height else top)
         rise = f"it rises to {step.verified(names[0], top, METRES)} above its starting point"
     size = Absolute(along) if book.value(along) < 0.0 else along
-    step.say(f"Until ${begins.name}$ the horizontal displacement of {flights.setting.called(body)} is at most")
-    step.say(
+    step.add_text(
+        f"Until ${begins.name}$ the horizontal displacement of {flights.setting.display_name(body)} is at most"
+    )
+    step.add_text(
         f"${size.latex()}$ and, as {rise}, the vertical one at most ${height.latex()}$; so its distance from there"
     )
-    step.say(f"is at most {step.verified(names[1], corner, METRES)}, less than ${distance.name}$.")
+    step.add_text(f"is at most {step.verified(names[1], corner, METRES)}, less than ${distance.name}$.")
     step.close()
 
 
@@ -114,7 +116,7 @@ class StruckBodies:
         closing = self.flights.closing(self.impact)
         e = self.flights.restitution(self.impact.meeting)
         left = added(ONE, -Power(e.expression(), 2)) if e else ONE
-        half = multiplied(Number(0.5), multiplied(self.flights.inertia(self.impact), left))
+        half = multiplied(Number(0.5), multiplied(self.flights.effective_mass(self.impact), left))
         return multiplied(half, squared(closing))
 
     @property
@@ -123,11 +125,11 @@ class StruckBodies:
         closing = self.flights.closing(self.impact)
         e = self.flights.restitution(self.impact.meeting).expression()
         size = closing if self.flights.book.value(closing) >= 0.0 else -closing
-        return multiplied(multiplied(added(ONE, e), self.flights.inertia(self.impact)), size)
+        return multiplied(multiplied(added(ONE, e), self.flights.effective_mass(self.impact)), size)
 
 
 @dataclass(frozen=True, slots=True)
-class FlightPart(Stretch):
+class FlightPart(MotionPart):
     """One free flight of a body as a part of its motion."""
 
     flights: Flights
@@ -147,10 +149,10 @@ class FlightPart(Stretch):
 
 
 AT_TOP = frozenset({"greatest height", "least speed"})  # functionals extreme at the top
-SAME_EXTREME = 1e-6  # relative: largest difference between the value at the top and the extreme value
+EXTREME_RTOL = 1e-6  # relative: largest difference between the value at the top and the extreme value
 
 
-def at_top(setting: Setting) -> Setting | None:
+def question_at_top(setting: ProblemContext) -> ProblemContext | None:
     """Return the question about the value at the highest point; None if that is not the extreme value asked for."""
     query, study = setting.query, setting.study
     if not isinstance(query, StretchQuery) or query.functional not in AT_TOP:
@@ -162,22 +164,22 @@ def at_top(setting: Setting) -> Setting | None:
     if time is None or time > setting.time:
         return None
     value, extreme = KINDS["event"].answer(asked, study), KINDS[query.kind].answer(query, study)
-    if value is None or extreme is None or abs(value - extreme) > SAME_EXTREME * abs(extreme):
+    if value is None or extreme is None or abs(value - extreme) > EXTREME_RTOL * abs(extreme):
         return None
     return replace(setting, query=asked)
 
 
-def tell_top(flights: Impacts, body: str) -> None:
+def write_highest_point(flights: Impacts, body: str) -> None:
     """Write which velocity component is zero at the highest point of a trajectory."""
     falls = [k for k in flights.coordinates(body) if flights.acceleration(k)]
-    step, book, leg = flights.book.open("moment"), flights.book, flights.leg(body, flights.count(body, None))
+    step, book, leg = flights.book.begin_step("moment"), flights.book, flights.leg(body, flights.count(body, None))
     zero = f"at the highest point of the path the {_velocity(flights, body, falls[0]) if falls else 'velocity'} is zero"
     if falls and leg.after is not None and not book.in_symbols:
         rising = leg.speeds[falls[0]].expression()
         if not book.is_hidden(rising):
-            exceeds(book, step, rising, ZERO)
-        zero = f"after {flights.collision(leg.after)}, {flights.setting.called(body)} still rises; {zero}"
-    step.say(f"{capital(zero)}.")
+            record_inequality(book, step, rising, ZERO)
+        zero = f"after {flights.collision(leg.after)}, {flights.setting.display_name(body)} still rises; {zero}"
+    step.add_text(f"{capitalized(zero)}.")
     step.close()
 
 
@@ -186,7 +188,7 @@ def height_at_rest(flights: Impacts, body: str, k: int, *, top: bool) -> Polynom
     number, a = flights.count(body, None), flights.acceleration(k)
     leg = flights.leg(body, number)
     before, v = flights.place(body, number, k, None), leg.speeds[k].expression()
-    step, name = flights.book.open("distance"), flights.book.fresh("s", flights.setting.mark(body))
+    step, name = flights.book.begin_step("distance"), flights.book.fresh("s", flights.setting.subscript_of(body))
     double = multiplied(Number(2.0), a.expression())
     law = step.law(added(Power(v, 2), multiplied(double, name)), ZERO)
     formula = ratio(-Power(v, 2), double)
@@ -194,33 +196,37 @@ def height_at_rest(flights: Impacts, body: str, k: int, *, top: bool) -> Polynom
     zero = f"{where} the {_velocity(flights, body, k)} is zero"
     if leg.after is not None:
         zero = f"{zero}. Let ${name.name}$ be its displacement in this direction since {flights.collision(leg.after)}"
-    step.say(f"{zero}{'; then' if leg.after is not None else ', so'} {law} and {step.result(name, formula, METRES)}.")
+    step.add_text(
+        f"{zero}{'; then' if leg.after is not None else ', so'} {law} and {step.result(name, formula, METRES)}."
+    )
     step.close()
     return before + Polynomial.of(name)
 
 
 def _velocity(flights: Impacts, body: str, k: int) -> str:
     """Return the words for the velocity component along a coordinate."""
-    coordinate, who = flights.mechanism.coordinates[k], flights.setting.called(body)
+    coordinate, who = flights.mechanism.coordinates[k], flights.setting.display_name(body)
     if coordinate.axis[2] > 1.0 - ALIGNED:
         return f"vertical velocity of {who}"
     plane = len(flights.mechanism.body[body].coordinates) > 1
     return f"velocity of {who} along {coordinate.label}" if plane else f"velocity of {who}"
 
 
-SAME_SPEED = 1e-9  # relative: a collision this close to the moment counts as simultaneous with it
+TIME_RTOL = 1e-9  # relative: a collision this close to the moment counts as simultaneous with it
 
 
-def tell_uninvolved(flights: Impacts, bodies: AbstractSet[str]) -> None:
+def write_omitted_collisions(flights: Impacts, bodies: AbstractSet[str]) -> None:
     """Write which earlier collisions the solution omits because they do not affect the given bodies."""
     setting = flights.setting
-    early = [impact for impact in flights.impacts if impact.time < setting.time * (1.0 - SAME_SPEED)]
+    early = [impact for impact in flights.impacts if impact.time < setting.time * (1.0 - TIME_RTOL)]
     left = [held for held in early if held.number not in flights.times and held.number not in flights.struck]
     for impact in left:
         if bodies and bodies.isdisjoint(_affected(impact, early)):
-            step = flights.book.open("verify")
-            who = setting.listed(sorted(bodies))
-            step.say(f"{capital(flights.collision(impact))} does not affect {who} before the moment in question.")
+            step = flights.book.begin_step("verify")
+            who = setting.bodies_phrase(sorted(bodies))
+            step.add_text(
+                f"{capitalized(flights.collision(impact))} does not affect {who} before the moment in question."
+            )
             step.close()
 
 

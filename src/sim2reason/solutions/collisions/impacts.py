@@ -3,14 +3,14 @@
 from abc import ABC, abstractmethod
 
 from sim2reason.questions.words import ORDINALS
-from sim2reason.scenes.dsl.mechanism import Meeting
+from sim2reason.scenes.dsl.mechanism import CollisionPair
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
-from sim2reason.solutions.algebra.functions import Root, squares
+from sim2reason.solutions.algebra.functions import Root, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.collisions.flights import ALIGNED, FreeFlights
 from sim2reason.solutions.collisions.legs import Impact
-from sim2reason.solutions.setting import capital
-from sim2reason.solutions.writing.comparing import exceeds, why_this_time
+from sim2reason.solutions.setting import capitalized
+from sim2reason.solutions.writing.comparing import record_inequality, why_this_time
 from sim2reason.solutions.writing.unit_latex import SECONDS, SPEED
 
 
@@ -42,7 +42,7 @@ class Impacts(FreeFlights, ABC):
         meeting = self.mechanism.meetings[impact.meeting]
         if meeting.normal is None:
             return self.discs_meet(impact)
-        ways = self.ways(meeting)
+        ways = self.normal_coordinates(meeting)
         legs, latest = self.latest(impact)
         since = self.when(latest) if latest is not None else None
         gap, rate, rise = self.gap(impact.meeting), NIL, NIL
@@ -65,10 +65,12 @@ class Impacts(FreeFlights, ABC):
     ) -> Symbol:
         """Write the time at which a gap closes, given the gap, its rate and its acceleration."""
         gap, rate, rise = motion
-        step, name = self.book.open("impact time"), self.book.fresh("t")
+        step, name = self.book.begin_step("impact time"), self.book.fresh("t")
         if not rise and any(self.acceleration(k) for body in impact.bodies for k in self.coordinates(body)):
-            who = self.setting.listed(list(impact.bodies))
-            step.say(f"The acceleration of {who} is the same, so their relative velocity is constant until they meet.")
+            who = self.setting.bodies_phrase(list(impact.bodies))
+            step.add_text(
+                f"The acceleration of {who} is the same, so their relative velocity is constant until they meet."
+            )
         t = Polynomial.of(name)
         if not rise:
             law = step.law(gap.expression(), (rate.scaled(-1.0) * t).collected((name.name,)))
@@ -82,9 +84,9 @@ class Impacts(FreeFlights, ABC):
         later = self.counted_from(impact, since)
         result = step.result(name, formula, SECONDS)
         why = why_this_time(self.book, step, name, self.root(*motion, first=False)) if rate and rise and gap else ""
-        step.say(f"{self.met(impact)} when {law}, so {result}{later}{why}.")
+        step.add_text(f"{self.collision_clause(impact)} when {law}, so {result}{later}{why}.")
         step.close()
-        return self.counted(since, name)
+        return self.time_since_start(since, name)
 
     def counted_from(self, impact: Impact, since: Symbol | None) -> str:
         """Return the words after a time, such as *, counted from t = 0*; empty for the first collision."""
@@ -98,18 +100,18 @@ class Impacts(FreeFlights, ABC):
         v = rate.expression()
         if not rate:
             return Root(ratio(gap.scaled(-2.0).expression(), rise.expression()))
-        root = Root(added(squares([v]), double))
+        root = Root(added(sum_of_squares([v]), double))
         root = root if first else -root
         if self.book.value(rise.expression()) < 0.0:
             return ratio(added(root, v), rise.scaled(-1.0).expression())
         return ratio(added(-v, -root), rise.expression())
 
-    def met(self, impact: Impact) -> str:
+    def collision_clause(self, impact: Impact) -> str:
         """Return a clause about a collision, such as *Carts A and B meet again*."""
         again = " again" if any(held.meeting == impact.meeting for held in self.impacts[: impact.number]) else ""
         if len(impact.bodies) == 1:
-            return f"{capital(self.setting.called(impact.bodies[0]))} hits {self.obstacle(impact.meeting)}{again}"
-        return f"{capital(self.setting.listed(list(impact.bodies)))} meet{again}"
+            return f"{capitalized(self.setting.display_name(impact.bodies[0]))} hits {self.obstacle(impact.meeting)}{again}"
+        return f"{capitalized(self.setting.bodies_phrase(list(impact.bodies)))} meet{again}"
 
     def obstacle(self, meeting: int) -> str:
         """Return the words for a fixed obstacle, such as *the left wall*."""
@@ -132,7 +134,7 @@ class Impacts(FreeFlights, ABC):
 
     def collision(self, impact: Impact) -> str:
         """Return the name of a collision, such as *the second impact of ball A on the ground*."""
-        who = self.setting.listed(list(impact.bodies))
+        who = self.setting.bodies_phrase(list(impact.bodies))
         same = [held.number for held in self.impacts if held.meeting == impact.meeting]
         which = f"{_ordinal(same.index(impact.number) + 1)} " if len(same) > 1 else ""
         if len(impact.bodies) > 1:
@@ -145,7 +147,7 @@ class Impacts(FreeFlights, ABC):
         impact, begins = leg.after, self.begins(leg)
         if impact is None or begins is None or impact.bodies != (body,) or begins == time:
             return
-        k, _ = self.ways(self.mechanism.meetings[impact.meeting])[body]
+        k, _ = self.normal_coordinates(self.mechanism.meetings[impact.meeting])[body]
         if not self.acceleration(k):
             return
         formula = ratio(leg.speeds[k].scaled(-2.0).expression(), self.acceleration(k).expression())
@@ -155,15 +157,19 @@ class Impacts(FreeFlights, ABC):
         obstacle, planar = self.obstacle(impact.meeting), len(self.coordinates(body)) > 1
         if planar and book.value(formula) <= 0.0:  # gravity pulls the body away from the wall
             return
-        step, name = book.open("verify"), book.fresh("t", r"\text{flight}")
-        exceeds(book, step, formula, span)
+        step, name = book.begin_step("verify"), book.fresh("t", r"\text{flight}")
+        record_inequality(book, step, formula, span)
         self.flown.add((body, number))
         step.rest_on(span.name)
         told = step.verified(name, formula, SECONDS)
         if planar and obstacle != "the ground":
-            step.say(f"It would hit {obstacle} again only {told} after this impact, which is later than ${time.name}$.")
+            step.add_text(
+                f"It would hit {obstacle} again only {told} after this impact, which is later than ${time.name}$."
+            )
         else:
-            step.say(f"It would land again only {told} after this impact, so it is still in the air at ${time.name}$.")
+            step.add_text(
+                f"It would land again only {told} after this impact, so it is still in the air at ${time.name}$."
+            )
         step.close()
 
     def after(self, impact: Impact) -> dict[int, Polynomial]:
@@ -192,11 +198,11 @@ class Impacts(FreeFlights, ABC):
 
     def closing(self, impact: Impact) -> Expression:
         """Return the signed relative velocity along the normal just before a collision."""
-        ways = self.ways(self.mechanism.meetings[impact.meeting])
+        ways = self.normal_coordinates(self.mechanism.meetings[impact.meeting])
         speeds = [self.just_before(impact, body, k).scaled(sense) for body, (k, sense) in ways.items()]
         return (speeds[0] - speeds[1] if len(speeds) > 1 else speeds[0]).expression()
 
-    def inertia(self, impact: Impact) -> Expression:
+    def effective_mass(self, impact: Impact) -> Expression:
         """Return the effective mass of a collision, kg: m against a wall, else the reduced mass m m′/(m + m′)."""
         masses = [self.mass(body).expression() for body in impact.bodies]
         return masses[0] if len(masses) == 1 else ratio(multiplied(*masses), added(*masses))
@@ -204,14 +210,14 @@ class Impacts(FreeFlights, ABC):
     def _rebound(self, impact: Impact) -> dict[int, Polynomial]:
         """Write the velocities after a collision with a wall."""
         body = impact.bodies[0]
-        k, _ = self.ways(self.mechanism.meetings[impact.meeting])[body]
+        k, _ = self.normal_coordinates(self.mechanism.meetings[impact.meeting])[body]
         e, before = self.restitution(impact.meeting), self.just_before(impact, body, k)
-        step, name = self.book.open("rebound"), self.book.after("v", self.mark(body, k))
+        step, name = self.book.begin_step("rebound"), self.book.name_after_impact("v", self.mark(body, k))
         formula = (e * before).scaled(-1.0).expression()
-        met = self.met(impact).replace(" hits ", " rebounds from ")
+        met = self.collision_clause(impact).replace(" hits ", " rebounds from ")
         if impact.number in self.times:  # the text has just named the wall
-            met = f"{capital(self.setting.called(body))} rebounds"
-        step.say(f"{met} with {step.result(name, formula, SPEED, law=True)}{self._kept(body, k)}.")
+            met = f"{capitalized(self.setting.display_name(body))} rebounds"
+        step.add_text(f"{met} with {step.result(name, formula, SPEED, law=True)}{self._kept(body, k)}.")
         step.close()
         return {k: Polynomial.of(name)}
 
@@ -222,32 +228,32 @@ class Impacts(FreeFlights, ABC):
             return ""
         return f"; its velocity along {self.mechanism.coordinates[others[0]].label} stays the same"
 
-    def _collision(self, impact: Impact, meeting: Meeting) -> dict[int, Polynomial]:
+    def _collision(self, impact: Impact, meeting: CollisionPair) -> dict[int, Polynomial]:
         """Write both velocities after a collision, by conservation of momentum and restitution."""
-        ways = self.ways(meeting)
+        ways = self.normal_coordinates(meeting)
         (one, (i, _)), (other, (j, _)) = ways.items()
         u, w = self.just_before(impact, one, i), self.just_before(impact, other, j)
-        names = [self.book.after("v", self.mark(body, k)) for body, (k, _) in ways.items()]
+        names = [self.book.name_after_impact("v", self.mark(body, k)) for body, (k, _) in ways.items()]
         m, n = (self.mass(body) for body in (one, other))
-        e, step = self.restitution(impact.meeting), self.book.open("impact")
+        e, step = self.restitution(impact.meeting), self.book.begin_step("impact")
         x, y = (Polynomial.of(name) for name in names)
         momentum = step.law((m * u + n * w).expression(), (m * x + n * y).expression())
         parting = step.law((y - x).expression(), multiplied(e.expression(), (u - w).expression()))
         known = impact.number in self.times  # the text has just named the bodies
         if any(held.kind == "impact" for held in self.book.steps):
-            step.say(f"{'As before' if known else self.met(impact)}: {momentum} and {parting}.")
+            step.add_text(f"{'As before' if known else self.collision_clause(impact)}: {momentum} and {parting}.")
         else:
-            step.say("" if known else f"{self.met(impact)}.")
-            step.say(f"Conservation of momentum and restitution: {momentum} and {parting}.")
+            step.add_text("" if known else f"{self.collision_clause(impact)}.")
+            step.add_text(f"Conservation of momentum and restitution: {momentum} and {parting}.")
         step.label(f"impact {impact.number}")
         step.close()
         whole = (m + n).expression()
         for name, heavy, sign in ((names[0], n, -1.0), (names[1], m, 1.0)):
-            step = self.book.open("solve")
+            step = self.book.begin_step("solve")
             step.rest_on(f"impact {impact.number}")
             push = (heavy * e).scaled(sign).expression()
             above = added((m * u + n * w).expression(), multiplied(push, (u - w).expression()))
-            step.say(f"So {step.result(name, ratio(above, whole), SPEED)}.")
+            step.add_text(f"So {step.result(name, ratio(above, whole), SPEED)}.")
             step.close()
         return {i: Polynomial.of(names[0]), j: Polynomial.of(names[1])}
 

@@ -8,7 +8,7 @@ from sim2reason.solutions.algebra.polynomials import Polynomial
 
 
 @dataclass
-class Leg:
+class Flight:
     """A free flight: its start time (None for t = 0), and its initial velocities and positions by coordinate."""
 
     begins: Symbol | None

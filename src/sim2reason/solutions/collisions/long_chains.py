@@ -6,12 +6,12 @@ from dataclasses import replace
 
 from sim2reason.scenes.dsl.frames import Frames
 from sim2reason.scenes.dsl.mechanism import Mechanism
-from sim2reason.scenes.dsl.vectors import minus, product
+from sim2reason.scenes.dsl.vectors import dot, minus
 from sim2reason.solutions.algebra.polynomials import Polynomial
-from sim2reason.solutions.setting import capital, joined
+from sim2reason.solutions.setting import capitalized, join_words
 from sim2reason.solutions.solution import Step
-from sim2reason.solutions.writing.lexicon import Both, Lexicon, UnreadError
-from sim2reason.solutions.writing.merging import together
+from sim2reason.solutions.writing.lexicon import DualValue, Lexicon, UnreadError
+from sim2reason.solutions.writing.merging import merge_group_into
 
 Side = tuple[Frames, Mechanism]
 
@@ -22,7 +22,7 @@ def gap_at_start(lexicon: Lexicon, frames: tuple[Frames, Frames], number: int) -
     For a disc and a wall, the gap may be a sum of three lengths: the positions of wall and disc, and the radius.
     """
     sides: list[Side] = [(frames[0], lexicon.mechanism), (frames[1], lexicon.twin)]
-    whole = Both(*(_place(*side, number) - side[1].meetings[number].distance for side in sides))
+    whole = DualValue(*(_place(*side, number) - side[1].meetings[number].distance for side in sides))
     try:
         return lexicon.read(whole)
     except UnreadError:
@@ -32,12 +32,12 @@ def gap_at_start(lexicon: Lexicon, frames: tuple[Frames, Frames], number: int) -
         return found
 
 
-def _of_three(lexicon: Lexicon, whole: Both) -> Polynomial | None:
+def _of_three(lexicon: Lexicon, whole: DualValue) -> Polynomial | None:
     """Return a gap as a stated length, or its negative, plus a sum of two lengths; None if no length fits."""
     for length in reversed(lexicon.lengths):
         for sign in (1.0, -1.0):
             try:
-                rest = lexicon.read(whole - Both(sign * length.here, sign * length.there))
+                rest = lexicon.read(whole - DualValue(sign * length.here, sign * length.there))
             except UnreadError:
                 continue
             return lexicon.read(length).scaled(sign) + rest
@@ -49,10 +49,10 @@ def _place(frames: Frames, mechanism: Mechanism, number: int) -> float:
     met = mechanism.meetings[number]
     assert met.normal is not None
     other = frames.center(met.b).place
-    return float(product(met.normal, other if met.a is None else minus(other, frames.center(met.a).place)))
+    return float(dot(met.normal, other if met.a is None else minus(other, frames.center(met.a).place)))
 
 
-LONG = 6  # names defined by steps of these kinds, from which on lists are easier to follow
+MIN_NAMES_FOR_ROWS = 6  # names defined by steps of these kinds, from which on lists are easier to follow
 VELOCITY, TIME, DISPLACEMENT = "velocity in flight", "time of flight", "displacement in flight"  # kinds of steps
 GROUPED = VELOCITY, TIME, DISPLACEMENT
 ROWS = {VELOCITY: "velocities", DISPLACEMENT: "displacements"}
@@ -60,10 +60,10 @@ SINGULAR = {"velocities": "velocity", "displacements": "displacement"}
 INSTANT = re.compile(r"At (\$[^$]*\$) ")  # matches the time with which a sentence begins
 
 
-def in_rows(steps: Sequence[Step]) -> list[Step]:
+def group_steps(steps: Sequence[Step]) -> list[Step]:
     """Return the steps of a long text with those of one kind combined; a short text is unchanged."""
     waiting = list(steps)
-    if sum(len(step.gives) for step in waiting if step.kind in GROUPED) < LONG:
+    if sum(len(step.gives) for step in waiting if step.kind in GROUPED) < MIN_NAMES_FOR_ROWS:
         return waiting
     told, found, place = set[int](), list[Step](), dict[int, int]()
     while waiting:
@@ -107,7 +107,7 @@ def _row(group: Sequence[Step]) -> Step:
     noun = ROWS[group[0].kind]
     told = [
         f"{f'at {instant} ' if instant else ''}the {noun if len(formulas) > 1 else SINGULAR[noun]} "
-        f"{'are' if len(formulas) > 1 else 'is'} {joined(formulas)}"
+        f"{'are' if len(formulas) > 1 else 'is'} {join_words(formulas)}"
         for instant, formulas in rows.items()
     ]
-    return together(group, f"{capital('; '.join(told))}.")
+    return merge_group_into(group, f"{capitalized('; '.join(told))}.")

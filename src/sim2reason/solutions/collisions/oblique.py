@@ -2,16 +2,16 @@
 
 from collections.abc import Sequence
 
-from sim2reason.scenes.dsl.vectors import minus, product
+from sim2reason.scenes.dsl.vectors import dot, minus
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
-from sim2reason.solutions.algebra.functions import Power, Root, squares, summed
+from sim2reason.solutions.algebra.functions import Power, Root, sum_of_squares, summed
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.collisions.impacts import Impacts
 from sim2reason.solutions.collisions.legs import Impact
-from sim2reason.solutions.setting import capital, joined
-from sim2reason.solutions.writing.comparing import exceeds
-from sim2reason.solutions.writing.lexicon import Both
-from sim2reason.solutions.writing.steps import Writing
+from sim2reason.solutions.setting import capitalized, join_words
+from sim2reason.solutions.writing.comparing import record_inequality
+from sim2reason.solutions.writing.lexicon import DualValue
+from sim2reason.solutions.writing.steps import StepBuilder
 from sim2reason.solutions.writing.unit_latex import IMPULSE, METRES, SECONDS, SPEED, latex
 
 RESTITUTION = "Conservation of momentum and restitution along this line"
@@ -48,12 +48,12 @@ def _meet(flights: Impacts, impact: Impact) -> Symbol:
     if (axis := _only_axis(u)) is not None:
         return _meet_along(flights, impact, axis)
     book, distance = flights.book, _distance(flights, impact)
-    step, t = book.open("impact time"), book.fresh("t")
+    step, t = book.begin_step("impact time"), book.fresh("t")
     whole: Expression = ZERO
     for x, w in zip(X, u, strict=True):
         whole = added(whole, Power(added(x, multiplied(w, t)), 2))
     law = step.derived(whole, Power(distance, 2))
-    speeds = squares(u)
+    speeds = sum_of_squares(u)
     along = summed(multiplied(x, w) for x, w in zip(X, u, strict=True))
     pair = flights.pair_mark(impact.bodies, flights.latest(impact)[1])
     p, q = book.fresh("p", pair), book.fresh("q", pair)
@@ -69,30 +69,32 @@ def _meet(flights: Impacts, impact: Impact) -> Symbol:
     square = multiplied(p, Power(distance, 2))
     quadratic = step.law(added(Power(added(multiplied(p, t), q), 2), aside), square)
     formula = ratio(added(-q, -Root(added(square, -aside))), p)
-    step.say(f"{flights.met(impact)} when {law}. With {joined(said)}, this multiplied by ${p.latex()}$ is {quadratic}.")
-    step.say(f"The earlier root is {step.result(t, formula, SECONDS)}{flights.counted_from(impact, since)}.")
+    step.add_text(
+        f"{flights.collision_clause(impact)} when {law}. With {join_words(said)}, this multiplied by ${p.latex()}$ is {quadratic}."
+    )
+    step.add_text(f"The earlier root is {step.result(t, formula, SECONDS)}{flights.counted_from(impact, since)}.")
     step.close()
-    return flights.counted(since, t)
+    return flights.time_since_start(since, t)
 
 
 def _meet_along(flights: Impacts, impact: Impact, axis: int) -> Symbol:
     """Write the time at which discs touch whose relative velocity is along one axis: x + u t = ±√(d² − y²)."""
     X, u, since, labels = _relative(flights, impact)
     book, distance = flights.book, _distance(flights, impact)
-    step, t = book.open("impact time"), book.fresh("t")
+    step, t = book.begin_step("impact time"), book.fresh("t")
     x = book.fresh(labels[axis], flights.pair_mark(impact.bodies, flights.latest(impact)[1]))
     known = step.result(x, X[axis], METRES, law=True)
     reach: Expression = distance
     if len(X) > 1 and X[1 - axis] != ZERO:
         reach = Root(added(Power(distance, 2), -Power(X[1 - axis], 2)))
     moved = added(x, multiplied(u[axis], t))
-    law = step.law(squares((moved, *X[:axis], *X[axis + 1 :])), Power(distance, 2))
+    law = step.law(sum_of_squares((moved, *X[:axis], *X[axis + 1 :])), Power(distance, 2))
     formula = ratio(added(_ahead(flights, u[axis], reach), -x), u[axis])
-    who = flights.setting.listed(list(impact.bodies))
-    step.say(f"The relative velocity is along the {labels[axis]} axis. With {known}, {who} meet when {law}.")
-    step.say(f"The earlier root is {step.result(t, formula, SECONDS)}{flights.counted_from(impact, since)}.")
+    who = flights.setting.bodies_phrase(list(impact.bodies))
+    step.add_text(f"The relative velocity is along the {labels[axis]} axis. With {known}, {who} meet when {law}.")
+    step.add_text(f"The earlier root is {step.result(t, formula, SECONDS)}{flights.counted_from(impact, since)}.")
     step.close()
-    return flights.counted(since, t)
+    return flights.time_since_start(since, t)
 
 
 def _only_axis(u: Sequence[Expression]) -> int | None:
@@ -123,31 +125,33 @@ def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[
     found: list[tuple[str, Polynomial, Polynomial]] = []
     for i, j in zip(flights.coordinates(one), flights.coordinates(other), strict=True):
         axes = lexicon.mechanism.coordinates[i].axis, lexicon.twin.coordinates[i].axis
-        along = [float(product(apart, axis)) for apart, axis in zip(places, axes, strict=True)]
-        apart = lexicon.read(Both(*along))
+        along = [float(dot(apart, axis)) for apart, axis in zip(places, axes, strict=True)]
+        apart = lexicon.read(DualValue(*along))
         apart = apart + flights.place(other, legs[other], j, since) - flights.place(one, legs[one], i, since)
         w = flights.velocity(other, legs[other], j, since) - flights.velocity(one, legs[one], i, since)
         if flights.acceleration(i) - flights.acceleration(j):
             raise ValueError("discs that are accelerated differently")
         if apart or w:  # axes without relative position and velocity are omitted
             found.append((flights.mechanism.coordinates[i].label, apart, w))
-    step = flights.book.open("relative")
+    step = flights.book.begin_step("relative")
     if any(flights.acceleration(i) for i in flights.coordinates(one)):
-        who = capital(flights.setting.listed([body.name for body in flights.mechanism.bodies if body.mass]))
-        step.say(f"{who} have the same acceleration, so their relative velocities are constant between collisions.")
+        who = capitalized(flights.setting.bodies_phrase([body.name for body in flights.mechanism.bodies if body.mass]))
+        step.add_text(
+            f"{who} have the same acceleration, so their relative velocities are constant between collisions."
+        )
     X, u, said = _named(flights, step, found, flights.pair_mark(impact.bodies, latest))
     labels = [label for label, *_ in found]
-    who = [flights.setting.called(body) for body in impact.bodies]
+    who = [flights.setting.display_name(body) for body in impact.bodies]
     when = f"just after {flights.collision(latest)}" if latest is not None else "at t = 0"
     what = "Position and velocity" if any(x != ZERO for x in X) else "Velocity"
-    step.say(f"{what} of {who[1]} relative to {who[0]} {when}: {joined(said)}.")
+    step.add_text(f"{what} of {who[1]} relative to {who[0]} {when}: {join_words(said)}.")
     step.close()
     flights.relative[impact.number] = (X, u, since, labels)
     return X, u, since, labels
 
 
 def _named(
-    flights: Impacts, step: Writing, found: Sequence[tuple[str, Polynomial, Polynomial]], pair: str
+    flights: Impacts, step: StepBuilder, found: Sequence[tuple[str, Polynomial, Polynomial]], pair: str
 ) -> tuple[list[Expression], list[Expression], list[str]]:
     """Return names of nonzero relative coordinates and velocities, with the equations that define them.
 
@@ -170,21 +174,21 @@ def _named(
 
 def _approach(flights: Impacts, impact: Impact) -> tuple[dict[str, Symbol], Symbol]:
     """Write the line of centres, by axis, and the relative velocity along it, which is negative."""
-    book, number = flights.book, flights.which(impact)
+    book, number = flights.book, flights.collision_number(impact)
     _, u, _, labels = _relative(flights, impact)
     parts, when = _normal(flights, impact)
-    step = book.open("normal")
+    step = book.begin_step("normal")
     n = {label: book.fresh("n", ",".join(part for part in (label, number) if part)) for label in labels}
     across = [label for label, w in zip(labels, u, strict=True) if w == ZERO]
     told = {label: part for label, part in zip(labels, parts, strict=True) if label not in across}
-    step.say(f"{when} {joined([step.result(n[label], part, '', law=True) for label, part in told.items()])}.")
+    step.add_text(f"{when} {join_words([step.result(n[label], part, '', law=True) for label, part in told.items()])}.")
     approach = book.fresh("u", r"\text{n}" + (f",{number}" if number else ""))
     along = summed(multiplied(w, m) for w, m in zip(u, n.values(), strict=True))
-    step.say(f"The relative velocity along the line is {step.result(approach, along, SPEED, law=True)}.")
+    step.add_text(f"The relative velocity along the line is {step.result(approach, along, SPEED, law=True)}.")
     step.close()
     for label in across:  # needed only for velocities after the collision
         name, part = n[label], parts[labels.index(label)]
-        book.told("normal", f"The {label} component of the unit vector is", name, part)
+        book.add_step("normal", f"The {label} component of the unit vector is", name, part)
     return n, approach
 
 
@@ -204,7 +208,7 @@ def _normal(flights: Impacts, impact: Impact) -> tuple[list[Expression], str]:
         vector = f"the unit vector along the line of centres has the {labels[axis]} component"
         return parts, f"{known}At {flights.collision(impact)} {vector}"
     time = flights.when(impact)
-    span = time if since is None else flights.passed(since, time)
+    span = time if since is None else flights.time_between(since, time)
     parts = [ratio(added(x, multiplied(w, span)), distance) for x, w in zip(X, u, strict=True)]
     return parts, "The unit vector along the line of centres is then"
 
@@ -215,11 +219,11 @@ def _part(flights: Flights, impact: Impact) -> dict[int, Polynomial]:
     one, other = impact.bodies
     m, k = (flights.mass(body).expression() for body in impact.bodies)
     e = flights.restitution(impact.meeting).expression()
-    step, push = book.open("impulse"), book.fresh("J", flights.which(impact))
+    step, push = book.begin_step("impulse"), book.fresh("J", flights.collision_number(impact))
     reduced = ratio(multiplied(m, k), added(m, k))
     formula = -multiplied(multiplied(added(Number(1.0), e), reduced), approach)
     said = f"{RESTITUTION if flights.restitution(impact.meeting) else INELASTIC} give the impulse"
-    step.say(f"{said} {step.result(push, formula, IMPULSE, law=True)}.")
+    step.add_text(f"{said} {step.result(push, formula, IMPULSE, law=True)}.")
     step.close()
     found = {i: flights.just_before(impact, body, i) for body in impact.bodies for i in flights.coordinates(body)}
     for body, mass, sign in ((one, m, -1.0), (other, k, 1.0)):
@@ -227,10 +231,10 @@ def _part(flights: Flights, impact: Impact) -> dict[int, Polynomial]:
             before, label = found[number], flights.mechanism.coordinates[number].label
             if label not in n:
                 continue
-            step, name = book.open("after"), book.after("v", flights.mark(body, number))
+            step, name = book.begin_step("after"), book.name_after_impact("v", flights.mark(body, number))
             change = multiplied(Number(sign), multiplied(ratio(push, mass), n[label]))
             formula = added(before.expression(), change)
-            step.say(f"After the impact, {step.result(name, formula, SPEED, law=True)}.")
+            step.add_text(f"After the impact, {step.result(name, formula, SPEED, law=True)}.")
             step.close()
             found[number] = Polynomial.of(name)
     return found
@@ -258,14 +262,16 @@ def _tell(flights: Flights, body: str, k: int, distance: Symbol, motion: tuple[l
     assert leg.after is not None
     sizes = [-end if book.value(end) < 0.0 else end for end in ends if end != ZERO]
     farthest = max(sizes, key=book.value, default=ZERO)
-    step, who, forward = book.open("verify"), flights.setting.called(body), book.value(speed) > 0.0
+    step, who, forward = book.begin_step("verify"), flights.setting.display_name(body), book.value(speed) > 0.0
     if farthest != ZERO:
-        exceeds(book, step, distance, farthest)
-    exceeds(book, step, *((speed, ZERO) if forward else (ZERO, speed)))
+        record_inequality(book, step, distance, farthest)
+    record_inequality(book, step, *((speed, ZERO) if forward else (ZERO, speed)))
     x, y, z = flights.mechanism.coordinates[k].axis
-    towards = flights.setting.towards((x, y, z) if forward else (-x, -y, -z))
-    step.say(f"Until {flights.collision(leg.after)}, {who} is never as far as ${distance.latex()}$ from its start;")
+    towards = flights.setting.direction_words((x, y, z) if forward else (-x, -y, -z))
+    step.add_text(
+        f"Until {flights.collision(leg.after)}, {who} is never as far as ${distance.latex()}$ from its start;"
+    )
     alone = len(flights.mechanism.meetings) == 1 and flights.restitution(leg.after.meeting)
     parted = " The two do not meet again, as they move apart." if alone else ""
-    step.say(f"then it moves {towards}.{parted}")
+    step.add_text(f"then it moves {towards}.{parted}")
     step.close()

@@ -4,32 +4,32 @@ from collections.abc import Iterator
 from dataclasses import replace
 from math import inf
 
-from sim2reason.scenes.dsl.mechanism import Meeting
-from sim2reason.scenes.dsl.vectors import minus, product
+from sim2reason.scenes.dsl.mechanism import CollisionPair
+from sim2reason.scenes.dsl.vectors import dot, minus
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, multiplied, ratio
-from sim2reason.solutions.algebra.functions import Absolute, Power, Root, squares, summed
+from sim2reason.solutions.algebra.functions import Absolute, Power, Root, sum_of_squares, summed
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.collisions.exclusions import (
-    Excluded,
+    Exclusion,
+    FreeInterval,
     Intervals,
     RelativeMotion,
-    Together,
+    approach_sentence,
     clauses,
+    last_collision_sentence,
     late_values,
-    told_approach,
-    told_before,
 )
 from sim2reason.solutions.collisions.impacts import Impacts
 from sim2reason.solutions.collisions.legs import Impact
-from sim2reason.solutions.setting import joined
-from sim2reason.solutions.writing.comparing import exceeds
-from sim2reason.solutions.writing.lexicon import Both
-from sim2reason.solutions.writing.steps import Writing
+from sim2reason.solutions.setting import join_words
+from sim2reason.solutions.writing.comparing import record_inequality
+from sim2reason.solutions.writing.lexicon import DualValue
+from sim2reason.solutions.writing.steps import StepBuilder
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED, latex
 
 ORDER = "order of collisions"  # kind of these steps
-STILL = 1e-12  # m/s or m²/s: smaller relative motions count as zero
-SLOW = 1e-9  # m/s: smaller velocities after a head-on collision are rounding errors
+MIN_RELATIVE_MOTION = 1e-12  # m/s or m²/s: smaller relative motions count as zero
+SPEED_ATOL = 1e-9  # m/s: smaller velocities after a head-on collision are rounding errors
 
 
 class CollisionOrder:
@@ -76,41 +76,44 @@ class CollisionOrder:
 
         At the start they include bodies that would collide later, which proves that the first collision is the first.
         """
-        step, told = self._book.open(ORDER), list[Excluded]()
+        step, told = self._book.begin_step(ORDER), list[Exclusion]()
         for stretch in self._held:
             if stretch.begins == begins and (begins is None or not stretch.meets):
                 told += filter(None, [self._excluded(step, stretch)])
         last = begins if self._early and begins == self._early[-1] else None
-        now, before = [*late_values(self._flights, step)], told_before(self._flights, step, last, self._until)
-        step.say(*(now if told else ()), before, *(each.motion for each in told))
+        now, before = (
+            [*late_values(self._flights, step)],
+            last_collision_sentence(self._flights, step, last, self._until),
+        )
+        step.add_text(*(now if told else ()), before, *(each.motion for each in told))
         if told:
-            step.say(f"{self._lead(begins)} {'; '.join(clauses(told))}{self._hence(begins)}.")
+            step.add_text(f"{self._lead(begins)} {'; '.join(clauses(told))}{self._hence(begins)}.")
         if told or before:
             self._close(step)
 
     def _tell_next(self, begins: Impact) -> None:
         """Write why two bodies collide next, unless the times of collisions show it."""
-        step, following = self._book.open(ORDER), self._held.following(begins)
+        step, following = self._book.begin_step(ORDER), self._held.following(begins)
         if self._flights.timed or following is None:
             return
         own = (held for held in self._held if held.begins == begins and self._held.is_late(held))
         told = [found for held in own if (found := self._excluded(step, held)) is not None]
-        closing = told_approach(self._flights, step, begins, following)
-        step.say(*late_values(self._flights, step))
+        closing = approach_sentence(self._flights, step, begins, following)
+        step.add_text(*late_values(self._flights, step))
         if told:
-            step.say(*(each.motion for each in told), f"{self._lead(begins)} {'; '.join(clauses(told))}.")
-        step.say(closing)
+            step.add_text(*(each.motion for each in told), f"{self._lead(begins)} {'; '.join(clauses(told))}.")
+        step.add_text(closing)
         if told or closing:
             self._close(step)
 
-    def _close(self, step: Writing) -> None:
+    def _close(self, step: StepBuilder) -> None:
         """Close a step and record the earliest step it may follow."""
         step.close()
         self._book.earliest[self._book.steps[-1].id] = self._first
 
     # ---- why two do not meet
 
-    def _excluded(self, step: Writing, held: Together) -> Excluded | None:
+    def _excluded(self, step: StepBuilder, held: FreeInterval) -> Exclusion | None:
         """Return the argument why a pair does not collide in an interval; None if obvious or if it collides."""
         meets = held.meets and not self._held.is_late(held)
         meeting = self._flights.mechanism.meetings[held.meeting]
@@ -121,34 +124,34 @@ class CollisionOrder:
             return self._aside(step, held, meeting) if not just_met else self._touching(held)
         return self._in_line(step, held, just_met=just_met)
 
-    def _touching(self, held: Together) -> Excluded | None:
+    def _touching(self, held: FreeInterval) -> Exclusion | None:
         """Return why two discs in contact after an inelastic collision do not collide again; else None."""
         flights = self._flights
         if flights.restitution(held.meeting):
             return None
         one, other = ([flights.leg(b, n).speeds[k] for k in flights.coordinates(b)] for b, n in held.legs.items())
         apart = (self._book.value((w - v).expression()) for v, w in zip(one, other, strict=True))
-        return self._excluded_by("touching" if any(abs(u) > SLOW for u in apart) else "together", held, "")
+        return self._excluded_by("touching" if any(abs(u) > SPEED_ATOL for u in apart) else "together", held, "")
 
-    def _aside(self, step: Writing, held: Together, meeting: Meeting) -> Excluded | None:
+    def _aside(self, step: StepBuilder, held: FreeInterval, meeting: CollisionPair) -> Exclusion | None:
         """Return the argument why two discs do not collide in an interval; None if they do not move."""
         flights, book = self._flights, self._book
         d = flights.setting.lexicon.of(lambda m: m.meetings[held.meeting].distance).expression()
         parts = [part for part in self._relative(held, meeting) if any(map(book.value, part[1:]))]
-        if max((abs(book.value(w)) for _, _, w in parts), default=0.0) < STILL:
+        if max((abs(book.value(w)) for _, _, w in parts), default=0.0) < MIN_RELATIVE_MOTION:
             return None
         mark = flights.pair_mark(held.legs, held.begins)
         motion, more = RelativeMotion(book, step, mark), RelativeMotion(book, step, mark)
         X, u = zip(*((motion.named(a, x, METRES), motion.named("u", w, SPEED, a)) for a, x, w in parts), strict=True)
-        square, along = squares(u), summed(multiplied(x, w) for x, w in zip(X, u, strict=True))
+        square, along = sum_of_squares(u), summed(multiplied(x, w) for x, w in zip(X, u, strict=True))
         aside = multiplied(X[0], u[1]) - multiplied(X[1], u[0]) if len(X) > 1 else ZERO
         if book.value(along) >= 0.0:
-            exceeds(book, step, along, ZERO)
+            record_inequality(book, step, along, ZERO)
             found = self._excluded_by("apart", held, motion.concluded("q", along, latex("m^2/s")))
         elif abs(book.value(aside)) >= book.value(Root(square)) * book.value(d):
             still = [x for x, w in zip(X, u, strict=True) if w == ZERO]
             apart = Absolute(still[0]) if still else ratio(Absolute(aside), Root(square))
-            exceeds(book, step, apart, d)
+            record_inequality(book, step, apart, d)
             found = self._excluded_by("pass", held, motion.concluded("b", apart, METRES))
         else:
             p, q, c = (
@@ -157,15 +160,18 @@ class CollisionOrder:
             )
             root = Root(added(multiplied(p, Power(d, 2)), -Power(c, 2)) if c != ZERO else multiplied(p, Power(d, 2)))
             found = self._later(motion, held, -ratio(added(q, root), p))
-        one, other = map(flights.setting.called, meeting.names)
-        told = f"Position and velocity of {other} relative to {one} {self._when(held)}: {joined(motion.told)}"
-        told += f"; hence {joined(more.told)}." if more.told else "."
+        one, other = map(flights.setting.display_name, meeting.names)
+        told = f"Position and velocity of {other} relative to {one} {self._when(held)}: {join_words(motion.told)}"
+        told += f"; hence {join_words(more.told)}." if more.told else "."
         return replace(found, limit=d.latex(), motion=told)
 
-    def _in_line(self, step: Writing, held: Together, *, just_met: bool) -> Excluded | None:
+    def _in_line(self, step: StepBuilder, held: FreeInterval, *, just_met: bool) -> Exclusion | None:
         """Return the argument why two bodies on a line, or a body and a wall, do not collide in an interval."""
         flights, book = self._flights, self._book
-        ways, meeting = flights.ways(flights.mechanism.meetings[held.meeting]), flights.mechanism.meetings[held.meeting]
+        ways, meeting = (
+            flights.normal_coordinates(flights.mechanism.meetings[held.meeting]),
+            flights.mechanism.meetings[held.meeting],
+        )
         begin, gap, rate, rise = self._begin(held), flights.gap(held.meeting), NIL, NIL
         for body, (k, sense) in ways.items():
             sign = sense * (1.0 if body == meeting.b else -1.0)
@@ -177,10 +183,10 @@ class CollisionOrder:
         motion, speed = RelativeMotion(book, step, mark), book.value(rate.expression())
         if rise:
             return self._thrown(motion, held, (NIL if just_met else gap, rate, rise))
-        if just_met or abs(speed) < STILL:
+        if just_met or abs(speed) < MIN_RELATIVE_MOTION:
             return None
         if speed > 0.0:
-            exceeds(book, step, rate.expression(), ZERO)
+            record_inequality(book, step, rate.expression(), ZERO)
             kind = "wall apart" if len(ways) == 1 else "line apart"
             found = self._excluded_by(kind, held, motion.concluded("u", rate.expression(), SPEED))
             return replace(found, limit=flights.obstacle(held.meeting))
@@ -189,8 +195,8 @@ class CollisionOrder:
         return self._approaching(motion, held, motion.quotient(), " and approaching at")
 
     def _thrown(
-        self, motion: RelativeMotion, held: Together, course: tuple[Polynomial, Polynomial, Polynomial]
-    ) -> Excluded | None:
+        self, motion: RelativeMotion, held: FreeInterval, course: tuple[Polynomial, Polynomial, Polynomial]
+    ) -> Exclusion | None:
         """Return why a body that accelerates relative to a wall does not reach it; None if it never could."""
         (gap, rate, rise), value = course, self._book.value
         d, u, a = (value(part.expression()) for part in course)
@@ -204,16 +210,16 @@ class CollisionOrder:
             return self._approaching(motion, held, span, ", a distance that at first changes at the rate")
         found = self._later(motion, held, ratio(change.scaled(-2.0).expression(), rise.expression()))
         obstacle = self._flights.obstacle(held.meeting)
-        return replace(found, aside=f"which leaves {obstacle} at {joined(motion.told)}", limit=f"{obstacle} again")
+        return replace(found, aside=f"which leaves {obstacle} at {join_words(motion.told)}", limit=f"{obstacle} again")
 
-    def _approaching(self, motion: RelativeMotion, held: Together, span: Expression, moving: str) -> Excluded:
+    def _approaching(self, motion: RelativeMotion, held: FreeInterval, span: Expression, moving: str) -> Exclusion:
         """Return the argument that a distance along a line vanishes only after the end of an interval."""
         pair, obstacle = len(held.legs) > 1, self._flights.obstacle(held.meeting)
         apart, *speed = motion.told
         aside = f"{apart} {'apart' if pair else f'from {obstacle}'}{moving if speed else ''} {''.join(speed)}".strip()
         return replace(self._later(motion, held, span), aside=aside, limit=obstacle)
 
-    def _later(self, motion: RelativeMotion, held: Together, span: Expression) -> Excluded:
+    def _later(self, motion: RelativeMotion, held: FreeInterval, span: Expression) -> Exclusion:
         """Return the argument that two bodies would collide only after the interval, at a time since t = 0.
 
         If the two bodies do collide then, this proves that others collide before.
@@ -223,19 +229,19 @@ class CollisionOrder:
         end = flights.when(ends) if ends is not None else self._until
         assert end is not None
         lasts = added(self._begin(held).expression(), span)
-        exceeds(self._book, motion.step, lasts, self._since_start(end).expression())
+        record_inequality(self._book, motion.step, lasts, self._since_start(end).expression())
         whole = span if held.begins is None else added(flights.when(held.begins), span)
         oblique = flights.mechanism.meetings[held.meeting].normal is None
         kind = "later" if oblique else "wall later" if len(held.legs) == 1 else "line later"
         return self._excluded_by(kind, held, motion.concluded("t", whole, SECONDS))
 
-    def _excluded_by(self, kind: str, held: Together, said: str) -> Excluded:
+    def _excluded_by(self, kind: str, held: FreeInterval, said: str) -> Exclusion:
         """Return the argument of a kind for the pair of an interval."""
-        return Excluded(kind, self._flights.setting.listed(list(held.legs)), self._letters(held), said)
+        return Exclusion(kind, self._flights.setting.bodies_phrase(list(held.legs)), self._letters(held), said)
 
     # ---- the motion without what gravity adds to all of it
 
-    def _relative(self, held: Together, meeting: Meeting) -> Iterator[tuple[str, Expression, Expression]]:
+    def _relative(self, held: FreeInterval, meeting: CollisionPair) -> Iterator[tuple[str, Expression, Expression]]:
         """Yield each axis with the relative position and velocity of a pair at the start of an interval."""
         flights = self._flights
         since = None if held.begins is None else flights.when(held.begins)
@@ -244,13 +250,13 @@ class CollisionOrder:
         lexicon = flights.setting.lexicon
         for i, j in zip(flights.coordinates(one), flights.coordinates(other), strict=True):
             axes = lexicon.mechanism.coordinates[i].axis, lexicon.twin.coordinates[i].axis
-            along = [float(product(apart, axis)) for apart, axis in zip(places, axes, strict=True)]
+            along = [float(dot(apart, axis)) for apart, axis in zip(places, axes, strict=True)]
             (s, v), (r, w) = (
                 (flights.place(b, held.legs[b], k, since), flights.velocity(b, held.legs[b], k, since))
                 for b, k in ((one, i), (other, j))
             )
             axis = flights.mechanism.coordinates[i].label
-            yield axis, (lexicon.read(Both(*along)) + r - s).expression(), (w - v).expression()
+            yield axis, (lexicon.read(DualValue(*along)) + r - s).expression(), (w - v).expression()
 
     def _drift(self, body: str, number: int, k: int, time: Polynomial) -> tuple[Polynomial, Polynomial]:
         """Return displacement and velocity at a time of a flight without the common terms ½ a t² and a t."""
@@ -263,7 +269,7 @@ class CollisionOrder:
             velocity, before = leg.speeds[k] - a * begins, begins
         return place + velocity * (time - before), velocity
 
-    def _begin(self, held: Together) -> Polynomial:
+    def _begin(self, held: FreeInterval) -> Polynomial:
         """Return the time at which an interval begins."""
         return self._since_start(None if held.begins is None else self._flights.when(held.begins))
 
@@ -278,11 +284,11 @@ class CollisionOrder:
 
     # ---- words
 
-    def _letters(self, held: Together) -> str:
+    def _letters(self, held: FreeInterval) -> str:
         """Return the letters of a pair."""
-        return "".join(map(self._flights.setting.mark, held.legs))
+        return "".join(map(self._flights.setting.subscript_of, held.legs))
 
-    def _when(self, held: Together) -> str:
+    def _when(self, held: FreeInterval) -> str:
         """Return the words for the instant at which an interval begins."""
         if held.begins is None:
             return "at t = 0"
@@ -307,5 +313,5 @@ class CollisionOrder:
 
     def _meet(self, impact: Impact) -> str:
         """Return a clause about a collision."""
-        met = self._flights.met(impact)
+        met = self._flights.collision_clause(impact)
         return met[:1].lower() + met[1:]

@@ -7,7 +7,7 @@ from sim2reason.solutions.collisions.order import ORDER
 from sim2reason.solutions.solution import Step
 
 LAST = "so there is no further collision"  # ends the argument about the last flights, before the end time
-SOLVED = "solve for the unknown"  # kind of the steps that solve for the unknown
+SOLVE_KIND = "solve for the unknown"  # kind of the steps that solve for the unknown
 
 OUTCOME = frozenset({"after", "solve"})  # kinds of the steps that give velocities just after a collision
 
@@ -37,7 +37,7 @@ def in_order(steps: Sequence[Step], earliest: Mapping[int, int], late: AbstractS
 
 def _with_supposition(steps: Sequence[Step]) -> list[Step]:
     """Insert a sentence before the unknown is solved for, with the assumptions verified only later."""
-    solved = next((n for n, step in enumerate(steps) if step.kind == SOLVED), len(steps))
+    solved = next((n for n, step in enumerate(steps) if step.kind == SOLVE_KIND), len(steps))
     late = next((step for step in steps[solved:] if step.kind == ORDER and LAST in step.text), None)
     if late is None:
         return [*steps]

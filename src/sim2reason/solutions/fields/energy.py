@@ -6,7 +6,7 @@ from sim2reason.solutions.algebra.polynomials import NIL, total
 from sim2reason.solutions.fields.moment import FieldMoment
 from sim2reason.solutions.goals import magnitude
 from sim2reason.solutions.goals.kinematics import VELOCITIES, squared
-from sim2reason.solutions.laws.straight_way import Way
+from sim2reason.solutions.laws.straight_way import StraightMotion
 from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import JOULES
 
@@ -16,7 +16,7 @@ HALF = Number(0.5)
 class FieldEnergy:
     """Works and energies of a charged body up to a moment, written as they are needed."""
 
-    def __init__(self, known: Way, moment: FieldMoment) -> None:
+    def __init__(self, known: StraightMotion, moment: FieldMoment) -> None:
         """Take the motion `known`, with displacement and velocity at the moment, and the moment in the fields."""
         self.known, self.moment, self.fields, self.book = known, moment, moment.fields, known.book
 
@@ -57,13 +57,13 @@ class FieldEnergy:
             said = said if self.fields.turning is not None else "By the work-energy theorem,"
         else:
             said, formula = "The work of the electric force is", self.potential()
-        return self.book.told("work", said, self.book.fresh("W"), formula, JOULES)
+        return self.book.add_step("work", said, self.book.fresh("W"), formula, JOULES)
 
     def lost(self) -> Symbol:
         """Write the energy lost to the medium: the electric work minus the gain in kinetic energy."""
         work: Expression = self.potential()
         if work != ZERO:
             said = "The work of the electric force is"
-            work = self.book.told("work", said, self.book.fresh("W"), work, JOULES)
+            work = self.book.add_step("work", said, self.book.fresh("W"), work, JOULES)
         said = "The energy lost to the medium is this work less the gain in kinetic energy,"
-        return self.book.told("energy", said, self.book.fresh("Q"), work - self._gained(), JOULES)
+        return self.book.add_step("energy", said, self.book.fresh("Q"), work - self._gained(), JOULES)

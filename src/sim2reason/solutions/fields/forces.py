@@ -11,8 +11,8 @@ from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symb
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.algebra.plain_latex import plain_latex
 from sim2reason.solutions.algebra.polynomials import Polynomial
-from sim2reason.solutions.setting import Setting, capital, joined
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.setting import ProblemContext, capitalized, join_words
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, ANGULAR_SPEED, PER_SECOND, PER_SECOND_SQUARED, latex
 
 AXES = ("x", "y")
@@ -21,7 +21,7 @@ TURNS = (1.0, -1.0)  # signs of the magnetic acceleration: a_x = Ω v_y, a_y = �
 
 
 @dataclass(frozen=True, slots=True)
-class Drive:
+class ElectricAcceleration:
     """The electric acceleration along an axis: strength + growth t, or strength cos(νt + φ), or strength + slope s."""
 
     axis: int
@@ -49,7 +49,7 @@ class Drive:
 class Fields:
     """The forces on one charged body in fields; UnsolvedError for forces of other kinds."""
 
-    def __init__(self, setting: Setting, book: Book, body: str, *, start: bool) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder, body: str, *, start: bool) -> None:
         """Read the forces on a body; with `start`, only those at the start count, with the body at the origin."""
         self.start = start
         self.setting, self.book, self.body = setting, book, body
@@ -105,7 +105,7 @@ class Fields:
         body, given = self.setting.scene.bodies[self.body], self.setting.given(f"{self.body}.charge")
         if given is None or not isinstance(body, ChargedBead) or body.sign == "positive":
             return ""
-        return f"The charge of {self.setting.called(self.body)} is $-{given.symbol}$. "
+        return f"The charge of {self.setting.display_name(self.body)} is $-{given.symbol}$. "
 
     @cached_property
     def turning(self) -> Symbol | None:
@@ -116,20 +116,22 @@ class Fields:
         charge = self._read(lambda m: _magnetic(m.forces[number]))
         said = "The magnetic force rotates the velocity with the angular velocity"
         said = f"{'' if self.has_field else self._charge}{said} (positive if clockwise as seen from positive z)"
-        return self.book.told("field", said, self.book.fresh(r"\Omega"), charge.expression() / self.mass, ANGULAR_SPEED)
+        return self.book.add_step(
+            "field", said, self.book.fresh(r"\Omega"), charge.expression() / self.mass, ANGULAR_SPEED
+        )
 
     @cached_property
     def damping(self) -> Symbol | None:
         """Return b/m, the linear drag per unit mass and velocity; None without linear drag."""
         number = self._of(Resistance)
-        if number is None or self.resists:
+        if number is None or self.has_quadratic_drag:
             return None
         drag = self._read(lambda m: getattr(m.forces[number].law, "linear", 0.0)).expression()
         said = "The drag per unit mass and velocity is"
-        return self.book.told("field", said, self.book.fresh(r"\gamma"), drag / self.mass, PER_SECOND)
+        return self.book.add_step("field", said, self.book.fresh(r"\gamma"), drag / self.mass, PER_SECOND)
 
     @property
-    def resists(self) -> bool:
+    def has_quadratic_drag(self) -> bool:
         """Return whether the medium exerts quadratic drag."""
         number = self._of(Resistance)
         return number is not None and bool(getattr(self.setting.mechanism.forces[number].law, "quadratic", 0.0))
@@ -146,10 +148,10 @@ class Fields:
         vx, vy = self.launch
         said = "The initial drag per unit mass and velocity is"
         formula = square.expression() * Root(Power(vx, 2) + Power(vy, 2)) / self.mass
-        return self.book.told("field", said, self.book.fresh(r"\gamma"), formula, PER_SECOND)
+        return self.book.add_step("field", said, self.book.fresh(r"\gamma"), formula, PER_SECOND)
 
     @cached_property
-    def drive(self) -> Drive | None:
+    def drive(self) -> ElectricAcceleration | None:
         """Write the electric acceleration and return it; None without an electric field."""
         number = self._of(Push)
         if number is None:
@@ -158,30 +160,32 @@ class Fields:
         assert isinstance(law, Push)
         axis = next(n for n in (0, 1) if abs(law.direction[n]) > 0.5)
         strength = self._part(number, "value", axis) / self.mass
-        who, where = self.setting.called(self.body), self._where(law.profile)
+        who, where = self.setting.display_name(self.body), self._where(law.profile)
         said = f"the electric force gives {who} an acceleration whose {AXES[axis]} component is"
-        said = f"{self._charge}{where}{said if where else capital(said)}"
-        name = self.book.told("field", said, self.book.fresh("a", r"\text{E}"), strength, ACCELERATION)
+        said = f"{self._charge}{where}{said if where else capitalized(said)}"
+        name = self.book.add_step("field", said, self.book.fresh("a", r"\text{E}"), strength, ACCELERATION)
         profile = law.profile
-        if profile.phase and (self.turning is not None or self.damping is not None or self.resists):
+        if profile.phase and (self.turning is not None or self.damping is not None or self.has_quadratic_drag):
             raise UnsolvedError("the field begins with a phase of its own")
         if profile.frequency:
             frequency = self._read(lambda m: _profile(m.forces[number]).frequency).expression()
             phase = self._read(lambda m: _profile(m.forces[number]).phase).expression() if profile.phase else ZERO
-            return Drive(axis, name, frequency=frequency, phase=phase)
+            return ElectricAcceleration(axis, name, frequency=frequency, phase=phase)
         if profile.rate:
             growth = self._part(number, "rate", axis) / self.mass
             more = "The rate of change of this acceleration is"
-            return Drive(axis, name, growth=self.book.told("field", more, self.book.fresh("j"), growth, latex("m/s^3")))
+            return ElectricAcceleration(
+                axis, name, growth=self.book.add_step("field", more, self.book.fresh("j"), growth, latex("m/s^3"))
+            )
         if profile.slope:
             along = next(n for n in (0, 1) if abs(profile.axis[n]) > 0.5)
             slope, more = (
                 self._part(number, "slope", axis) / self.mass,
                 f"Away from the origin this component changes with {AXES[along]} at the rate",
             )
-            slope = self.book.told("field", more, self.book.fresh("k"), slope, PER_SECOND_SQUARED)
-            return Drive(axis, name, slope=slope, along=along)
-        return Drive(axis, name)
+            slope = self.book.add_step("field", more, self.book.fresh("k"), slope, PER_SECOND_SQUARED)
+            return ElectricAcceleration(axis, name, slope=slope, along=along)
+        return ElectricAcceleration(axis, name)
 
     @property
     def has_field(self) -> bool:
@@ -218,15 +222,15 @@ class Fields:
     @cached_property
     def law(self) -> str:
         """Write the equations of motion and return the label of that step."""
-        step = self.book.open("equations of motion")
-        if self.resists:
+        step = self.book.begin_step("equations of motion")
+        if self.has_quadratic_drag:
             factor = (ONE + self.drag * self.clock).latex()
             turns = "" if self.turning is None else ", and the magnetic force only rotates the velocity"
-            step.say("The drag is proportional to the square of the speed, so the reciprocal of the speed grows")
-            step.say(
+            step.add_text("The drag is proportional to the square of the speed, so the reciprocal of the speed grows")
+            step.add_text(
                 f"uniformly with time: at the time ${self.clock.latex()}$ the speed is that at the start, divided by"
             )
-            step.say(f"${factor}${turns}.")
+            step.add_text(f"${factor}${turns}.")
             step.label(LAW)
             step.close()
             return LAW
@@ -240,8 +244,8 @@ class Fields:
         both = f"${vx.latex()}$ and ${vy.latex()}$"
         timed = any(self.clock.name in side.symbols() for side in sides)
         when = f" at the time ${self.clock.latex()}$" if timed else ""
-        step.say(f"Let {both} be the components of the velocity{when}.")
-        step.say(f"The equations of motion are {joined(told)}, by Newton's second law.")
+        step.add_text(f"Let {both} be the components of the velocity{when}.")
+        step.add_text(f"The equations of motion are {join_words(told)}, by Newton's second law.")
         step.label(LAW)
         step.close()
         return LAW

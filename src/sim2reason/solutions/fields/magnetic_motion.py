@@ -4,17 +4,17 @@ from functools import reduce
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Product, Symbol, multiplied
-from sim2reason.solutions.algebra.functions import Call, Power, Root, length_of
-from sim2reason.solutions.fields.forces import AXES, TURNS, Drive, Fields
-from sim2reason.solutions.fields.motion import Driven, FieldMotion
-from sim2reason.solutions.setting import joined
+from sim2reason.solutions.algebra.functions import Call, Power, Root, vector_length
+from sim2reason.solutions.fields.forces import AXES, TURNS, ElectricAcceleration, Fields
+from sim2reason.solutions.fields.motion import ElectricMotion, FieldMotion
+from sim2reason.solutions.setting import join_words
 from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, PER_SECOND_SQUARED, SPEED
 
 HALF = Number(0.5)
 
 
-class Crossed(Driven):
+class CrossedFieldsMotion(ElectricMotion):
     """Motion in an electric field that varies along its own direction, across a uniform magnetic field.
 
     The velocity across the field changes by Ω times the displacement along it, so the force along it is linear.
@@ -70,11 +70,11 @@ class Crossed(Driven):
         if self._displacement is None:
             axis = self._drive.axis
             formula = self._departed(axis, time)
-            self._displacement = self.named(self.told("s", axis, time), "s", AXES[axis], formula, METRES)
+            self._displacement = self.named(self.lead_text("s", axis, time), "s", AXES[axis], formula, METRES)
         return self._displacement
 
 
-class Slowed(FieldMotion):
+class QuadraticDragMotion(FieldMotion):
     """Motion in a magnetic field with quadratic drag."""
 
     def rate(self, axis: int, time: Expression) -> Expression:
@@ -91,7 +91,7 @@ class Slowed(FieldMotion):
         raise UnsolvedError("the way in such a medium has no closed form")
 
 
-class Turning(FieldMotion):
+class RotatingMotion(FieldMotion):
     """Motion in a uniform magnetic field, perhaps with a uniform electric field and linear drag.
 
     The velocity is the sum of a drift, such as E/B, and a part that rotates at the rate Ω and decays with drag.
@@ -128,23 +128,23 @@ class Turning(FieldMotion):
                 found[i] = drive.growth / Power(turns, 2)
         return self._told_drift(drive, found)
 
-    def _told_drift(self, drive: Drive, formulas: list[Expression]) -> list[Expression]:
+    def _told_drift(self, drive: ElectricAcceleration, formulas: list[Expression]) -> list[Expression]:
         """Write the drift velocity and its derivation from the equations of motion; return its components."""
-        step = self.book.open("motion")
+        step = self.book.begin_step("motion")
         step.rest_on(self.fields.law)
         names: list[Expression] = [self.book.fresh("u", AXES[n]) if formulas[n] != ZERO else ZERO for n in (0, 1)]
         laws = [step.law(*sides) for sides in self._kept_laws(drive, names) if sides[0] != sides[1]]
-        step.say(f"{self._said_drift(drive, names)} {joined(laws)},")
+        step.add_text(f"{self._said_drift(drive, names)} {join_words(laws)},")
         told = [
             step.result(name, formula, SPEED)
             for name, formula in zip(names, formulas, strict=True)
             if isinstance(name, Symbol)
         ]
-        step.say(f"so {joined(told)}.")
+        step.add_text(f"so {join_words(told)}.")
         step.close()
         return names
 
-    def _said_drift(self, drive: Drive, names: list[Expression]) -> str:
+    def _said_drift(self, drive: ElectricAcceleration, names: list[Expression]) -> str:
         """Return the beginning of a sentence about the form of the drift velocity."""
         if drive.frequency is not None:
             what = "a forced velocity"
@@ -160,7 +160,7 @@ class Turning(FieldMotion):
             f"A particular solution is {what} with the components ${parts[0]}$ along x and ${parts[1]}$ along y, where"
         )
 
-    def _kept_laws(self, drive: Drive, names: list[Expression]) -> list[tuple[Expression, Expression]]:
+    def _kept_laws(self, drive: ElectricAcceleration, names: list[Expression]) -> list[tuple[Expression, Expression]]:
         """Return both equations of motion for the drift velocity, without their common time dependence."""
         found: list[tuple[Expression, Expression]] = []
         for axis in (0, 1):
@@ -182,7 +182,7 @@ class Turning(FieldMotion):
         """Write and return the initial components of the velocity relative to the drift, which rotates."""
         still = [self._kept(axis, None) for axis in (0, 1)]
         formulas = [begins - kept for begins, kept in zip(self.launch, still, strict=True)]
-        step, told = self.book.open("motion"), list[str]()
+        step, told = self.book.begin_step("motion"), list[str]()
         step.rest_on(self.fields.law)
         found: list[Expression] = []
         for axis, formula in zip(AXES, formulas, strict=True):
@@ -196,10 +196,10 @@ class Turning(FieldMotion):
         decays = "" if self.fields.damping is None else f" and decays as ${self._left(self.fields.clock).latex()}$"
         turns = f"rotates at ${self.turning.latex()}${decays}"
         if self.drive is None:
-            step.say(f"The velocity {turns}.")
+            step.add_text(f"The velocity {turns}.")
         else:
-            step.say(f"Added to it is a velocity that, as without the electric field, {turns}.")
-        step.say(f"It initially has {joined(told)}.")
+            step.add_text(f"Added to it is a velocity that, as without the electric field, {turns}.")
+        step.add_text(f"It initially has {join_words(told)}.")
         step.close()
         return found
 
@@ -212,7 +212,9 @@ class Turning(FieldMotion):
         """Return the drift velocity along an axis at a time; at the start for None."""
         return ZERO if self.drive is None else self._kept_as(self.drive, self._drift[axis], axis, time)
 
-    def _kept_as(self, drive: Drive, drift: Expression, axis: int, time: Expression | None) -> Expression:
+    def _kept_as(
+        self, drive: ElectricAcceleration, drift: Expression, axis: int, time: Expression | None
+    ) -> Expression:
         """Return the drift velocity along an axis at a time, given its amplitude."""
         if drive.frequency is not None:
             if time is None:
@@ -248,11 +250,11 @@ class Turning(FieldMotion):
             return None
         return (reduce(multiplied, x[:-1]), one.argument) if (one.function, other.function) == ("cos", "sin") else None
 
-    def told(self, kind: str, axis: int, time: Expression) -> str:
+    def lead_text(self, kind: str, axis: int, time: Expression) -> str:
         """Return the beginning of a sentence about a displacement or velocity."""
         if kind == "v" and self._heading is not None:
             return f"The magnetic force only rotates the velocity, so the {AXES[axis]} component of the velocity is"
-        return super().told(kind, axis, time)
+        return super().lead_text(kind, axis, time)
 
     def rate(self, axis: int, time: Expression) -> Expression:
         """Return a velocity component, m/s: the drift plus the rotating part."""
@@ -286,7 +288,7 @@ class Turning(FieldMotion):
         """Return the greatest or least speed in uniform fields: rotating part parallel or opposite to the drift."""
         if all(part == ZERO for part in self._drift):
             said = "The magnetic force is perpendicular to the velocity and does no work, so the speed is always"
-            return "extremum", said, self.book.fresh("v"), length_of(self.turned)
+            return "extremum", said, self.book.fresh("v"), vector_length(self.turned)
         sizes: list[Expression] = []
         for parts in (self._drift, self.turned):
             kept = [part for part in parts if part != ZERO]

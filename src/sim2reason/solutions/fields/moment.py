@@ -9,14 +9,14 @@ from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, sum_of_squares
 from sim2reason.solutions.fields.forces import AXES, Fields
-from sim2reason.solutions.fields.magnetic_motion import Crossed, Slowed, Turning
-from sim2reason.solutions.fields.motion import Driven, FieldMotion
+from sim2reason.solutions.fields.magnetic_motion import CrossedFieldsMotion, QuadraticDragMotion, RotatingMotion
+from sim2reason.solutions.fields.motion import ElectricMotion, FieldMotion
 from sim2reason.solutions.fields.turns import REACHES, TURNED, FieldTurn, Reach, fastest_at_center
-from sim2reason.solutions.setting import Setting, capital, joined
-from sim2reason.solutions.writing.numeric_roots import SMALLEST, told_root
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.setting import ProblemContext, capitalized, join_words
+from sim2reason.solutions.writing.numeric_roots import SMALLEST, root_sentence
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, JOULES, METRES, SECONDS, SPEED
 
 TWO, HALF = Number(2.0), Number(0.5)
@@ -26,7 +26,7 @@ SAMPLES = 400
 class FieldMoment:
     """The moment of a question about a charged body, written as it is needed."""
 
-    def __init__(self, setting: Setting, book: Book, fields: Fields) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder, fields: Fields) -> None:
         """Take the problem, the book and the fields."""
         self.setting, self.book, self.fields = setting, book, fields
 
@@ -40,7 +40,7 @@ class FieldMoment:
         """Write the time of the moment and return its symbol."""
         moment, name = self.setting.query.moment, self.fields.instant
         if isinstance(moment, AtTime):
-            self.book.say_given(name.name, moment.after, SECONDS)
+            self.book.state_given(name.name, moment.after, SECONDS)
             return name
         if isinstance(moment, Stopped):
             return self._stopped(name)
@@ -48,17 +48,17 @@ class FieldMoment:
             return self.turn.time(name, self.launched)
         assert isinstance(moment, Away)
         distance = self.book.fresh("d")
-        self.book.say_given(distance.name, moment.value, METRES)
+        self.book.state_given(distance.name, moment.value, METRES)
         if self.fields.drive is None and self.fields.damping is None:
             return self._chord(distance, name)
         square, level = self._distance(name), Power(distance, 2)
-        step = self.book.open("time")
+        step = self.book.begin_step("time")
         law = step.law(square, level)
-        who = capital(self.setting.called(self.fields.body))
+        who = capitalized(self.setting.display_name(self.fields.body))
         step.rest_on(self.fields.law)
-        step.say(self._course(moved=True))
-        step.say(f"{who} is at the distance ${distance.latex()}$ from its starting point when {law}.")
-        step.say(told_root(self.book, step, name, square - level, self.setting.time, SECONDS, SMALLEST))
+        step.add_text(self._course(moved=True))
+        step.add_text(f"{who} is at the distance ${distance.latex()}$ from its starting point when {law}.")
+        step.add_text(root_sentence(self.book, step, name, square - level, self.setting.time, SECONDS, SMALLEST))
         step.close()
         return name
 
@@ -73,7 +73,7 @@ class FieldMoment:
         kept, turns = [rate for rate in rates if rate != ZERO], self.fields.turning
         if turns is not None and self._uniform and self._from_rest:
             size = self.book.magnitude(turns)
-            return self.book.told(
+            return self.book.add_step(
                 "stop",
                 "The rotating part of the velocity cancels the drift again after",
                 name,
@@ -82,13 +82,15 @@ class FieldMoment:
             )
         if len(kept) != 1 or drive is None or drive.frequency is not None:
             raise UnsolvedError("it does not move to and fro on a line by a constant force")
-        step, who = self.book.open("stop"), capital(self.setting.called(self.fields.body))
-        step.say(f"{who} comes to rest when {step.law(kept[0], ZERO)}.")
+        step, who = self.book.begin_step("stop"), capitalized(self.setting.display_name(self.fields.body))
+        step.add_text(f"{who} comes to rest when {step.law(kept[0], ZERO)}.")
         if drive.growth is None and drive.slope is None and self.fields.damping is None:
             formula = -(self.fields.launch[drive.axis] / drive.strength)
-            step.say(f"So {step.result(name, formula, SECONDS)}.")
+            step.add_text(f"So {step.result(name, formula, SECONDS)}.")
         else:
-            step.say(told_root(self.book, step, name, kept[0], self.setting.time, SECONDS, "The numerical solution is"))
+            step.add_text(
+                root_sentence(self.book, step, name, kept[0], self.setting.time, SECONDS, "The numerical solution is")
+            )
         step.close()
         return name
 
@@ -97,12 +99,12 @@ class FieldMoment:
         time = self.fields.clock
         parts = [(axis, self.motion.course(number, time)) for number, axis in enumerate(AXES)]
         told = [f"${part.latex()}$ along {axis}" for axis, part in parts if part != ZERO]
-        said = f"At the time ${time.latex()}$ the velocity is {joined(told)}"
+        said = f"At the time ${time.latex()}$ the velocity is {join_words(told)}"
         return f"{said}; integrated from 0 on, this gives the displacement." if moved else f"{said}."
 
     def _distance(self, time: Symbol) -> Expression:
         """Return the squared distance from the start, m²."""
-        return squares([self.motion.moved(axis, time) for axis in (0, 1)])
+        return sum_of_squares([self.motion.moved(axis, time) for axis in (0, 1)])
 
     @cached_property
     def circle(self) -> Symbol:
@@ -110,9 +112,9 @@ class FieldMoment:
         turns = self.fields.turning
         assert turns is not None
         size = self.book.magnitude(turns)
-        who = self.setting.called(self.fields.body)
+        who = self.setting.display_name(self.fields.body)
         said = f"The radius of the circle on which {who} moves is the speed over the magnitude of the angular velocity,"
-        return self.book.told("circle", said, self.book.fresh("R"), self.launched / size, METRES)
+        return self.book.add_step("circle", said, self.book.fresh("R"), self.launched / size, METRES)
 
     @property
     def launched(self) -> Expression:
@@ -124,7 +126,7 @@ class FieldMoment:
         """Return the magnitude of a vector; that of a single component has no root."""
         kept = [part for part in parts if part != ZERO]
         if len(kept) != 1:
-            return Root(squares(parts)) if kept else ZERO
+            return Root(sum_of_squares(parts)) if kept else ZERO
         return kept[0] if self.book.value(kept[0]) > 0.0 else -kept[0]
 
     @cached_property
@@ -133,10 +135,10 @@ class FieldMoment:
         fields = self.fields
         if fields.has_field:
             return self.turn.speed(self.launched) if fields.turning is None else None
-        if fields.damping is None and not fields.resists:
+        if fields.damping is None and not fields.has_quadratic_drag:
             return self.launched
         said = "The magnetic force does no work, so only the drag changes the speed:"
-        return self.book.told("speed", said, self.book.fresh("v"), fields.speed(self.launched, self.time), SPEED)
+        return self.book.add_step("speed", said, self.book.fresh("v"), fields.speed(self.launched, self.time), SPEED)
 
     @cached_property
     def pull(self) -> Expression | None:
@@ -144,16 +146,16 @@ class FieldMoment:
         fields = self.fields
         drive, first = fields.drive, fields.launch
         changing = drive is not None and (drive.frequency, drive.growth, drive.slope) != (None,) * 3
-        if changing or fields.turning is None or fields.resists:
+        if changing or fields.turning is None or fields.has_quadratic_drag:
             return None
         parts = [fields.acceleration(axis, ZERO, lambda n: first[n], lambda _: ZERO) for axis in (0, 1)]
         begun, name = self._size(parts), self.book.fresh("a", "0")
-        begun = self.book.told("newton", "The acceleration at the start is", name, begun, ACCELERATION)
+        begun = self.book.add_step("newton", "The acceleration at the start is", name, begun, ACCELERATION)
         if fields.damping is None:
             return begun
         said = "In uniform fields the magnetic force only rotates the acceleration, and the drag makes"
         formula = fields.speed(begun, self.time)
-        return self.book.told("newton", f"{said} it decay to", self.book.fresh("a"), formula, ACCELERATION)
+        return self.book.add_step("newton", f"{said} it decay to", self.book.fresh("a"), formula, ACCELERATION)
 
     def _chord(self, distance: Symbol, name: Symbol) -> Symbol:
         """Write the time at which the body is at a distance from its start on a circle."""
@@ -162,7 +164,7 @@ class FieldMoment:
         size = self.book.magnitude(turns)
         half = Call("arcsin", distance / (TWO * self.circle))
         said = "The distance is the chord of the arc covered, which gives"
-        return self.book.told("chord", said, name, TWO / size * half, SECONDS)
+        return self.book.add_step("chord", said, name, TWO / size * half, SECONDS)
 
     @property
     def _uniform(self) -> bool:
@@ -179,16 +181,16 @@ class FieldMoment:
         if query.functional == "greatest displacement":
             if fields.drive is None and fields.damping is None:
                 said = "The greatest distance is the diameter of the circle,"
-                return self.book.told("chord", said, self.book.fresh("d"), TWO * self.circle, METRES)
+                return self.book.add_step("chord", said, self.book.fresh("d"), TWO * self.circle, METRES)
             return self._farthest()
-        if self._uniform and isinstance(self.motion, Turning):
-            speed = self.book.told(*self.motion.extreme(least=query.functional.startswith("least")), SPEED)
+        if self._uniform and isinstance(self.motion, RotatingMotion):
+            speed = self.book.add_step(*self.motion.extreme(least=query.functional.startswith("least")), SPEED)
         else:
             speed = self._fastest(-1.0 if query.functional.startswith("least") else 1.0)
         if query.functional != "greatest kinetic energy":
             return speed
         energy = HALF * fields.mass * Power(speed, 2)
-        return self.book.told("energy", "The kinetic energy is then", self.book.fresh("K"), energy, JOULES)
+        return self.book.add_step("energy", "The kinetic energy is then", self.book.fresh("K"), energy, JOULES)
 
     def _farthest(self) -> Symbol:
         """Write the greatest distance, where the displacement is perpendicular to the velocity."""
@@ -200,7 +202,9 @@ class FieldMoment:
             raise UnsolvedError("it moves to and fro on a line")
         said = "The distance is extreme where the displacement is perpendicular to the velocity"
         self._turned(parts, 1.0, kept[0] + kept[1], said, moved=True)
-        return self.book.told("extremum", "There the distance is", self.book.fresh("d"), Root(squares(parts)), METRES)
+        return self.book.add_step(
+            "extremum", "There the distance is", self.book.fresh("d"), Root(sum_of_squares(parts)), METRES
+        )
 
     def _fastest(self, sign: float) -> Symbol:
         """Write the extreme speed, where the total power of electric force and drag is zero."""
@@ -212,7 +216,7 @@ class FieldMoment:
         pull = drive.at(time, lambda axis: self.motion.moved(axis, time))
         at = {**self.book.values, time.name: near}
         if self.fields.damping is not None:
-            work = pull * rates[drive.axis] - self.fields.damping * squares(rates)
+            work = pull * rates[drive.axis] - self.fields.damping * sum_of_squares(rates)
             said = "The speed is extreme where the powers of the electric force and of the drag add up to zero"
             self._turned(rates, sign, work, said)
         elif abs(pull.value(at)) * 10.0 < abs(drive.strength.value(at)) and drive.frequency is not None:
@@ -220,32 +224,32 @@ class FieldMoment:
             said = f"{self._course()} The speed is extreme when the electric force passes through zero, at"
             turned = Number(halves + 0.5) * PI
             turned = turned - drive.phase if drive.phase != ZERO else turned
-            self.book.told("extremum", said, time, turned / drive.frequency, SECONDS)
+            self.book.add_step("extremum", said, time, turned / drive.frequency, SECONDS)
         else:
-            slow = abs(rates[drive.axis].value(at)) < 0.05 * float(squares(rates).value(at).real) ** 0.5
-            if slow and isinstance(self.motion, Crossed) and self.motion.swings and self._from_rest:
+            slow = abs(rates[drive.axis].value(at)) < 0.05 * float(sum_of_squares(rates).value(at).real) ** 0.5
+            if slow and isinstance(self.motion, CrossedFieldsMotion) and self.motion.swings and self._from_rest:
                 return self._at_far_end(self.motion, drive.axis)
             along = "velocity along the electric field is zero" if slow else "electric force is zero"
             if not slow and sign > 0.0 and (speed := fastest_at_center(self.fields, self.launched)) is not None:
                 return speed
             said = f"The speed is extreme where the {along}"
             if not slow and drive.growth is not None:
-                step = self.book.open("extremum")
+                step = self.book.begin_step("extremum")
                 law = step.law(pull, ZERO)
                 found = step.result(time, -(drive.strength / drive.growth), SECONDS)
                 step.rest_on(self.fields.law)
-                step.say(self._course(), f"{said}: {law}, so {found}.")
+                step.add_text(self._course(), f"{said}: {law}, so {found}.")
                 step.close()
             else:
                 self._turned(rates, sign, rates[drive.axis] if slow else pull, said)
-        return self.book.told("extremum", "The speed is then", self.book.fresh("v"), self._size(rates), SPEED)
+        return self.book.add_step("extremum", "The speed is then", self.book.fresh("v"), self._size(rates), SPEED)
 
     @property
     def _from_rest(self) -> bool:
         """Return whether the body starts from rest."""
         return self.fields.launch == [ZERO, ZERO]
 
-    def _at_far_end(self, motion: Crossed, axis: int) -> Symbol:
+    def _at_far_end(self, motion: CrossedFieldsMotion, axis: int) -> Symbol:
         """Write the speed at the far end of an oscillation along the electric field, in crossed fields."""
         turning, along = self.fields.turning, AXES[axis]
         assert turning is not None
@@ -253,11 +257,11 @@ class FieldMoment:
             "The speed is greatest at the far end of the oscillation along "
             f"{along}, whose centre is where the {along} component of the net force is zero:"
         )
-        far = self.book.told("extremum", said, self.book.fresh(along, "1"), TWO * motion.center, METRES)
+        far = self.book.add_step("extremum", said, self.book.fresh(along, "1"), TWO * motion.center, METRES)
         across = turning * far
         said = f"There the velocity along {along} is zero; across it, the angular velocity times the displacement gives"
         formula = across if self.book.value(turning) * self.book.value(far) > 0.0 else -across
-        return self.book.told("extremum", said, self.book.fresh("v"), formula, SPEED)
+        return self.book.add_step("extremum", said, self.book.fresh("v"), formula, SPEED)
 
     def _turned(
         self, parts: list[Expression], sign: float, residual: Expression, said: str, *, moved: bool = False
@@ -266,30 +270,30 @@ class FieldMoment:
         time = self.fields.instant
         start = self._sampled(time, parts, sign)
         near = NumericRoot(residual, time.name, start).value(self.book.values).real
-        step = self.book.open("extremum")
+        step = self.book.begin_step("extremum")
         law = step.law(residual, ZERO)
         step.rest_on(self.fields.law)
-        step.say(self._course(moved=moved))
-        step.say(f"{said}: {law}.")
-        step.say(told_root(self.book, step, time, residual, near, SECONDS, "The numerical solution is"))
+        step.add_text(self._course(moved=moved))
+        step.add_text(f"{said}: {law}.")
+        step.add_text(root_sentence(self.book, step, time, residual, near, SECONDS, "The numerical solution is"))
         step.close()
 
     def _sampled(self, name: Symbol, parts: list[Expression], sign: float) -> float:
         """Return the approximate time, s, of the greatest or least magnitude of a vector."""
-        square = squares(parts)
+        square = sum_of_squares(parts)
         times: list[float] = np.linspace(0.0, self.setting.time, SAMPLES).tolist()
         return max(times, key=lambda t: sign * square.value({**self.book.values, name.name: t}).real)
 
 
 def motion_in(fields: Fields, launch: list[Expression]) -> FieldMotion:
     """Return the motion in given fields; UnsolvedError if it has no closed form here."""
-    if fields.resists:
-        return Slowed(fields, launch)
+    if fields.has_quadratic_drag:
+        return QuadraticDragMotion(fields, launch)
     drive = fields.drive  # evaluated first so that its sentence comes first
     if fields.turning is not None and drive is not None and drive.along == drive.axis and drive.slope is not None:
-        return Crossed(fields, launch)
+        return CrossedFieldsMotion(fields, launch)
     if fields.turning is not None:
-        return Turning(fields, launch)
+        return RotatingMotion(fields, launch)
     if fields.damping is not None:
         raise UnsolvedError("a resistance without a magnetic field")
-    return Driven(fields, launch)
+    return ElectricMotion(fields, launch)

@@ -5,7 +5,7 @@ from abc import ABC, abstractmethod
 from sim2reason.base.lazy import cached_property
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
-from sim2reason.solutions.fields.forces import AXES, Drive, Fields
+from sim2reason.solutions.fields.forces import AXES, ElectricAcceleration, Fields
 from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, METRES, PER_SECOND
 
 HALF, SIXTH = Number(0.5), Number(1.0 / 6.0)
@@ -26,9 +26,9 @@ class FieldMotion(ABC):
     def rate(self, axis: int, time: Expression) -> Expression:
         """Return the velocity along an axis after a time."""
 
-    def told(self, kind: str, axis: int, time: Expression) -> str:
+    def lead_text(self, kind: str, axis: int, time: Expression) -> str:
         """Return the beginning of a sentence about a velocity ``v`` or a displacement ``s`` along an axis."""
-        who, rate = self.fields.setting.called(self.fields.body), self.course(axis, time)
+        who, rate = self.fields.setting.display_name(self.fields.body), self.course(axis, time)
         if kind == "v":
             return f"The velocity of {who} along {AXES[axis]} is"
         if {*time.symbols()}.isdisjoint(rate.symbols()):
@@ -44,24 +44,24 @@ class FieldMotion(ABC):
         """Return the name of a constant of the motion; zero and symbols need none."""
         if formula == ZERO or isinstance(formula, Symbol):
             return formula
-        return self.book.told("motion", said, self.book.fresh(base, mark), formula, unit, rests=self.fields.law)
+        return self.book.add_step("motion", said, self.book.fresh(base, mark), formula, unit, rests=self.fields.law)
 
 
-class Driven(FieldMotion):
+class ElectricMotion(FieldMotion):
     """Motion in an electric field alone."""
 
-    def told(self, kind: str, axis: int, time: Expression) -> str:
+    def lead_text(self, kind: str, axis: int, time: Expression) -> str:
         """Return the beginning of a sentence about a displacement or velocity, with the law that gives it."""
         drive = self.fields.drive
         if drive is None or drive.axis != axis:
-            return super().told(kind, axis, time)
-        who, along = self.fields.setting.called(self.fields.body), AXES[axis]
+            return super().lead_text(kind, axis, time)
+        who, along = self.fields.setting.display_name(self.fields.body), AXES[axis]
         if drive.slope is not None and drive.along == axis:
             noun = "velocity" if kind == "v" else "displacement"
             return f"The solution that has the initial values gives the {noun} of {who} along {along},"
         if kind == "v":
             return f"Integrated from 0 to ${time.latex()}$, the equation of motion gives the velocity along {along},"
-        return super().told(kind, axis, time)
+        return super().lead_text(kind, axis, time)
 
     def moved(self, axis: int, time: Expression) -> Expression:
         """Return the displacement along an axis: the acceleration integrated twice."""
@@ -92,7 +92,7 @@ class Driven(FieldMotion):
         found = plain + drive.strength * time
         return found + HALF * second * Power(time, 2) if second is not None else found
 
-    def _drift(self, drive: Drive) -> Expression:
+    def _drift(self, drive: ElectricAcceleration) -> Expression:
         """Return the reduction of the mean velocity by the initial phase of an oscillating field."""
         assert drive.frequency is not None
         return drive.strength / drive.frequency * Call("sin", drive.phase)
@@ -100,7 +100,7 @@ class Driven(FieldMotion):
     # ---- a field that grows along its own direction
 
     @property
-    def _drive(self) -> Drive:
+    def _drive(self) -> ElectricAcceleration:
         """Return the electric acceleration."""
         assert self.fields.drive is not None
         return self.fields.drive

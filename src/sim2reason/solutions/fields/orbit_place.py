@@ -65,7 +65,7 @@ class OrbitPlace(ABC):
             formula, unit = -(orbit.parameter * place / Power(self.radius, 3)), ACCELERATION
             said = f"The acceleration of {self._who} points to {self._star}; along {label} it is"
         rests = self._reason(kind)
-        return orbit.book.told("component", said, orbit.named(kind, label), formula, unit, rests=rests)
+        return orbit.book.add_step("component", said, orbit.named(kind, label), formula, unit, rests=rests)
 
     def _reason(self, kind: str) -> str:
         """Return the label of the step from which a displacement or velocity follows; empty for none."""
@@ -75,12 +75,12 @@ class OrbitPlace(ABC):
     @property
     def _who(self) -> str:
         """Return the name of the body."""
-        return self.orbit.setting.called(self.orbit.body)
+        return self.orbit.setting.display_name(self.orbit.body)
 
     @property
     def _star(self) -> str:
         """Return the name of the central body."""
-        return self.orbit.setting.called(self.orbit.center)
+        return self.orbit.setting.display_name(self.orbit.center)
 
     @cached_property
     def speed(self) -> Symbol:
@@ -88,14 +88,14 @@ class OrbitPlace(ABC):
         orbit = self.orbit
         formula = Root(orbit.parameter * (TWO / self.radius - ONE / orbit.axis))
         said = f"By conservation of energy, the speed of {self._who} is"
-        return orbit.book.told("energy", said, orbit.named("v"), formula, SPEED)
+        return orbit.book.add_step("energy", said, orbit.named("v"), formula, SPEED)
 
     @cached_property
     def pull(self) -> Symbol:
         """Return the magnitude of the acceleration."""
         orbit, formula = self.orbit, self.orbit.parameter / Power(self.radius, 2)
         said = f"The acceleration of {self._who} is"
-        return orbit.book.told("attraction", said, orbit.named("a"), formula, ACCELERATION)
+        return orbit.book.add_step("attraction", said, orbit.named("a"), formula, ACCELERATION)
 
 
 class AtAnomaly(OrbitPlace):
@@ -117,11 +117,11 @@ class AtAnomaly(OrbitPlace):
         if self._radius is not None:
             return self._radius()
         orbit, angle = self.orbit, self.grown
-        near = ONE - orbit.along * Call("cos", angle) + orbit.across * Call("sin", angle)
-        e = rf"${orbit.oval.latex()} \cos {orbit.anomaly.latex()}$"
-        grown = orbit.along * Call("cos", angle) - orbit.across * Call("sin", angle)
+        near = ONE - orbit.e_cos_anomaly * Call("cos", angle) + orbit.e_sin_anomaly * Call("sin", angle)
+        e = rf"${orbit.eccentricity_symbol.latex()} \cos {orbit.anomaly.latex()}$"
+        grown = orbit.e_cos_anomaly * Call("cos", angle) - orbit.e_sin_anomaly * Call("sin", angle)
         said = f"There {e} is ${grown.latex()}$, so the distance from {self._star} is"
-        return orbit.book.told("distance", said, orbit.named("r"), orbit.axis * near, METRES)
+        return orbit.book.add_step("distance", said, orbit.named("r"), orbit.axis * near, METRES)
 
     @cached_property
     def _weights(self) -> dict[str, Symbol]:
@@ -152,7 +152,7 @@ class AtAnomaly(OrbitPlace):
         whole, part = "displacement" if number in "12" else "velocity", "position" if number in "13" else "velocity"
         said = f"By Lagrange's formulas, the coefficient of the initial {part} in the {whole} is"
         unit = {"2": SECONDS, "3": PER_SECOND}.get(number, "")
-        return orbit.book.told("weights", said, name, formula, unit)
+        return orbit.book.add_step("weights", said, name, formula, unit)
 
     def _moved(self, axis: int) -> Expression:
         return self._combined("12", axis)

@@ -24,18 +24,20 @@ class Turned(OrbitPlace):
         """Return the semi-latus rectum."""
         orbit, formula = self.orbit, Power(self.orbit.momentum, 2) / self.orbit.parameter
         said = "The orbit is a conic section, whose semi-latus rectum is"
-        return orbit.book.told("conic", said, orbit.named(r"\ell"), formula, METRES)
+        return orbit.book.add_step("conic", said, orbit.named(r"\ell"), formula, METRES)
 
     @cached_property
     def _outward(self) -> Symbol:
         """Return the initial radial velocity, m/s."""
         orbit = self.orbit
         said = "The initial radial velocity is"
-        return orbit.book.told("recedes", said, orbit.named("u", "0"), orbit.dot / orbit.radius, SPEED)
+        return orbit.book.add_step(
+            "recedes", said, orbit.named("u", "0"), orbit.position_dot_velocity / orbit.radius, SPEED
+        )
 
     def _distance(self) -> Symbol:
         """Write the distance from ℓ/r = 1 + e cos ν: 180° later cos ν has the other sign, 90° later it is −sin ν."""
-        orbit, e = self.orbit, self.orbit.oval.latex()
+        orbit, e = self.orbit, self.orbit.eccentricity_symbol.latex()
         if self._quarters == 2:
             formula = self._rectum / (TWO - self._rectum / orbit.radius)
             begun = (self._rectum / orbit.radius - ONE).latex()
@@ -46,7 +48,7 @@ class Turned(OrbitPlace):
             swift = (self.orbit.parameter / self._swift).latex()
             said = rf"{self._conic}. The radial velocity is ${swift}\,{e} \sin\nu$, so initially ${e} \sin\nu$ is"
             said = rf"{said} ${self._across.latex()}$. A quarter turn later, $-\sin\nu$ replaces the cosine:"
-        return orbit.book.told("conic", said, orbit.named("r"), formula, METRES)
+        return orbit.book.add_step("conic", said, orbit.named("r"), formula, METRES)
 
     @property
     def _across(self) -> Expression:
@@ -61,7 +63,7 @@ class Turned(OrbitPlace):
     @property
     def _conic(self) -> str:
         """Return the beginning of a sentence with the equation of the conic."""
-        e, rectum = self.orbit.oval.latex(), self._rectum.latex()
+        e, rectum = self.orbit.eccentricity_symbol.latex(), self._rectum.latex()
         said = rf"On the conic section the distance is $\frac{{{rectum}}}{{1 + {e} \cos\nu}}$, with the eccentricity"
         return rf"{said} ${e}$ and the angle $\nu$ turned since the nearest point"
 
@@ -72,9 +74,11 @@ class Turned(OrbitPlace):
     @cached_property
     def _told_direction(self) -> str:
         """Write the direction from the star to the body; return the label of that step."""
-        step, (x, y) = self.orbit.book.open("direction"), self._direction
+        step, (x, y) = self.orbit.book.begin_step("direction"), self._direction
         line = f"The line from {self._star} to {self._who} then has the direction of"
-        step.say(rf"{line} $\left({x.latex()}, {y.latex()}\right)$, which has the length ${self.orbit.radius.name}$.")
+        step.add_text(
+            rf"{line} $\left({x.latex()}, {y.latex()}\right)$, which has the length ${self.orbit.radius.name}$."
+        )
         step.label(DIRECTION)
         step.close()
         return DIRECTION
@@ -82,14 +86,18 @@ class Turned(OrbitPlace):
     @cached_property
     def _told_velocity(self) -> str:
         """Write the radial and tangential components of the velocity; return the label of that step."""
-        label, outward, step = self._told_direction, self._outward_now, self.orbit.book.open("direction")
+        label, outward, step = self._told_direction, self._outward_now, self.orbit.book.begin_step("direction")
         step.rest_on(label)
         across = self.orbit.momentum / self.radius
         if self._quarters == 2:
-            step.say("The radial velocity is proportional to the sine of the angle turned since the nearest point, so")
-            step.say("after half a turn it is the opposite of the initial one.")
-        step.say(f"The velocity is ${outward.latex()}$ along the line from {self._star} and, by the conservation of")
-        step.say(f"angular momentum, ${across.latex()}$ at right angles to it, counted counter-clockwise.")
+            step.add_text(
+                "The radial velocity is proportional to the sine of the angle turned since the nearest point, so"
+            )
+            step.add_text("after half a turn it is the opposite of the initial one.")
+        step.add_text(
+            f"The velocity is ${outward.latex()}$ along the line from {self._star} and, by the conservation of"
+        )
+        step.add_text(f"angular momentum, ${across.latex()}$ at right angles to it, counted counter-clockwise.")
         step.label(VELOCITY)
         step.close()
         return VELOCITY
@@ -100,10 +108,10 @@ class Turned(OrbitPlace):
         if self._quarters == 2:
             return -self._outward
         orbit = self.orbit
-        cosine, e = self._rectum / orbit.radius - ONE, orbit.oval.latex()
+        cosine, e = self._rectum / orbit.radius - ONE, orbit.eccentricity_symbol.latex()
         formula = orbit.parameter / self._swift * cosine
         said = rf"The sine is what $\cos\nu$ was, and ${e} \cos\nu$ was ${cosine.latex()}$, so the radial"
-        return orbit.book.told("recedes", f"{said} velocity is", orbit.named("u"), formula, SPEED)
+        return orbit.book.add_step("recedes", f"{said} velocity is", orbit.named("u"), formula, SPEED)
 
     @property
     def _direction(self) -> tuple[Expression, Expression]:
@@ -127,7 +135,7 @@ class Turned(OrbitPlace):
         """Return the increase of the eccentric anomaly, in radians, by Lagrange's formulas."""
         if self._quarters == 2:
             return self._opposite_end()
-        return self._perpendicular() if self.orbit.dot != ZERO else self._from_apsis()
+        return self._perpendicular() if self.orbit.position_dot_velocity != ZERO else self._from_apsis()
 
     def _lagrange(self, name: Symbol) -> str:
         """Return a sentence with the position after the anomaly has increased by an angle."""
@@ -140,49 +148,53 @@ class Turned(OrbitPlace):
     def _from_apsis(self) -> Expression:
         """Return the increase of the anomaly over a quarter turn from an end of the major axis."""
         orbit, name = self.orbit, self.orbit.named(r"\eta")
-        step = orbit.book.open("anomaly")
-        step.say(self._lagrange(name))
+        step = orbit.book.begin_step("anomaly")
+        step.add_text(self._lagrange(name))
         law = step.law(ONE + orbit.weights(name)[0], ZERO)
-        step.say("The initial velocity is perpendicular to the initial position, so the line has turned through")
-        step.say(rf"$90^\circ$ when {law}:")
-        step.say(f"{step.result(name, Call('arccos', ONE - orbit.radius / orbit.axis), RADIANS)}.")
+        step.add_text("The initial velocity is perpendicular to the initial position, so the line has turned through")
+        step.add_text(rf"$90^\circ$ when {law}:")
+        step.add_text(f"{step.result(name, Call('arccos', ONE - orbit.radius / orbit.axis), RADIANS)}.")
         step.close()
         return name
 
     def _perpendicular(self) -> Expression:
         """Return the increase of the anomaly over a quarter turn, by a quadratic equation for cot(η/2)."""
         orbit, book, name, cot = self.orbit, self.orbit.book, self.orbit.named(r"\eta"), self.orbit.named("c")
-        (less, more), r, a, q = orbit.weights(name), orbit.radius, orbit.axis, orbit.across
-        step, half = book.open("anomaly"), name / TWO
-        step.say(self._lagrange(name))
-        across = step.derived(Power(r, 2) * (ONE + less) + orbit.dot * more, ZERO)
-        step.say("The line has turned through one or three right angles when the scalar product of this with the")
-        step.say(f"initial position is zero: {across}. Let {step.law(cot, Call('cos', half) / Call('sin', half))}.")
+        (less, more), r, a, q = orbit.weights(name), orbit.radius, orbit.axis, orbit.e_sin_anomaly
+        step, half = book.begin_step("anomaly"), name / TWO
+        step.add_text(self._lagrange(name))
+        across = step.derived(Power(r, 2) * (ONE + less) + orbit.position_dot_velocity * more, ZERO)
+        step.add_text("The line has turned through one or three right angles when the scalar product of this with the")
+        step.add_text(
+            f"initial position is zero: {across}. Let {step.law(cot, Call('cos', half) / Call('sin', half))}."
+        )
         rest = TWO * r * a - Power(r, 2)
         quadratic = step.law(Power(r, 2) * Power(cot, 2) + TWO * a * q * r * cot + TWO * Power(a * q, 2), rest)
-        begun = step.derived(orbit.dot, Root(orbit.parameter * a) * q)
+        begun = step.derived(orbit.position_dot_velocity, Root(orbit.parameter * a) * q)
         root = (Root(rest - Power(a * q, 2)) - a * q) / r
-        step.say(f"Divided by {_halved(name)}, with {begun} this is {quadratic}. As ${cot.latex()}$ decreases while")
-        step.say(f"the line turns, one right angle belongs to the larger root, {step.result(cot, root, '')}.")
-        step.say(f"So {step.result(name, PI - TWO * Call('arctan', cot), RADIANS)}.")
+        step.add_text(
+            f"Divided by {_halved(name)}, with {begun} this is {quadratic}. As ${cot.latex()}$ decreases while"
+        )
+        step.add_text(f"the line turns, one right angle belongs to the larger root, {step.result(cot, root, '')}.")
+        step.add_text(f"So {step.result(name, PI - TWO * Call('arctan', cot), RADIANS)}.")
         step.close()
         return name
 
     def _opposite_end(self) -> Expression:
         """Return the increase of the anomaly over half a turn, where the initial velocity has coefficient zero."""
         orbit, name = self.orbit, self.orbit.named(r"\eta")
-        if orbit.dot == ZERO:
+        if orbit.position_dot_velocity == ZERO:
             return PI
         more, half = orbit.weights(name)[1], name / TWO
-        step = orbit.book.open("anomaly")
-        step.say(self._lagrange(name))
-        step.say("The line has turned through $180^\\circ$ when the initial velocity has no part in it:")
-        step.say(f"{step.derived(more, ZERO)}.")
+        step = orbit.book.begin_step("anomaly")
+        step.add_text(self._lagrange(name))
+        step.add_text("The line has turned through $180^\\circ$ when the initial velocity has no part in it:")
+        step.add_text(f"{step.derived(more, ZERO)}.")
         sine = rf"$\sin{name.latex()} = 2\,\sin\left({half.latex()}\right) \cos\left({half.latex()}\right)$"
-        near = step.law(orbit.radius / orbit.axis * Call("cos", half) + orbit.across * Call("sin", half), ZERO)
-        formula = PI + TWO * Call("arctan", orbit.axis * orbit.across / orbit.radius)
-        step.say(f"As {sine} and {_halved(name)}, this means that {near},")
-        step.say(f"so {step.result(name, formula, RADIANS)}.")
+        near = step.law(orbit.radius / orbit.axis * Call("cos", half) + orbit.e_sin_anomaly * Call("sin", half), ZERO)
+        formula = PI + TWO * Call("arctan", orbit.axis * orbit.e_sin_anomaly / orbit.radius)
+        step.add_text(f"As {sine} and {_halved(name)}, this means that {near},")
+        step.add_text(f"so {step.result(name, formula, RADIANS)}.")
         step.close()
         return name
 

@@ -9,10 +9,10 @@ from sim2reason.questions.moments.fields import AcrossField, VelocityReturned, V
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
 from sim2reason.solutions.fields.forces import AXES, TURNS, Fields
-from sim2reason.solutions.fields.magnetic_motion import Turning
-from sim2reason.solutions.fields.motion import Driven, FieldMotion
-from sim2reason.solutions.setting import capital
-from sim2reason.solutions.writing.numeric_roots import SMALLEST, told_root
+from sim2reason.solutions.fields.magnetic_motion import RotatingMotion
+from sim2reason.solutions.fields.motion import ElectricMotion, FieldMotion
+from sim2reason.solutions.setting import capitalized
+from sim2reason.solutions.writing.numeric_roots import SMALLEST, root_sentence
 from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import DEGREES, METRES, SECONDS, SPEED
 
@@ -30,9 +30,9 @@ class Reach:
 
     def written(self) -> Symbol:
         """Write the steps and return the symbol of the distance."""
-        if isinstance(self.motion, Turning):
+        if isinstance(self.motion, RotatingMotion):
             center, size = self._round(self.motion)
-        elif isinstance(self.motion, Driven):
+        elif isinstance(self.motion, ElectricMotion):
             center, size = self._to_and_fro(self.motion)
         else:
             raise UnsolvedError("it does not move about a fixed centre")
@@ -40,17 +40,19 @@ class Reach:
         across = AXES[1 - self.axis]
         if center == ZERO:
             said = f"As the centre lies on the {across} axis, the greatest distance from this axis is"
-            return self.book.told("extremum", said, self.book.fresh("d"), size, METRES)
+            return self.book.add_step("extremum", said, self.book.fresh("d"), size, METRES)
         far = self.book.magnitude(center)
         if size == far:
             said = f"It starts from a turning point along {along} and turns back as far beyond the centre, so the"
             said = f"{said} greatest distance from the {across} axis is"
-            return self.book.told("extremum", said, self.book.fresh("d"), TWO_AXES * far, METRES)
-        most = "radius" if isinstance(self.motion, Turning) else "amplitude"
+            return self.book.add_step("extremum", said, self.book.fresh("d"), TWO_AXES * far, METRES)
+        most = "radius" if isinstance(self.motion, RotatingMotion) else "amplitude"
         said = f"The {along} coordinate differs from that of the centre by at most the {most}, so the greatest distance"
-        return self.book.told("extremum", f"{said} from the {across} axis is", self.book.fresh("d"), far + size, METRES)
+        return self.book.add_step(
+            "extremum", f"{said} from the {across} axis is", self.book.fresh("d"), far + size, METRES
+        )
 
-    def _round(self, motion: Turning) -> tuple[Expression, Expression]:
+    def _round(self, motion: RotatingMotion) -> tuple[Expression, Expression]:
         """Return the centre along the coordinate and the radius of the circle of the rotating part."""
         drive, turns = motion.drive, motion.turning
         if motion.fields.damping is not None or (drive is not None and (drive.growth or drive.frequency is not None)):
@@ -65,15 +67,15 @@ class Reach:
         pace = self.book.magnitude(turns)
         size = self.book.magnitude(size)
         what = "The circle on which it moves" if drive is None else "The circle that the rotating part leads it round"
-        size = self.book.told("circle", f"{what} has the radius", self.book.fresh("R"), size / pace, METRES)
+        size = self.book.add_step("circle", f"{what} has the radius", self.book.fresh("R"), size / pace, METRES)
         center = parts[1 - self.axis] * TURNS[self.axis] / turns
         if center == ZERO:
             return ZERO, size
         what = "the velocity" if drive is None else "this part of the velocity"
         said = f"The radius to the centre is perpendicular to {what}, so the {along} coordinate of the centre is"
-        return self.book.told("circle", said, self.book.fresh(along, "c"), center, METRES), size
+        return self.book.add_step("circle", said, self.book.fresh(along, "c"), center, METRES), size
 
-    def _to_and_fro(self, motion: Driven) -> tuple[Expression, Expression]:
+    def _to_and_fro(self, motion: ElectricMotion) -> tuple[Expression, Expression]:
         """Return the centre and the amplitude of a harmonic oscillation along the field."""
         drive = motion.fields.drive
         swings = drive is not None and drive.axis == self.axis == drive.along and drive.slope is not None
@@ -85,7 +87,7 @@ class Reach:
             return center, size
         said = "With the initial velocity and displacement from the centre, the amplitude of the oscillation is"
         formula = Root(Power(center, 2) + Power(first / motion.frequency, 2))
-        return center, self.book.told("extremum", said, self.book.fresh("A"), formula, METRES)
+        return center, self.book.add_step("extremum", said, self.book.fresh("A"), formula, METRES)
 
 
 def fastest_at_center(fields: Fields, launched: Expression) -> Symbol | None:
@@ -96,20 +98,22 @@ def fastest_at_center(fields: Fields, launched: Expression) -> Symbol | None:
     drive, book = fields.drive, fields.book
     if drive is None or drive.slope is None or drive.along != drive.axis or book.value(drive.slope) >= 0.0:
         return None
-    along, step = AXES[drive.axis], book.open("extremum")
+    along, step = AXES[drive.axis], book.begin_step("extremum")
     step.rest_on(fields.law)
     place, speed = book.fresh(along, "0"), book.fresh("v")
     found = step.result(place, -(drive.strength / drive.slope), METRES, law=True)
-    step.say(f"The electric force does positive work up to where it is zero, at {along} equal to {found}.")
+    step.add_text(f"The electric force does positive work up to where it is zero, at {along} equal to {found}.")
     magnetic = "and the magnetic force does no work" if fields.turning is not None else "and no other force acts"
-    step.say(f"It depends linearly on {along}, so its mean on the way there is half of that at the start, {magnetic}.")
+    step.add_text(
+        f"It depends linearly on {along}, so its mean on the way there is half of that at the start, {magnetic}."
+    )
     gained = drive.strength * place
     square = Power(launched, 2) + gained if launched != ZERO else gained
     found = step.result(speed, Root(square), SPEED, law=True)
-    step.say(
+    step.add_text(
         f"By the work-energy theorem, ${(HALF * gained).latex()}$ is what half the squared speed gains in this way,"
     )
-    step.say(f"so the greatest speed is {found}.")
+    step.add_text(f"so the greatest speed is {found}.")
     step.close()
     return speed
 
@@ -130,7 +134,7 @@ class FieldTurn:
     @property
     def _who(self) -> str:
         """Return the name of the body."""
-        return self.setting.called(self.fields.body)
+        return self.setting.display_name(self.fields.body)
 
     @property
     def pace(self) -> Expression:
@@ -145,7 +149,7 @@ class FieldTurn:
         """Return the symbol of the angle through which the velocity has turned."""
         assert isinstance(self.moment, VelocityTurned)
         name = self.book.fresh(r"\alpha")
-        self.book.say_given(name.name, radians(self.moment.value), DEGREES)
+        self.book.state_given(name.name, radians(self.moment.value), DEGREES)
         return name
 
     def speed(self, launched: Expression) -> Symbol | None:
@@ -155,7 +159,7 @@ class FieldTurn:
         said = "The electric force is perpendicular to the initial velocity, so the component across the field"
         said = f"{said} does not change: it is the speed times the cosine of the angle turned, so the speed is"
         formula = launched / Call("cos", self.angle)
-        return self.book.told("speed", said, self.book.fresh("v"), formula, SPEED)
+        return self.book.add_step("speed", said, self.book.fresh("v"), formula, SPEED)
 
     def time(self, name: Symbol, launched: Expression) -> Symbol:
         """Write the time of the moment; `launched` is the initial speed."""
@@ -164,7 +168,7 @@ class FieldTurn:
         if isinstance(self.moment, VelocityReturned):
             self.motion.rate(0, name)  # so that the rotating part is introduced first
             said = f"When its rotating part has made a full turn, {self._who} has its initial velocity again, after"
-            return self.book.told("turn", said, name, TWO_TURNS * PI / self.pace, SECONDS)
+            return self.book.add_step("turn", said, name, TWO_TURNS * PI / self.pace, SECONDS)
         return self._across(name)
 
     def _turned(self, name: Symbol, launched: Expression) -> Symbol:
@@ -172,19 +176,19 @@ class FieldTurn:
         drive, alpha = self.fields.drive, self.angle.latex()
         if drive is None:
             said = f"The velocity rotates uniformly, so it has turned through ${alpha}$ after"
-            return self.book.told("turn", said, name, self.angle / self.pace, SECONDS)
+            return self.book.add_step("turn", said, name, self.angle / self.pace, SECONDS)
         pull = self.book.magnitude(drive.strength)
-        step = self.book.open("turn")
+        step = self.book.begin_step("turn")
         step.rest_on(self.fields.law)
         law = step.law(pull * name, launched * Call("tan", self.angle))
-        step.say(
+        step.add_text(
             f"The electric force is perpendicular to the initial velocity, so the component ${launched.latex()}$ across"
         )
-        step.say(
+        step.add_text(
             f"it does not change, while the component along it grows to ${(pull * name).latex()}$. The velocity has"
         )
-        step.say(f"turned through ${alpha}$ when {law}, that is,")
-        step.say(f"{step.result(name, launched * Call('tan', self.angle) / pull, SECONDS)}.")
+        step.add_text(f"turned through ${alpha}$ when {law}, that is,")
+        step.add_text(f"{step.result(name, launched * Call('tan', self.angle) / pull, SECONDS)}.")
         step.close()
         return name
 
@@ -194,20 +198,24 @@ class FieldTurn:
         assert drive is not None
         if (swing := self._swing) is not None:
             self._timed = True
-            said = f"{capital(self._who)} is at an end of its oscillation along {AXES[drive.axis]} at the start, so its"
+            said = f"{capitalized(self._who)} is at an end of its oscillation along {AXES[drive.axis]} at the start, so its"
             said = f"{said} velocity is perpendicular to the field again after half an oscillation,"
-            return self.book.told("turn", said, name, PI / swing.frequency, SECONDS)
+            return self.book.add_step("turn", said, name, PI / swing.frequency, SECONDS)
         rate = self.motion.rate(drive.axis, name)
         if self.halved:
             self._timed = True
             said = f"{self._who} moves perpendicular to the electric field when the rotating part of its velocity"
-            return self.book.told("turn", f"{capital(said)} has made half a turn, after", name, PI / self.pace, SECONDS)
-        step = self.book.open("turn")
+            return self.book.add_step(
+                "turn", f"{capitalized(said)} has made half a turn, after", name, PI / self.pace, SECONDS
+            )
+        step = self.book.begin_step("turn")
         law = step.law(rate, ZERO)
         step.rest_on(self.fields.law)
-        step.say(f"{capital(self._who)} moves perpendicular to the field when its velocity along {AXES[drive.axis]} is")
-        step.say(f"zero: {law}.")
-        step.say(told_root(self.book, step, name, rate, self.setting.time, SECONDS, SMALLEST))
+        step.add_text(
+            f"{capitalized(self._who)} moves perpendicular to the field when its velocity along {AXES[drive.axis]} is"
+        )
+        step.add_text(f"zero: {law}.")
+        step.add_text(root_sentence(self.book, step, name, rate, self.setting.time, SECONDS, SMALLEST))
         step.close()
         return name
 
@@ -215,20 +223,20 @@ class FieldTurn:
     def halved(self) -> bool:
         """Return whether the rotating part has made half a turn: the launch has no component along the field."""
         drive = self.fields.drive
-        if drive is None or not isinstance(self.moment, AcrossField) or not isinstance(self.motion, Turning):
+        if drive is None or not isinstance(self.moment, AcrossField) or not isinstance(self.motion, RotatingMotion):
             return False
         return self.fields.launch[drive.axis] == ZERO and self.fields.damping is None
 
     @property
-    def _swing(self) -> Driven | None:
+    def _swing(self) -> ElectricMotion | None:
         """Return the motion if it is half an oscillation along the field; else None."""
         drive, motion = self.fields.drive, self.motion
-        if drive is None or not isinstance(self.moment, AcrossField) or not isinstance(motion, Driven):
+        if drive is None or not isinstance(self.moment, AcrossField) or not isinstance(motion, ElectricMotion):
             return None
         along = drive.slope is not None and drive.along == drive.axis and self.fields.launch[drive.axis] == ZERO
         return motion if along and motion.swings else None
 
-    def _swung(self, swing: Driven, kind: str, axis: int, time: Expression) -> Expression | None:
+    def _swung(self, swing: ElectricMotion, kind: str, axis: int, time: Expression) -> Expression | None:
         """Return a component after half an oscillation if its formula is short; else None."""
         drive, turning = self.fields.drive, self.fields.turning
         if drive is not None and axis == drive.axis:
@@ -246,9 +254,9 @@ class FieldTurn:
             return ZERO
         if (swing := self._swing) is not None:
             return self._swung(swing, kind, axis, time)
-        return self._rotated(motion, kind, axis, time) if isinstance(motion, Turning) else None
+        return self._rotated(motion, kind, axis, time) if isinstance(motion, RotatingMotion) else None
 
-    def _rotated(self, motion: Turning, kind: str, axis: int, time: Expression) -> Expression | None:
+    def _rotated(self, motion: RotatingMotion, kind: str, axis: int, time: Expression) -> Expression | None:
         """Return a component after a full or half turn of the rotating velocity; else None."""
         if isinstance(self.moment, VelocityReturned):
             return motion.carried(axis, time) if kind == "s" else None
@@ -263,7 +271,7 @@ class FieldTurn:
         motion = self.motion
         if kind in ("v", "s") and self._swing is not None:
             return self._told_swung(kind, axis)
-        if not isinstance(motion, Turning) or kind not in ("v", "s"):
+        if not isinstance(motion, RotatingMotion) or kind not in ("v", "s"):
             return ""
         if isinstance(self.moment, VelocityReturned) and kind == "s":
             whose = f"the displacement of {self._who}, which along {AXES[axis]} is"
@@ -302,4 +310,4 @@ class FieldTurn:
             "The distance from the starting point is the chord of the arc covered, which has this angle at the centre,"
         )
         formula = TWO_TURNS * radius * Call("sin", self.angle / TWO_TURNS)
-        return self.book.told("chord", said, self.book.fresh("d"), formula, METRES)
+        return self.book.add_step("chord", said, self.book.fresh("d"), formula, METRES)

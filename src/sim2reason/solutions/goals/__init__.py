@@ -13,17 +13,17 @@ from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
-from sim2reason.solutions.goals.struck import Struck
+from sim2reason.solutions.goals.struck import CollisionTerm
 from sim2reason.solutions.laws.either_way import needs_modulus
-from sim2reason.solutions.setting import Setting, capital, joined
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import LETTERS, unit_of_quantity
+from sim2reason.solutions.setting import ProblemContext, capitalized, join_words
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import QUANTITY_SYMBOLS, unit_of_quantity
 
 Components = tuple[Polynomial, Polynomial, Polynomial]
 AXES = ("x", "y", "z")
 
 
-class Stretch(ABC):
+class MotionPart(ABC):
     """A part of a motion; by default only the distances travelled in it are known."""
 
     __slots__ = ()
@@ -58,16 +58,16 @@ class Stretch(ABC):
         return (self.path(body),)
 
 
-class Known(Protocol):
+class KnownMotion(Protocol):
     """The motion at the moment of a question, as a strategy knows it; methods write the steps to their results."""
 
     @property
-    def setting(self) -> Setting:
+    def setting(self) -> ProblemContext:
         """Return the scene and the question."""
         ...
 
     @property
-    def book(self) -> Book:
+    def book(self) -> SolutionBuilder:
         """Return the solution that is being written."""
         ...
 
@@ -124,7 +124,7 @@ class Known(Protocol):
         ...
 
     @property
-    def stretches(self) -> Sequence[Stretch]:
+    def stretches(self) -> Sequence[MotionPart]:
         """Return the parts of the motion in order."""
         ...
 
@@ -137,7 +137,7 @@ class Known(Protocol):
         ...
 
     @property
-    def impacts(self) -> Sequence[Struck]:
+    def impacts(self) -> Sequence[CollisionTerm]:
         """Return the collisions that the question refers to, in order."""
         ...
 
@@ -184,20 +184,20 @@ class Goal(ABC):
         del target
         return ()
 
-    def force(self, target: Target, setting: Setting) -> str:
+    def force(self, target: Target, setting: ProblemContext) -> str:
         """Return the unknown force equal to the quantity, such as ``T2``; by default ""."""
         del target, setting
         return ""
 
     @abstractmethod
-    def write(self, target: Target, known: Known) -> Symbol:
+    def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the derivation and return the symbol whose value is the answer, in SI units."""
 
 
 GOALS: Registry[Goal] = Registry("solutions.goals")
 
 
-def single(parts: Components, known: Known) -> Symbol | None:
+def single_symbol(parts: Components, known: KnownMotion) -> Symbol | None:
     """Return the symbol whose multiple by a unit vector a vector is; None if there are several symbols."""
     names = {name for part in parts for name in part.names() if name in known.book.values}
     unknown = [name for name in sorted(names) if not known.setting.is_given(name) or name in known.speeds]
@@ -208,7 +208,7 @@ def single(parts: Components, known: Known) -> Symbol | None:
     return Symbol(unknown[0]) if size.number is not None and abs(size.number - 1.0) < 1e-9 and not rest else None
 
 
-def modulus(held: Expression, book: Book, *, of_either_sign: bool = False) -> Expression:
+def modulus(held: Expression, book: SolutionBuilder, *, of_either_sign: bool = False) -> Expression:
     """Return the absolute value of a formula, with bars where its value is negative.
 
     With `of_either_sign`, a symbolic formula always stands between bars. A formula that depends on an unknown changes
@@ -226,28 +226,28 @@ def modulus(held: Expression, book: Book, *, of_either_sign: bool = False) -> Ex
     return (Absolute(-held) if either else -held) if held.negative else Absolute(held)
 
 
-def _along(way: Vector, part: Polynomial, known: Known) -> str:
+def _along(way: Vector, part: Polynomial, known: KnownMotion) -> str:
     """Return the direction in which a named component is positive; in symbols only its line."""
     if known.book.in_symbols:
         return "vertically" if way == Z else "horizontally"
     ((x, y, z), (sign,)) = way, part.terms.values()
-    return known.setting.towards((sign * x, sign * y, sign * z))
+    return known.setting.direction_words((sign * x, sign * y, sign * z))
 
 
 def magnitude(
-    parts: Components, known: Known, noun: "VectorName", body: str, *, relative_to: str = "the ground"
+    parts: Components, known: KnownMotion, noun: "VectorName", body: str, *, relative_to: str = "the ground"
 ) -> Expression:
     """Return the magnitude of a vector as a formula of its components, each of which gets a name.
 
     For components along world axes, the sentence names the frame `relative_to`.
     """
-    one = single(parts, known)
+    one = single_symbol(parts, known)
     if one is not None:
         return modulus(one, known.book, of_either_sign=needs_modulus(known.setting, known.book, one, body))
     axes = known.axes(body)
     kept = [(axis, way, part) for axis, way, part in zip(axes, (X, Y, Z), parts, strict=True) if part]
     kind = "components" if any(part.symbol is None for _, _, part in kept) else "meaning"  # "meaning" defines no names
-    step, mark = known.book.open(kind), known.setting.mark(body)
+    step, mark = known.book.begin_step(kind), known.setting.subscript_of(body)
     names, sentences = list[Symbol](), list[str]()
     for axis, way, part in kept:
         plain = part.symbol
@@ -257,13 +257,15 @@ def magnitude(
                 sentences.append(f"${plain.latex()}$ {_along(way, part, known)}")
             continue
         names.append(known.book.fresh(noun.base, f"{axis},{mark}" if mark else axis))
-        where = known.setting.towards(way) if axes == AXES else f"along {axis}"
+        where = known.setting.direction_words(way) if axes == AXES else f"along {axis}"
         sentences.append(f"{step.result(names[-1], part.factored(), noun.unit, law=True)} {where}")
-    whose = f"{noun.said} of {known.setting.called(body)}"
+    whose = f"{noun.said} of {known.setting.display_name(body)}"
     if (sentences and len(kept) > 1) or step.relations:
         said = f" relative to {relative_to}" if axes == AXES or relative_to != "the ground" else ""
         none = "; the other component is zero" if axes != AXES and len(kept) == 1 else ""
-        step.say(f"The {whose}{said} has the component{'s' if sentences[1:] else ''} {joined(sentences)}{none}.")
+        step.add_text(
+            f"The {whose}{said} has the component{'s' if sentences[1:] else ''} {join_words(sentences)}{none}."
+        )
     step.close()
     if len(names) == 1:
         return modulus(names[0], known.book)
@@ -284,17 +286,17 @@ class VectorName:
     @classmethod
     def of(cls, quantity: str, said: str = "") -> Self:
         """Return the name of a quantity or functional; its noun is the quantity itself unless `said` is given."""
-        return cls(LETTERS[quantity], unit_of_quantity(quantity), said or quantity)
+        return cls(QUANTITY_SYMBOLS[quantity], unit_of_quantity(quantity), said or quantity)
 
 
-def finish(known: Known, formula: Expression, noun: VectorName, mark: str, what: str) -> Symbol:
+def write_answer(known: KnownMotion, formula: Expression, noun: VectorName, mark: str, what: str) -> Symbol:
     """Write the final step with a name for the answer; a formula that is a symbol needs none."""
     if isinstance(formula, Symbol):
         return formula
-    step = known.book.open("answer")
+    step = known.book.begin_step("answer")
     verb = "" if what.endswith((" is", "of magnitude")) else " is"
     told = step.result(known.book.fresh(noun.base, mark), formula, noun.unit, law=True)
     turned = known.book.sign_chosen < 0 and known.book.is_hidden(formula)
-    step.say(f"{capital(what)}{verb} {told}{', supposing that this is positive' if turned else ''}.")
+    step.add_text(f"{capitalized(what)}{verb} {told}{', supposing that this is positive' if turned else ''}.")
     step.close()
     return Symbol(known.book.last)

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 from sim2reason.questions import Target
 from sim2reason.solutions.algebra.expressions import Symbol
-from sim2reason.solutions.goals import GOALS, Goal, Known
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.goals import GOALS, Goal, KnownMotion
+from sim2reason.solutions.setting import ProblemContext
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +25,7 @@ class ForceGoal(Goal):
         del target
         return ()
 
-    def force(self, target: Target, setting: Setting) -> str:
+    def force(self, target: Target, setting: ProblemContext) -> str:
         """Return the letter of the force with the index of its string or contact."""
         if self.kind == "T":
             names = [line.name for line in setting.mechanism.constraints]
@@ -33,7 +33,7 @@ class ForceGoal(Goal):
             names = [face.subject for face in setting.mechanism.faces]
         return f"{self.kind}{names.index(target.subject)}" if target.subject in names else ""
 
-    def write(self, target: Target, known: Known) -> Symbol:
+    def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Return the symbol of the force, already known from Newton's laws."""
         return known.force(self.kind, target.subject)
 

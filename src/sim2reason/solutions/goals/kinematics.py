@@ -10,7 +10,16 @@ from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.simulation.quantities.subjects.pairs import members
 from sim2reason.solutions.algebra.expressions import Expression, Symbol, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root
-from sim2reason.solutions.goals import GOALS, Components, Goal, Known, VectorName, finish, magnitude, modulus
+from sim2reason.solutions.goals import (
+    GOALS,
+    Components,
+    Goal,
+    KnownMotion,
+    VectorName,
+    magnitude,
+    modulus,
+    write_answer,
+)
 from sim2reason.solutions.laws.either_way import reason_for_negative
 
 DISPLACEMENTS = VectorName.of("displacement")
@@ -36,14 +45,17 @@ class VectorGoal(Goal):
         """Return the kind of the vector."""
         return self.noun.base
 
-    def write(self, target: Target, known: Known) -> Symbol:
+    def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the components, then the component or magnitude asked for."""
         body, base = target.subject, self.noun.base
-        whose, carrier = f"{self.noun.said} of {known.setting.called(body)}", known.setting.mechanism.body[body].parent
-        mark = known.setting.mark(body)
+        whose, carrier = (
+            f"{self.noun.said} of {known.setting.display_name(body)}",
+            known.setting.mechanism.body[body].parent,
+        )
+        mark = known.setting.subscript_of(body)
         if target.sense is not None:
             formula = known.component(base, body, target.sense.vector).factored()
-            return finish(known, formula, self.noun, mark, along_sense(whose, target.sense))
+            return write_answer(known, formula, self.noun, mark, along_sense(whose, target.sense))
         lone = None if known.book.in_symbols else known.lone(base, body)
         if lone is not None and lone:
             whose = f"{whose} relative to the ground" if carrier is not None and lone.symbol is None else whose
@@ -54,8 +66,8 @@ class VectorGoal(Goal):
             why := reason_for_negative(known.setting, known.book, formula.inside, body)
         ):
             what = f"{why}, so the magnitude of the {whose} is"
-            return finish(known, -formula.inside, self.noun, mark, what)
-        return finish(known, formula, self.noun, mark, f"so the magnitude of the {whose} is")
+            return write_answer(known, -formula.inside, self.noun, mark, what)
+        return write_answer(known, formula, self.noun, mark, f"so the magnitude of the {whose} is")
 
 
 for _name, _noun in {"displacement": DISPLACEMENTS, "velocity": VELOCITIES, "acceleration": ACCELERATIONS}.items():
@@ -75,14 +87,14 @@ class RelativeSpeedGoal(Goal):
         """Return both bodies."""
         return members(target.subject)
 
-    def write(self, target: Target, known: Known) -> Symbol:
+    def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the difference of the velocities component by component, then its magnitude."""
         one, other = members(target.subject)
         a, b = known.vector("v", one), known.vector("v", other)
         parts: Components = (b[0] - a[0], b[1] - a[1], b[2] - a[2])
-        noun, apart = VectorName.of("relative speed", "velocity"), known.setting.called(one)
+        noun, apart = VectorName.of("relative speed", "velocity"), known.setting.display_name(one)
         formula = magnitude(parts, known, noun, other, relative_to=apart)
-        return finish(known, formula, VELOCITIES, r"\text{rel}", "so the relative speed is")
+        return write_answer(known, formula, VELOCITIES, r"\text{rel}", "so the relative speed is")
 
 
 GOALS.add("relative speed", RelativeSpeedGoal())
@@ -109,19 +121,19 @@ class AngularGoal(AboutAxis):
         """Return the kind of motion of the rim: ``a``, ``v`` or ``s``."""
         return self.of
 
-    def write(self, target: Target, known: Known) -> Symbol:
+    def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the quantity as that of the rim over the radius, such as ω = v/R."""
         body = target.subject
         formula = ratio(modulus(known.rim(self.of, body).expression(), known.book), known.radius(body).expression())
-        what = f"the magnitude of the {self.noun.said} of {known.setting.called(body)}"
-        return finish(known, formula, self.noun, known.setting.mark(body), what)
+        what = f"the magnitude of the {self.noun.said} of {known.setting.display_name(body)}"
+        return write_answer(known, formula, self.noun, known.setting.subscript_of(body), what)
 
 
 @dataclass(frozen=True, slots=True)
 class AngleGoal(AngularGoal):
     """The angle of rotation of a body: the arc of its rim over the radius."""
 
-    def write(self, target: Target, known: Known) -> Symbol:
+    def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the arcs in opposite senses, if there are several, then the angle."""
         known.rim(self.of, target.subject)
         known.tell_arcs(target.subject)
@@ -140,7 +152,7 @@ class InertiaTimes(AboutAxis):
         """Return the kind of motion of the rim: ``a``, ``v`` or ``s``."""
         return self.of
 
-    def write(self, target: Target, known: Known) -> Symbol:
+    def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the quantity as c m R times that of the rim, such as L = I ω = c m R v with I = c m R²."""
         body = target.subject
         held = known.rim_inertia(body) * known.radius(body)
@@ -148,8 +160,10 @@ class InertiaTimes(AboutAxis):
         other = modulus(rim.expression(), known.book)
         size = "magnitude of the " if self.of else ""
         about = " about its centre of mass" if self.of == "v" else ""
-        what = f"the {size}{self.noun.said} of {known.setting.called(body)}{about}"
-        return finish(known, multiplied(held.expression(), other), self.noun, known.setting.mark(body), what)
+        what = f"the {size}{self.noun.said} of {known.setting.display_name(body)}{about}"
+        return write_answer(
+            known, multiplied(held.expression(), other), self.noun, known.setting.subscript_of(body), what
+        )
 
 
 class KineticShare(Goal):
@@ -163,16 +177,16 @@ class KineticShare(Goal):
         return "v"
 
     @abstractmethod
-    def energy(self, body: str, known: Known) -> Expression:
+    def energy(self, body: str, known: KnownMotion) -> Expression:
         """Return this part of the kinetic energy of a body, in J."""
 
-    def write(self, target: Target, known: Known) -> Symbol:
+    def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the energy as one formula."""
         body = target.subject
-        what = f"{self.why(body, known)}the {self.noun.said} of {known.setting.called(body)}"
-        return finish(known, self.energy(body, known), self.noun, known.setting.mark(body), what)
+        what = f"{self.why(body, known)}the {self.noun.said} of {known.setting.display_name(body)}"
+        return write_answer(known, self.energy(body, known), self.noun, known.setting.subscript_of(body), what)
 
-    def why(self, body: str, known: Known) -> str:
+    def why(self, body: str, known: KnownMotion) -> str:
         """Return a clause that introduces the energy; by default ""."""
         del body, known
         return ""
@@ -183,13 +197,13 @@ class EnergyOfRim(KineticShare, AboutAxis):
 
     noun = VectorName.of("rotational kinetic energy", "energy of rotation")
 
-    def why(self, body: str, known: Known) -> str:
+    def why(self, body: str, known: KnownMotion) -> str:
         """Return a clause that relates the rim's speed to the angular velocity."""
         rim = known.rim("v", body).expression()
         along = -rim if rim.negative else rim  # in the sense in which it rolls
         return f"as its radius times its angular velocity is ${along.latex()}$, "
 
-    def energy(self, body: str, known: Known) -> Expression:
+    def energy(self, body: str, known: KnownMotion) -> Expression:
         """Return ½ (I/R²) v², J."""
         half = known.rim_inertia(body).scaled(0.5).expression()
         return multiplied(half, squared(known.rim("v", body).expression()))
@@ -200,7 +214,7 @@ class EnergyOfCenter(KineticShare):
 
     noun = VectorName.of("translational kinetic energy", "energy of translation")
 
-    def energy(self, body: str, known: Known) -> Expression:
+    def energy(self, body: str, known: KnownMotion) -> Expression:
         """Return ½ m v², J."""
         speed = magnitude(known.vector("v", body), known, VELOCITIES, body)
         return multiplied(known.mass(body).scaled(0.5).expression(), squared(speed))

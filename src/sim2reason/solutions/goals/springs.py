@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from sim2reason.questions import Target
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, multiplied
 from sim2reason.solutions.algebra.functions import Power
-from sim2reason.solutions.goals import GOALS, Goal, Known, VectorName, finish, modulus
-from sim2reason.solutions.setting import capital
+from sim2reason.solutions.goals import GOALS, Goal, KnownMotion, VectorName, modulus, write_answer
+from sim2reason.solutions.setting import capitalized
 
 EXTENSION = VectorName.of("extension")
 LENGTH = VectorName.of("spring length")
@@ -44,7 +44,7 @@ class SpringGoal(Goal):
         """Return the spring."""
         return (target.subject,)
 
-    def write(self, target: Target, known: Known) -> Symbol:
+    def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the quantity in terms of the spring's extension, signed if a sign is asked for."""
         formula = self._formula(target.subject, known)
         named, opposite, either = _CALLED[self.noun]
@@ -53,15 +53,15 @@ class SpringGoal(Goal):
                 formula, named = modulus(formula, known.book, of_either_sign=True), either
             elif known.book.value(formula) < 0.0:
                 formula, named = -formula, opposite
-        spring = known.setting.springs[target.subject]
+        spring = known.setting.spring_phrases[target.subject]
         if isinstance(formula, Symbol) and self.noun is EXTENSION:
-            step = known.book.open("meaning")
+            step = known.book.begin_step("meaning")
             how = "compressed" if named == opposite else "stretched"
-            step.say(f"{capital(spring)} is {how} by ${formula.latex()}$.")
+            step.add_text(f"{capitalized(spring)} is {how} by ${formula.latex()}$.")
             step.close()
-        return finish(known, formula, self.noun, "", f"the {named} of {spring}")
+        return write_answer(known, formula, self.noun, "", f"the {named} of {spring}")
 
-    def _formula(self, line: str, known: Known) -> Expression:
+    def _formula(self, line: str, known: KnownMotion) -> Expression:
         """Return the formula of the quantity in terms of the spring's extension."""
         if self.noun is RATE:
             return known.growth("v", line).expression()

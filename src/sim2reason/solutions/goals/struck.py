@@ -5,7 +5,7 @@ from typing import Protocol
 from sim2reason.solutions.algebra.expressions import Expression
 
 
-class Struck(Protocol):
+class CollisionTerm(Protocol):
     """A collision of a motion."""
 
     @property

@@ -12,18 +12,18 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Sum, Symb
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.goals import (
     GOALS,
+    CollisionTerm,
     Components,
     Goal,
-    Known,
-    Stretch,
-    Struck,
+    KnownMotion,
+    MotionPart,
     VectorName,
-    finish,
     magnitude,
     modulus,
+    write_answer,
 )
 from sim2reason.solutions.goals.kinematics import VELOCITIES
-from sim2reason.solutions.setting import Setting, joined
+from sim2reason.solutions.setting import ProblemContext, join_words
 from sim2reason.solutions.writing.steps import UnsolvedError
 
 WORK = VectorName.of("work of a tension")
@@ -47,19 +47,19 @@ class SumGoal(Goal):
         return True
 
     @abstractmethod
-    def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
+    def term(self, target: Target, setting: ProblemContext, part: MotionPart) -> Expression:
         """Return the contribution of one part of the motion."""
 
     @abstractmethod
-    def said(self, target: Target, setting: Setting) -> str:
+    def said(self, target: Target, setting: ProblemContext) -> str:
         """Return the name of the sum, such as *the work of the hand*."""
 
-    def write(self, target: Target, known: Known) -> Symbol:
+    def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the sum and return its symbol."""
         whole: Expression = ZERO
         for part in known.stretches:
             whole = added(whole, self.term(target, known.setting, part))
-        return finish(known, _gathered(whole), self.noun, "", self.said(target, known.setting))
+        return write_answer(known, _gathered(whole), self.noun, "", self.said(target, known.setting))
 
 
 def _gathered(whole: Expression) -> Expression:
@@ -81,22 +81,22 @@ class TensionImpulse(SumGoal):
         del target
         return ()
 
-    def force(self, target: Target, setting: Setting) -> str:
+    def force(self, target: Target, setting: ProblemContext) -> str:
         """Return the unknown of the tension."""
         return tension(target.subject, setting)
 
-    def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
+    def term(self, target: Target, setting: ProblemContext, part: MotionPart) -> Expression:
         """Return tension times duration."""
         del setting
         return multiplied(part.force("T", target.subject).expression(), part.time)
 
-    def write(self, target: Target, known: Known) -> Symbol:
+    def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the impulse part by part, or in one formula if the strategy has one."""
         return known.impulse(target.subject) or SumGoal.write(self, target, known)
 
-    def said(self, target: Target, setting: Setting) -> str:
+    def said(self, target: Target, setting: ProblemContext) -> str:
         """Return the name of the impulse, with that of the string."""
-        return f"the impulse of the tension in {setting.lines[target.subject]}"
+        return f"the impulse of the tension in {setting.string_phrases[target.subject]}"
 
 
 class TensionWork(SumGoal):
@@ -104,23 +104,23 @@ class TensionWork(SumGoal):
 
     noun = WORK
 
-    def force(self, target: Target, setting: Setting) -> str:
+    def force(self, target: Target, setting: ProblemContext) -> str:
         """Return the unknown of the tension of the string attached to the body."""
         return tension(_tied(target.subject, setting), setting)
 
-    def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
+    def term(self, target: Target, setting: ProblemContext, part: MotionPart) -> Expression:
         """Return tension times displacement along the string."""
         name = _tied(target.subject, setting)
         return multiplied(part.force("T", name).expression(), part.moved(target.subject, name).expression())
 
-    def write(self, target: Target, known: Known) -> Symbol:
+    def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the work part by part, or in one formula if the strategy has one."""
         name = _tied(target.subject, known.setting)
         return known.work(name, target.subject) or SumGoal.write(self, target, known)
 
-    def said(self, target: Target, setting: Setting) -> str:
+    def said(self, target: Target, setting: ProblemContext) -> str:
         """Return the name of the work of a tension on a body."""
-        return f"the work of the tension on {setting.called(target.subject)}"
+        return f"the work of the tension on {setting.display_name(target.subject)}"
 
 
 class HeatGoal(SumGoal):
@@ -128,7 +128,7 @@ class HeatGoal(SumGoal):
 
     noun = HEAT
 
-    def force(self, target: Target, setting: Setting) -> str:
+    def force(self, target: Target, setting: ProblemContext) -> str:
         """Return the unknown of the friction."""
         names = [face.subject for face in setting.mechanism.faces]
         return f"f{names.index(target.subject)}"
@@ -137,17 +137,17 @@ class HeatGoal(SumGoal):
         """Return the body that slips."""
         return (target.subject,)
 
-    def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
+    def term(self, target: Target, setting: ProblemContext, part: MotionPart) -> Expression:
         """Return friction times distance of slip."""
         del setting
         friction = part.force("f", target.subject)
         return multiplied(friction.expression(), part.slipped(target.subject).expression()) if friction else ZERO
 
-    def said(self, target: Target, setting: Setting) -> str:
+    def said(self, target: Target, setting: ProblemContext) -> str:
         """Return the name of the dissipated energy; for a rolling body, of the slip at the contact point."""
         rolls = any(face.subject == target.subject and len(face.slip) > 1 for face in setting.mechanism.faces)
         how = ", which is the friction times the distance that the point of contact slips," if rolls else ""
-        who, under = setting.called(target.subject), setting.mechanism.body[target.subject].parent
+        who, under = setting.display_name(target.subject), setting.mechanism.body[target.subject].parent
         if under is not None or any(body.parent == target.subject for body in setting.mechanism.bodies):
             on = surface(setting.mechanism, target.subject, setting.words.mentions)
             return f"the energy that friction between {who} and {on} dissipates{how}"
@@ -160,7 +160,7 @@ class HandWork(SumGoal):
     noun = WORK
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """Return no bodies; those on the string follow from `lines`."""
+        """Return no bodies; those on the string follow from `string_phrases`."""
         del target
         return ()
 
@@ -168,12 +168,12 @@ class HandWork(SumGoal):
         """Return the string that is drawn in."""
         return (target.subject,)
 
-    def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
+    def term(self, target: Target, setting: ProblemContext, part: MotionPart) -> Expression:
         """Return force times length drawn in."""
         del setting
         return multiplied(part.force("T", target.subject).expression(), part.drawn(target.subject).expression())
 
-    def said(self, target: Target, setting: Setting) -> str:
+    def said(self, target: Target, setting: ProblemContext) -> str:
         """Return the name of the work of a hand."""
         del target, setting
         return "the work of the hand"
@@ -184,12 +184,12 @@ class PathLength(SumGoal):
 
     noun = VectorName.of("distance travelled")
 
-    def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
+    def term(self, target: Target, setting: ProblemContext, part: MotionPart) -> Expression:
         """Return the distance travelled in one part of the motion."""
         del setting
         return part.path(target.subject)
 
-    def write(self, target: Target, known: Known) -> Symbol:
+    def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the terms that have no names yet, such as those of a body that turns back, then the sum."""
         found = (term for part in known.stretches for term in part.paths(target.subject))
         terms = [term for term in found if term != ZERO]  # zero for a flight that begins at the moment
@@ -198,13 +198,15 @@ class PathLength(SumGoal):
             whole = added(whole, term)
         what, formula = self.said(target, known.setting), _gathered(whole)
         if formula != whole and all(_gathered(term) == term for term in terms):
-            lengths = joined([f"${term.latex()}$" for term in terms])
-            what = f"part by part, the path of {known.setting.called(target.subject)} is {lengths} long, so {what}"
-        return finish(known, formula, self.noun, "", what)
+            lengths = join_words([f"${term.latex()}$" for term in terms])
+            what = (
+                f"part by part, the path of {known.setting.display_name(target.subject)} is {lengths} long, so {what}"
+            )
+        return write_answer(known, formula, self.noun, "", what)
 
-    def said(self, target: Target, setting: Setting) -> str:
+    def said(self, target: Target, setting: ProblemContext) -> str:
         """Return the name of the distance travelled by a body."""
-        return f"the distance that {setting.called(target.subject)} travels"
+        return f"the distance that {setting.display_name(target.subject)} travels"
 
 
 class NetImpulseGoal(Goal):
@@ -215,7 +217,7 @@ class NetImpulseGoal(Goal):
         """Return ``v``, for the final velocity."""
         return "v"
 
-    def write(self, target: Target, known: Known) -> Symbol:
+    def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the impulse as m times the change of velocity."""
         body = target.subject
         lone = known.lone("v", body), known.lone("u", body)
@@ -227,11 +229,13 @@ class NetImpulseGoal(Goal):
             size = magnitude(parts, known, VectorName("w", VELOCITIES.unit, "change in the velocity"), body)
         mass = known.mass(body).expression()
         formula = multiplied(mass, modulus(size, known.book, of_either_sign=True))
-        who = known.setting.called(body)
-        return finish(known, formula, IMPULSES, "", f"the impulse is the change in the momentum of {who}, of magnitude")
+        who = known.setting.display_name(body)
+        return write_answer(
+            known, formula, IMPULSES, "", f"the impulse is the change in the momentum of {who}, of magnitude"
+        )
 
 
-def tension(line: str, setting: Setting) -> str:
+def tension(line: str, setting: ProblemContext) -> str:
     """Return the unknown of the tension of a string, such as ``T2``."""
     names = [held.name for held in setting.mechanism.constraints]
     if line not in names:
@@ -239,7 +243,7 @@ def tension(line: str, setting: Setting) -> str:
     return f"T{names.index(line)}"
 
 
-def _tied(body: str, setting: Setting) -> str:
+def _tied(body: str, setting: ProblemContext) -> str:
     """Return the only string attached to a body."""
     m = setting.mechanism
     found = [line.name for line in m.strings if any(m.site[site].body == body for site in line.through)]
@@ -280,7 +284,7 @@ class CollisionGoal(Goal):
         """Return the colliding bodies; for all collisions, no bodies."""
         return members(target.subject) if self.of == "pair" else (target.subject,) if self.of == "body" else ()
 
-    def write(self, target: Target, known: Known) -> Symbol:
+    def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the loss or impulse of one collision as a formula, or of several as a sum."""
         own = {*self.bodies(target)}
         held = [struck for struck in known.impacts if not own or {*struck.bodies} == own]
@@ -289,22 +293,22 @@ class CollisionGoal(Goal):
         held = held if self.several else held[-1:]
         what = "the kinetic energy lost" if self.noun is LOSS else "the magnitude of the impulse"
         if len(held) == 1:
-            return finish(known, self._one(held[0]), self.noun, "", f"{self._law(held[0])} {what} is")
+            return write_answer(known, self._one(held[0]), self.noun, "", f"{self._law(held[0])} {what} is")
         whole: Expression = ZERO
         for number, struck in enumerate(held, start=1):
             formula = self._one(struck)
-            step, name = known.book.open("sum"), known.book.fresh(self.noun.base, str(number))
+            step, name = known.book.begin_step("sum"), known.book.fresh(self.noun.base, str(number))
             law = f"{self._law(struck)} {what} in {struck.told}" if number == 1 else f"In {struck.told} it"
-            step.say(f"{law} is {step.result(name, formula, self.noun.unit, law=True)}.")
+            step.add_text(f"{law} is {step.result(name, formula, self.noun.unit, law=True)}.")
             step.close()
             whole = added(whole, name)
-        return finish(known, whole, self.noun, "", f"{what} in all is")
+        return write_answer(known, whole, self.noun, "", f"{what} in all is")
 
-    def _law(self, struck: Struck) -> str:
+    def _law(self, struck: CollisionTerm) -> str:
         """Return the words for the law that gives the quantity."""
         return struck.loses if self.noun is LOSS else struck.pushes
 
-    def _one(self, struck: Struck) -> Expression:
+    def _one(self, struck: CollisionTerm) -> Expression:
         """Return the quantity of one collision."""
         return struck.lost if self.noun is LOSS else struck.push
 

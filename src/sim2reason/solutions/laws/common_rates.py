@@ -6,14 +6,14 @@ from math import isclose, pi
 from sim2reason.solutions.algebra.expressions import Number, Product, Symbol
 from sim2reason.solutions.algebra.functions import PI, Power
 from sim2reason.solutions.laws.newton import Row
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.steps import SolutionBuilder
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, latex
 
-STILL = 1e-9  # relative: largest difference of coefficients that count as equal
+RATE_RTOL = 1e-9  # relative: largest difference of coefficients that count as equal
 
 
 @dataclass(slots=True)
-class Shared:
+class SharedRate:
     """Coordinates with one rate up to a sign: the symbol of the rate, and the sign of each coordinate by index."""
 
     symbol: Symbol
@@ -21,7 +21,7 @@ class Shared:
 
 
 @dataclass(frozen=True, slots=True)
-class Measure:
+class LawQuantity:
     """The quantities that laws relate: accelerations, or displacements where no force matters.
 
     `values` has the engine's values by coordinate; `known` is a coordinate whose value has a symbol already.
@@ -34,24 +34,24 @@ class Measure:
     known: tuple[int, Symbol] | None = None
 
 
-ACCELERATIONS = Measure("a", ACCELERATION, "acceleration")
+ACCELERATIONS = LawQuantity("a", ACCELERATION, "acceleration")
 
 
-def equal(row: Row) -> tuple[tuple[int, int], int] | None:
+def equal_rates(row: Row) -> tuple[tuple[int, int], int] | None:
     """Return the two coordinates that a string binds to equal rates, and their relative sign; None if it does not."""
     if row.kind not in ("string", "grip") or len(row.inertia.terms) != 2:
         return None
     parts = [(int(m[0][0].latex()[1:]), part) for m, part in row.inertia.terms.items() if len(m) == 1 and m[0][1] == 1]
-    if len(parts) != 2 or abs(abs(parts[0][1]) - abs(parts[1][1])) > STILL:
+    if len(parts) != 2 or abs(abs(parts[0][1]) - abs(parts[1][1])) > RATE_RTOL:
         return None
     return (parts[0][0], parts[1][0]), -1 if parts[0][1] * parts[1][1] > 0.0 else 1
 
 
-def gravitational_constant(book: Book, value: float) -> Symbol:
+def gravitational_constant(book: SolutionBuilder, value: float) -> Symbol:
     """Return the symbol of the gravitational constant and state its value on first use."""
     if "G" not in book.values:
         book.reserve("G")
-        book.know("G", value)
+        book.set_value("G", value)
         mantissa, _, power = f"{value:.8g}".partition("e")
         said = rf"{mantissa} \times 10^{{{int(power)}}}" if power else mantissa
         plain = isclose(value, 4.0 * pi**2)

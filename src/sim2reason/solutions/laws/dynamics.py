@@ -3,13 +3,13 @@
 from collections.abc import Mapping, Sequence
 
 from sim2reason.base.lazy import cached_property
-from sim2reason.scenes.dsl.vectors import product
+from sim2reason.scenes.dsl.vectors import dot
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
-from sim2reason.solutions.laws.common_rates import ACCELERATIONS, STILL, Measure, Shared, equal
+from sim2reason.solutions.laws.common_rates import ACCELERATIONS, RATE_RTOL, LawQuantity, SharedRate, equal_rates
 from sim2reason.solutions.laws.newton import Newton, Row, symbol
-from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.setting import ProblemContext
+from sim2reason.solutions.writing.steps import SolutionBuilder
 from sim2reason.solutions.writing.unit_latex import NEWTONS
 
 AXES = ("x", "y")  # names of axes that a text may use
@@ -18,14 +18,16 @@ AXES = ("x", "y")  # names of axes that a text may use
 class Dynamics:
     """Newton's laws of one segment of a motion, with the symbols of their unknowns."""
 
-    def __init__(self, setting: Setting, book: Book, segment: Segment, measure: Measure = ACCELERATIONS) -> None:
+    def __init__(
+        self, setting: ProblemContext, book: SolutionBuilder, segment: Segment, measure: LawQuantity = ACCELERATIONS
+    ) -> None:
         """Take the problem, the book and the segment; UnreadError for other kinds of mechanisms."""
         self.setting, self.book, self.segment = setting, book, segment
         self.newton = Newton(setting.lexicon, segment)
         self.mechanism = setting.mechanism
         self.names: dict[str, Polynomial] = {}  # unknowns of Newton's laws in the symbols of the book
         self.bound: dict[str, Polynomial] = {}  # accelerations in terms of others bound by strings
-        self.shared: list[Shared] = []
+        self.shared: list[SharedRate] = []
         self.groups: list[list[Row]] = []
         self.sense: dict[int, int] = {}
         self.measure = measure
@@ -37,11 +39,13 @@ class Dynamics:
     def frozen(self) -> set[int]:
         """Return the indices of the coordinates that friction or a string holds at rest."""
         held = {
-            k for face, side in self.newton.rough.items() if side == 0 and (k := self.newton.alone(face)) is not None
+            k
+            for face, side in self.newton.slip_directions.items()
+            if side == 0 and (k := self.newton.single_slip_coordinate(face)) is not None
         }
         rows = [self.newton.string(place).inertia for place in self.taut]
         for _ in rows:  # bodies at rest can hold others
-            left = [row.put({f"q{k}": NIL for k in held}) for row in rows]
+            left = [row.substitute({f"q{k}": NIL for k in held}) for row in rows]
             held |= {int(next(n for n in row.names() if n[0] == "q")[1:]) for row in left if len(row.terms) == 1}
         return held
 
@@ -71,8 +75,8 @@ class Dynamics:
             ):
                 continue
             below = [j for j in self._below(coordinate.body) if j not in self.frozen]
-            along = [product(coordinate.axis, self.mechanism.coordinates[j].axis) for j in below]
-            if below and all(abs(abs(part) - 1.0) < STILL for part in along):
+            along = [dot(coordinate.axis, self.mechanism.coordinates[j].axis) for j in below]
+            if below and all(abs(abs(part) - 1.0) < RATE_RTOL for part in along):
                 sign = float(round(along[0]))
                 if self._tied_outside(k, below[0], sign):
                     found[k] = below[0], sign
@@ -105,17 +109,17 @@ class Dynamics:
     def laws(self, goals: Sequence[str]) -> tuple[list[Row], list[str]]:
         """Return all laws of this segment, and their unknowns."""
         newton, size = self.newton, len(self.mechanism.coordinates)
-        sticking = [face for face, side in newton.rough.items() if side == 0]
-        pressing = {face for face, side in newton.rough.items() if side}
+        sticking = [face for face, side in newton.slip_directions.items() if side == 0]
+        pressing = {face for face, side in newton.slip_directions.items() if side}
         pressing |= {int(goal[1:]) for goal in goals if goal[0] == "N"}
         rows = [newton.newton(k) for k in range(size)]
         rows += [newton.normal(face) for face in sorted(pressing)]
         rows += [newton.string(place) for place in self.taut]
-        rows += [newton.rolling(face) for face in sticking if newton.alone(face) is None]
+        rows += [newton.rolling(face) for face in sticking if newton.single_slip_coordinate(face) is None]
         still = {f"q{k}": NIL for k in self.frozen}
         for k, (j, sign) in self.carried.items():  # converted to that relative to the ground
             still[f"q{k}"] = symbol("q", k) - symbol("q", j).scaled(sign)
-        rows = [Row(r.kind, r.number, r.forces.put(still), r.inertia.put(still)) for r in rows]
+        rows = [Row(r.kind, r.number, r.forces.substitute(still), r.inertia.substitute(still)) for r in rows]
         unknowns = [f"q{k}" for k in range(size) if k not in self.frozen]
         if self.measure.values:
             rows = [row for row in rows if row.kind == "string" or (row.kind == "newton" and not row.forces)]
@@ -134,7 +138,7 @@ class Dynamics:
             found[f"q{k}"] += sign * found[f"q{j}"]
         return found
 
-    def own(self, values: Sequence[float]) -> list[float]:
+    def relative_to_ground(self, values: Sequence[float]) -> list[float]:
         """Convert rates relative to carriers to rates relative to the ground."""
         found = list(values)
         for k, (j, sign) in self.carried.items():
@@ -151,7 +155,7 @@ class Dynamics:
 
     # ---- names
 
-    def share(self, rows: Sequence[Row], goals: Sequence[str], laws: Sequence[Row]) -> None:
+    def name_shared_rates(self, rows: Sequence[Row], goals: Sequence[str], laws: Sequence[Row]) -> None:
         """Give coordinates that strings bind to equal rates one common symbol."""
         members: dict[int, dict[int, int]] = {}
         used = {name for row in rows for name in row.zero.names() if name[0] == "q" and name[1:].isdigit()}
@@ -159,7 +163,7 @@ class Dynamics:
         for k in sorted(int(name[1:]) for name in used | known | {goal for goal in goals if goal[0] == "q"}):
             members[k] = {k: 1}
         for row in laws:  # also strings that the answer does not need: equal rates share a symbol
-            pair = equal(row)
+            pair = equal_rates(row)
             if pair is None:
                 continue
             (one, other), sign = pair
@@ -185,9 +189,9 @@ class Dynamics:
         if told_already and self.measure.known is not None:
             named = self.measure.known[1]
         else:
-            named = self.book.fresh(self.measure.base, "" if alone else self.setting.mark(name))
+            named = self.book.fresh(self.measure.base, "" if alone else self.setting.subscript_of(name))
         turn = self._turn(held)
-        self.shared.append(Shared(named, {k: turn * s for k, s in held.items()}))
+        self.shared.append(SharedRate(named, {k: turn * s for k, s in held.items()}))
         self.sense |= self.shared[-1].sense
         self._units[named.name] = self.measure.unit
         for k, sense in self.shared[-1].sense.items():
@@ -195,8 +199,11 @@ class Dynamics:
 
     def _turn(self, held: dict[int, int]) -> int:
         """Return the sign of the rate with which a class of coordinates moves, or begins to."""
-        for values in (self.own(self.segment.v), [self.values[f"q{k}"] for k in range(len(self.segment.v))]):
-            found = next((s * values[k] for k, s in held.items() if abs(values[k]) > STILL), 0.0)
+        for values in (
+            self.relative_to_ground(self.segment.v),
+            [self.values[f"q{k}"] for k in range(len(self.segment.v))],
+        ):
+            found = next((s * values[k] for k, s in held.items() if abs(values[k]) > RATE_RTOL), 0.0)
             if found:
                 return 1 if found > 0.0 else -1
         return 1
@@ -211,7 +218,7 @@ class Dynamics:
             self._force(name, "T", mark)
         for name in sorted({name for row in rows for name in row.zero.names()}):
             if name[0] in "Nf" and name[1:].isdigit():
-                self._force(name, name[0], self.setting.mark(self.mechanism.faces[int(name[1:])].subject))
+                self._force(name, name[0], self.setting.subscript_of(self.mechanism.faces[int(name[1:])].subject))
 
     def added(self, group: Sequence[Row]) -> Row:
         """Return the sum of Newton's laws of a group."""
@@ -259,9 +266,9 @@ class Dynamics:
         if coordinate.label in AXES and {*AXES} <= {*labels}:
             return f"in the {'positive' if sense > 0 else 'negative'} {coordinate.label} direction"
         parent = self.mechanism.body[coordinate.body].parent if k not in self.carried else None
-        return self.setting.towards((sense * x, sense * y, sense * z), on=parent)
+        return self.setting.direction_words((sense * x, sense * y, sense * z), on=parent)
 
-    def enough(self, coordinates: Sequence[int]) -> list[int]:
+    def sufficient_coordinates(self, coordinates: Sequence[int]) -> list[int]:
         """Return those coordinates that determine a body's motion: none of a carrier whose motion is included."""
         spared = {j for k in coordinates if k in self.carried for j in self._below(self.mechanism.coordinates[k].body)}
         return [k for k in coordinates if k not in spared]
@@ -269,4 +276,4 @@ class Dynamics:
 
 def _close(one: Sequence[float], other: Sequence[float]) -> bool:
     """Return whether two vectors are equal up to rounding errors."""
-    return all(abs(a - b) < STILL for a, b in zip(one, other, strict=True))
+    return all(abs(a - b) < RATE_RTOL for a, b in zip(one, other, strict=True))

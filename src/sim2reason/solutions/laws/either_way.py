@@ -9,15 +9,15 @@ from sim2reason.questions.regimes.directions import MovesOneWay
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Absolute
 from sim2reason.solutions.closed_forms.closed_form import defined_by
-from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.setting import ProblemContext
+from sim2reason.solutions.writing.steps import SolutionBuilder
 
 SAMPLES = 40
 BAR = r"\left|"
 DECADES = 1.0  # random factors range over this many decades up and down
 
 
-def has_either_sign(setting: Setting, book: Book, held: Expression, bodies: Collection[str]) -> bool:
+def has_either_sign(setting: ProblemContext, book: SolutionBuilder, held: Expression, bodies: Collection[str]) -> bool:
     """Return whether a symbolic quantity may have either sign, for bodies without an assumed direction."""
     if not book.in_symbols or any(isinstance(each, MovesOneWay) and each.name in bodies for each in setting.assumed):
         return False
@@ -25,7 +25,7 @@ def has_either_sign(setting: Setting, book: Book, held: Expression, bodies: Coll
 
 
 def acceleration_over_distance(
-    setting: Setting, book: Book, begun: Expression, a: Symbol, bodies: Sequence[str]
+    setting: ProblemContext, book: SolutionBuilder, begun: Expression, a: Symbol, bodies: Sequence[str]
 ) -> tuple[Expression, str]:
     """Return the acceleration in d = ½ a t², or its magnitude, with the reason to end a sentence.
 
@@ -35,15 +35,15 @@ def acceleration_over_distance(
         return a, ""
     if book.value(a) > 0.0 and _is_assumed_positive(setting, book, a):
         return a, f", as ${a.latex()} > 0$ under the assumption made"
-    return Absolute(a), f", whichever way {setting.called(bodies[0])} moves"
+    return Absolute(a), f", whichever way {setting.display_name(bodies[0])} moves"
 
 
-def needs_modulus(setting: Setting, book: Book, held: Expression, body: str) -> bool:
+def needs_modulus(setting: ProblemContext, book: SolutionBuilder, held: Expression, body: str) -> bool:
     """Return whether the symbolic answer for a quantity of either sign is written as an absolute value."""
     return setting.formula is not None and BAR in setting.formula.latex and has_either_sign(setting, book, held, [body])
 
 
-def reason_for_negative(setting: Setting, book: Book, held: Expression, body: str) -> str:
+def reason_for_negative(setting: ProblemContext, book: SolutionBuilder, held: Expression, body: str) -> str:
     """Return a clause that a quantity is negative; empty for a numerical answer or an absolute value."""
     if not book.in_symbols or setting.formula is None or BAR in setting.formula.latex:
         return ""
@@ -51,7 +51,7 @@ def reason_for_negative(setting: Setting, book: Book, held: Expression, body: st
     return f"${held.latex()}$ is negative{why}"
 
 
-def _is_assumed_positive(setting: Setting, book: Book, held: Expression) -> bool:
+def _is_assumed_positive(setting: ProblemContext, book: SolutionBuilder, held: Expression) -> bool:
     """Return whether the answer is negative or undefined for all random numbers that make a quantity negative.
 
     An answer that holds under an assumption is positive, so this quantity is positive under that assumption.
@@ -66,7 +66,9 @@ def _is_assumed_positive(setting: Setting, book: Book, held: Expression) -> bool
     return all(value is None or value < 0.0 for value in values)
 
 
-def _signs(setting: Setting, book: Book, held: Expression) -> Iterator[tuple[bool, Mapping[str, float]]]:
+def _signs(
+    setting: ProblemContext, book: SolutionBuilder, held: Expression
+) -> Iterator[tuple[bool, Mapping[str, float]]]:
     """Yield whether a quantity is positive, for random values of the given numbers, with these values."""
     formulas = defined_by(book.steps)
     angles = {given.symbol for given in setting.lexicon.givens.values() if given.angle}

@@ -10,15 +10,15 @@ from sim2reason.scenes.dsl.state import State
 from sim2reason.scenes.dsl.vectors import Number as Quantity
 from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.simulation.engines.exact.assembly import Assembly
-from sim2reason.simulation.engines.exact.lengths import Phase, RowTerms
+from sim2reason.simulation.engines.exact.lengths import RowTerms, SwitchState
 from sim2reason.simulation.engines.exact.tape import Symbol as Recorded
 from sim2reason.simulation.engines.exact.tape import Tape
 from sim2reason.solutions.algebra.expressions import Expression, Quotient, Symbol
 from sim2reason.solutions.algebra.functions import Call, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.algebra.square_root import square_root
-from sim2reason.solutions.writing.lexicon import Both, Lexicon, UnreadError
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.lexicon import DualValue, Lexicon, UnreadError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 
 ROUNDING = 1e-12  # m: smaller coordinates of a body count as zero
 
@@ -42,7 +42,7 @@ def _exact(mechanism: Mechanism) -> Mechanism:
     return replace(mechanism, bodies=bodies, sites=tuple(replace(s, at=rounded(s.at)) for s in mechanism.sites))
 
 
-def assembled(mechanism: Mechanism, phase: Phase) -> tuple[Assembly, Tape]:
+def assembled(mechanism: Mechanism, phase: SwitchState) -> tuple[Assembly, Tape]:
     """Record the equations of a mechanism in a phase; their inputs are time, coordinates and rates."""
     mechanism = _exact(mechanism)
     size = len(mechanism.coordinates)
@@ -51,7 +51,7 @@ def assembled(mechanism: Mechanism, phase: Phase) -> tuple[Assembly, Tape]:
     return Assembly(mechanism, phase, (symbols[1 : size + 1], symbols[size + 1 :], symbols[0]), tape), tape
 
 
-def phase_at(state: State) -> Phase:
+def phase_at(state: State) -> SwitchState:
     """Return the phase at an instant: active fields, engines and one-sided springs, without sticking contacts."""
     m, time = state.mechanism, float(state.times[0])
     inside: list[tuple[bool, ...]] = []
@@ -60,7 +60,7 @@ def phase_at(state: State) -> Phase:
         margins = force.region.margins((place[0], place[1], place[2]), math) if force.region is not None else ()
         inside.append((all(float(margin) >= 0.0 for margin in margins),))  # type: ignore[arg-type]
     lengths = {line.name: float(state.free_length(line)[0][0]) for line, _ in m.half_springs}
-    return Phase(
+    return SwitchState(
         inside=tuple(inside),
         burning=tuple(time < burn.until for burn in m.burns),
         stuck=(False,) * len(m.meetings),
@@ -102,7 +102,7 @@ class Names:
 class EquationsOfMotion:
     """The mass matrix, loads and constraints of a mechanism as polynomials in the text's symbols."""
 
-    def __init__(self, lexicon: Lexicon, book: Book, phase: Phase, names: Names) -> None:
+    def __init__(self, lexicon: Lexicon, book: SolutionBuilder, phase: SwitchState, names: Names) -> None:
         """Record the equations of the mechanism and of its twin; UnsolvedError if the two differ in form."""
         self._lexicon, self.book, self.names = lexicon, book, names
         self.mechanism = lexicon.mechanism
@@ -176,9 +176,9 @@ class EquationsOfMotion:
             return self._node(here.id, there.id)
         if isinstance(here, Recorded) or isinstance(there, Recorded):
             raise UnsolvedError("the equations of motion are of another kind with other numbers")
-        return self.number(Both(float(here), float(there)))  # type: ignore[arg-type]
+        return self.number(DualValue(float(here), float(there)))  # type: ignore[arg-type]
 
-    def number(self, both: Both) -> Polynomial:
+    def number(self, both: DualValue) -> Polynomial:
         """Return a number in the symbols of the text; an unread number gets a symbol that must cancel."""
         try:
             return self._lexicon.read(both)
@@ -216,7 +216,7 @@ class EquationsOfMotion:
         if operation == "input":
             return self._input(a)
         if operation == "constant":
-            return self.number(Both(one.constants[a], two.constants[c]))
+            return self.number(DualValue(one.constants[a], two.constants[c]))
         if operation in ("+", "*") and self._form(0, a) != self._form(1, c) and self._form(0, a) == self._form(1, d):
             c, d = d, c  # the tape orders operands by first use
         first = self._node(a, c)

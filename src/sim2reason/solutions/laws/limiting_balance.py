@@ -8,19 +8,19 @@ from sim2reason.base.lazy import cached_property
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
-from sim2reason.solutions.algebra.inverse import other_solutions, put, settled, solved_for
+from sim2reason.solutions.algebra.inverse import evaluate_known_parts, other_solutions, solved_for, substitute
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.algebra.stated_equations import stated_equation
 from sim2reason.solutions.laws.either_way import BAR
 from sim2reason.solutions.laws.newton import Newton, Row
-from sim2reason.solutions.laws.sliding import way_of_slip
+from sim2reason.solutions.laws.sliding import slip_direction_text
 from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
-from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.setting import ProblemContext, capitalized
 from sim2reason.solutions.solution import with_unit
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 
-LONG = 200  # characters of a formula for the unknown; longer ones are written with numbers
-REST = 1e-6  # m/s²: smaller accelerations count as zero
+MAX_FORMULA_LENGTH = 200  # characters of a formula for the unknown; longer ones are written with numbers
+ACCELERATION_ATOL = 1e-6  # m/s²: smaller accelerations count as zero
 
 
 class _AtLimit(Newton):
@@ -34,7 +34,7 @@ class _AtLimit(Newton):
 class LimitingDynamics(WrittenDynamics):
     """Newton's laws and their unknowns at the instant at which a body is about to move."""
 
-    def __init__(self, setting: Setting, book: Book, segment: Segment) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder, segment: Segment) -> None:
         """Prepare the laws of a segment at the limit; UnreadError for other kinds of mechanisms."""
         super().__init__(setting, book, segment)
         self.newton = _AtLimit(setting.lexicon, segment)
@@ -56,7 +56,7 @@ class LimitingBalance(LimitingDynamics):
     The condition is the law of the body that is about to move; the others determine the forces in it.
     """
 
-    def __init__(self, setting: Setting, book: Book, segment: Segment, body: str) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder, segment: Segment, body: str) -> None:
         """Take the segment of the motion just beyond the limit, in which the `body` moves.
 
         Raises:
@@ -73,24 +73,24 @@ class LimitingBalance(LimitingDynamics):
         rates = {k: beside.values[f"q{k}"] for k in range(len(self.mechanism.coordinates)) if k not in beside.frozen}
         for k, (j, sign) in beside.carried.items():
             rates[k] -= sign * beside.values[f"q{j}"]
-        return beside.frozen | {k for k, rate in rates.items() if abs(rate) < REST}
+        return beside.frozen | {k for k, rate in rates.items() if abs(rate) < ACCELERATION_ATOL}
 
     @cached_property
     def _condition(self) -> Row:
         """Return Newton's law for the body along the line on which it may move."""
-        own = [k for k in self.newton.moved(self._who) if self.mechanism.coordinates[k].body == self._who]
+        own = [k for k in self.newton.moving_coordinates(self._who) if self.mechanism.coordinates[k].body == self._who]
         rows = [row for row in super().laws(())[0] if row.kind == "newton" and row.number in own]
         if len(rows) != 1 or not rows[0].forces or rows[0].number not in self.frozen:
             raise UnsolvedError("it moves along no line of its own")
         (row,) = rows
         normals = {name: self._pressing(int(name[1:])) for name in row.zero.names() if name[0] == "N"}
-        return Row(row.kind, row.number, row.forces.put(normals), row.inertia)
+        return Row(row.kind, row.number, row.forces.substitute(normals), row.inertia)
 
     def _pressing(self, face: int) -> Polynomial:
         """Return the normal force on a face in terms of the other forces and the accelerations."""
         still = {f"q{k}": NIL for k in self.frozen}
         row = self.newton.normal(face)
-        return (row.inertia - row.forces.without((f"N{face}",))).put(still)
+        return (row.inertia - row.forces.without((f"N{face}",))).substitute(still)
 
     def laws(self, goals: Sequence[str]) -> tuple[list[Row], list[str]]:
         """Return all laws except the condition, and their unknowns."""
@@ -107,28 +107,28 @@ class LimitingBalance(LimitingDynamics):
         book, row, hidden = self.book, self._condition, Symbol(self.book.sought)
         self._introduce(slides=slides)
         self.reach(sorted(n for n in row.zero.names() if n[0] in "Tfq" and n[1:].isdigit()))
-        step = book.open("solve for the unknown")
+        step = book.begin_step("solve for the unknown")
         step.rest_on("limit")
-        forces, inertia = row.forces.put(self.names), row.inertia.put(self.names)
+        forces, inertia = row.forces.substitute(self.names), row.inertia.substitute(self.names)
         law, formula = step.law(forces.expression(), inertia.expression()), (forces - inertia).expression()
         plain = formula
         for name in reversed(book.formulas):
             if name != hidden.name and name in formula.symbols():
-                formula = put(formula, name, book.formulas[name])
+                formula = substitute(formula, name, book.formulas[name])
         found, solved = self._solved(hidden.name, formula)
         book.values[hidden.name] = book.value(found)
         book.refresh(hidden.name, book.values[hidden.name])
-        who = capital(self.setting.called(self._who))
+        who = capitalized(self.setting.display_name(self._who))
         in_numbers = solved != formula
         sides = stated_equation(hidden.name, solved, ZERO, self._worked if in_numbers else Polynomial.factored)
         others = () if book.in_symbols else other_solutions(hidden.name, solved, ZERO, book.values)
         so = ", so" if formula == plain else ". Together with the equations above, this gives"
-        if sides is not None and all(len(side.latex()) <= LONG for side in sides):
+        if sides is not None and all(len(side.latex()) <= MAX_FORMULA_LENGTH for side in sides):
             units = f", in {'SI units' if book.counts_in_si else 'numbers'}," if in_numbers else ""
             so = f"{', that is,' if formula == plain else so}{units} {step.derived(*sides)}, so"
-        step.say(f"{who}, {self.moving(row.number, 1)}: {law}{so} {step.closed(hidden, found)}.")
+        step.add_text(f"{who}, {self.moving(row.number, 1)}: {law}{so} {step.closed(hidden, found)}.")
         if len(others) == 1 and others[0] < 0.0 < book.values[hidden.name]:
-            step.say(f"The other root, ${with_unit(others[0], book.units[hidden.name])}$, is negative.")
+            step.add_text(f"The other root, ${with_unit(others[0], book.units[hidden.name])}$, is negative.")
         step.close()
         return hidden.name
 
@@ -142,10 +142,10 @@ class LimitingBalance(LimitingDynamics):
         if name not in formula.symbols():
             raise UnsolvedError("the limit does not depend on the unknown")
         found = solved_for(name, formula, ZERO, book.values)
-        if isinstance(found, NumericRoot) or len(found.latex()) > LONG:
-            formula = settled(formula, frozenset({name}), book.worked)
+        if isinstance(found, NumericRoot) or len(found.latex()) > MAX_FORMULA_LENGTH:
+            formula = evaluate_known_parts(formula, frozenset({name}), book.worked)
             found = solved_for(name, formula, ZERO, book.values, self._worked)
-        if isinstance(found, NumericRoot) or len(found.latex()) > LONG:
+        if isinstance(found, NumericRoot) or len(found.latex()) > MAX_FORMULA_LENGTH:
             raise UnsolvedError("the limit has no short closed form")
         return found, formula
 
@@ -162,25 +162,25 @@ class LimitingBalance(LimitingDynamics):
 
     def _way(self) -> str:
         """Return the words for the direction of impending slip, after a space; empty if it has no short name."""
-        sides = self.newton.rough.items()
+        sides = self.newton.slip_directions.items()
         face, side = next((n, s) for n, s in sides if self.mechanism.faces[n].subject == self._who)
-        way = way_of_slip(self, face, side) if side else ""
+        way = slip_direction_text(self, face, side) if side else ""
         return f" {way}" if way else ""
 
     def _with_it(self) -> str:
         """Return a clause on other bodies at rest with limiting friction, with the reason."""
-        faces = [self.mechanism.faces[n] for n, side in self.newton.rough.items() if side]
+        faces = [self.mechanism.faces[n] for n, side in self.newton.slip_directions.items() if side]
         still = {self.mechanism.coordinates[k].name for k in self.frozen}
         others = [f.subject for f in faces if f.subject != self._who and all(name in still for name, _ in f.slip)]
         if not others:
             return ""
         strings, bound = self._bound()
         why = f"which {strings} slip together with it" if bound.issuperset(others) else "which would slip as it does"
-        return f", and so has the friction on {self.setting.listed(others)}, {why}"
+        return f", and so has the friction on {self.setting.bodies_phrase(others)}, {why}"
 
     def _bound(self) -> tuple[str, set[str]]:
         """Return the words for what binds bodies to the one about to slip, and those bodies."""
-        taut = [held for n, held in enumerate(self.newton.lines) if self.values.get(f"T{n}", 0.0) > REST]
+        taut = [held for n, held in enumerate(self.newton.lines) if self.values.get(f"T{n}", 0.0) > ACCELERATION_ATOL]
         tied, found = (
             [{self._body_at(line.through[0]), self._body_at(line.through[-1])} - {None} for line in taut],
             {self._who},
@@ -195,7 +195,7 @@ class LimitingBalance(LimitingDynamics):
 
     def _introduce(self, *, slides: bool) -> None:
         """Write the conditions of the limiting case."""
-        step, who = self.book.open("limit"), self.setting.called(self._who)
+        step, who = self.book.begin_step("limit"), self.setting.display_name(self._who)
         either = self._either_way() if slides else ""
         way = self._way() if slides and not either else ""
         what = f"slip{way}: friction on it has its greatest value{self._with_it()};" if slides else "rise:"
@@ -203,7 +203,7 @@ class LimitingBalance(LimitingDynamics):
         still = "all bodies are still at rest" if rests else "its acceleration is still zero"
         parent = self.mechanism.body[self._who].parent
         if not rests and slides and parent is not None:
-            still = f"its acceleration relative to {self.setting.called(parent)} is still zero"
-        step.say(f"In the limiting case {who} is just about to {what} {still}.", either)
+            still = f"its acceleration relative to {self.setting.display_name(parent)} is still zero"
+        step.add_text(f"In the limiting case {who} is just about to {what} {still}.", either)
         step.label("limit")
         step.close()

@@ -6,19 +6,19 @@ from functools import reduce
 from math import radians
 from typing import Protocol
 
-from sim2reason.questions import Study
+from sim2reason.questions import SimulatedScene
 from sim2reason.questions.kinds.parts.nested import NestedQuery
 from sim2reason.solutions.algebra.digits import simple_fraction
-from sim2reason.solutions.algebra.evaluated import Worked
+from sim2reason.solutions.algebra.evaluated import NumericFormula
 from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Symbol, multiplied
-from sim2reason.solutions.algebra.functions import Power, plain
-from sim2reason.solutions.algebra.inverse import put_all
-from sim2reason.solutions.closed_forms import ClosedFormError, put_together, shortened
-from sim2reason.solutions.closed_forms.tidying import tidied
-from sim2reason.solutions.setting import Setting, joined
+from sim2reason.solutions.algebra.functions import Power, simplify_inverse
+from sim2reason.solutions.algebra.inverse import substitute_all
+from sim2reason.solutions.closed_forms import ClosedFormError, combined_formula, simplified_form
+from sim2reason.solutions.closed_forms.tidying import tidy
+from sim2reason.solutions.setting import ProblemContext, join_words
 from sim2reason.solutions.solution import Relation, Solution, Step
 from sim2reason.solutions.writing.lexicon import UnreadError
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import DEGREES
 
 NEW = r"\text{new}"
@@ -27,25 +27,25 @@ UNSHORTENED = 200  # characters: longer formulas hardly become short
 SHORT = 130  # characters of a formula into which another value is substituted, at most
 
 
-class Way(Protocol):
+class AnswerStrategy(Protocol):
     """A strategy, as far as nested questions need it."""
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; "" if it does."""
         ...
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write all steps and return the symbol of the answer."""
         ...
 
 
-def inner_setting(setting: Setting) -> Setting:
+def inner_setting(setting: ProblemContext) -> ProblemContext:
     """Return the same scene with the inner question."""
     assert isinstance(setting.query, NestedQuery)
     return replace(setting, query=setting.query.inner, unknown="", stated=None, sought=None)
 
 
-def solved(inner: Setting, book: Book, offered: Iterable[Way]) -> str:
+def write_inner_answer(inner: ProblemContext, book: SolutionBuilder, offered: Iterable[AnswerStrategy]) -> str:
     """Write the answer to the inner question by the first successful strategy; return its symbol.
 
     Raises:
@@ -64,27 +64,29 @@ def solved(inner: Setting, book: Book, offered: Iterable[Way]) -> str:
     raise UnsolvedError(reasons[-1])
 
 
-def with_changed_scene(inner: Setting, changed: Study, path: str, symbol: str) -> Setting:
+def with_changed_scene(inner: ProblemContext, changed: SimulatedScene, path: str, symbol: str) -> ProblemContext:
     """Return the inner question about a scene with another value of one number, under a symbol of its own."""
     words = replace(inner.words, mechanism=changed.mechanism)
     symbols = {**inner.symbols, path: symbol}
     return replace(inner, scene=changed.scene, study=changed, words=words, symbols=symbols)
 
 
-def with_other_value(inner: Setting, book: Book, goal: str, symbol: str, changed: Expression, lead: str) -> Symbol:
+def with_other_value(
+    inner: ProblemContext, book: SolutionBuilder, goal: str, symbol: str, changed: Expression, lead: str
+) -> Symbol:
     """Write a known result with another expression in place of a given symbol; return its new name.
 
     If all steps combine to a short formula, that formula is used; else each step is repeated.
     """
     whole = short_formula(inner, book, goal)
-    other = tidied(_put(whole, {symbol: changed})) if whole is not None else None
-    step = book.open("other value")
+    other = tidy(_put(whole, {symbol: changed})) if whole is not None else None
+    step = book.begin_step("other value")
     for label in (goal, *(name for held in book.steps for name in held.gives if name.startswith(AGAIN))):
         step.rest_on(label)
     if whole is not None and other is not None and len(other.latex()) <= SHORT:
         after = book.fresh(goal, NEW)
-        step.say(inserted(book, goal, step.derived(Symbol(goal), whole)))
-        step.say(f"{lead}, this becomes {step.result(after, other, book.units.get(goal, ''), law=True)}.")
+        step.add_text(inserted(book, goal, step.derived(Symbol(goal), whole)))
+        step.add_text(f"{lead}, this becomes {step.result(after, other, book.units.get(goal, ''), law=True)}.")
     else:
         said: list[str] = []
         renamed: dict[str, Expression] = {symbol: changed}
@@ -96,19 +98,19 @@ def with_other_value(inner: Setting, book: Book, goal: str, symbol: str, changed
             after = book.fresh(name, NEW)
             said.append(step.result(after, _put(formula, renamed), book.units.get(name, ""), law=True))
             renamed[name] = after
-        step.say(f"{lead}, the same equations give {joined(said)}.")
+        step.add_text(f"{lead}, the same equations give {join_words(said)}.")
     step.close()
     return Symbol(book.last)
 
 
-def inserted(book: Book, goal: str, equation: str) -> str:
+def inserted(book: SolutionBuilder, goal: str, equation: str) -> str:
     """Return a sentence with the equation of a result after all substitutions."""
     names = [f"${name}$" for name, _ in reversed(_leading(book, goal)) if name != goal]
-    lead = f"Inserting {joined(names)} into the equation for ${goal}$ gives" if names else "In short,"
+    lead = f"Inserting {join_words(names)} into the equation for ${goal}$ gives" if names else "In short,"
     return f"{lead} {equation}."
 
 
-def short_formula(inner: Setting, book: Book, goal: str) -> Expression | None:
+def short_formula(inner: ProblemContext, book: SolutionBuilder, goal: str) -> Expression | None:
     """Return the formula of a result after all substitutions; None if there is no short one."""
     try:
         return _shortened(_whole(inner, book, goal))
@@ -121,7 +123,7 @@ def _shortened(formula: Expression) -> Expression | None:
     if len(formula.latex()) > UNSHORTENED:
         return None
     try:
-        found = shortened(formula)
+        found = simplified_form(formula)
     except ClosedFormError:
         return None
     return found.expression if len(found.latex) <= SHORT else None
@@ -130,7 +132,7 @@ def _shortened(formula: Expression) -> Expression | None:
 def _put(formula: Expression, renamed: Mapping[str, Expression]) -> Expression:
     """Substitute expressions for symbols; UnsolvedError if a number was found with those symbols."""
     try:
-        formula = put_all(formula, renamed)
+        formula = substitute_all(formula, renamed)
     except TypeError as error:
         raise UnsolvedError("a root on the way was found numerically") from error
     return _multiplied_out(formula)
@@ -145,17 +147,17 @@ def _multiplied_out(held: Expression) -> Expression:
         case Power(Product((Number(x), *others)), exponent):
             return multiplied(Number(x**exponent), Power(reduce(multiplied, others), exponent))
         case _:
-            return plain(found)
+            return simplify_inverse(found)
 
 
 def _is_in_numbers(held: Expression) -> bool:
     """Return whether a formula contains a rounded number."""
-    if isinstance(held, Worked) or (isinstance(held, Number) and simple_fraction(held.x) is None):
+    if isinstance(held, NumericFormula) or (isinstance(held, Number) and simple_fraction(held.x) is None):
         return True
     return any(map(_is_in_numbers, held.parts))
 
 
-def _leading(book: Book, goal: str) -> list[tuple[str, Expression]]:
+def _leading(book: SolutionBuilder, goal: str) -> list[tuple[str, Expression]]:
     """Return the names on which a result depends, in order of definition, with their formulas."""
     formulas = {
         relation.left.latex(): relation.right
@@ -172,15 +174,15 @@ def _leading(book: Book, goal: str) -> list[tuple[str, Expression]]:
     return [(name, formula) for name, formula in formulas.items() if name in needed]
 
 
-def _whole(inner: Setting, book: Book, goal: str) -> Expression:
+def _whole(inner: ProblemContext, book: SolutionBuilder, goal: str) -> Expression:
     """Return the formula of a result in the given quantities of text and question."""
     said = {given.symbol for given in inner.lexicon.givens.values()} | book.stated.keys()
     given = tuple(Relation(Symbol(name), Number(book.values[name]), "given") for name in said if name in book.values)
     steps = (Step(-1, "givens", "", given, (), ()), *book.steps)
-    return put_together(Solution("", steps, book.values, goal, answer=book.values[goal], constants=book.constants))
+    return combined_formula(Solution("", steps, book.values, goal, answer=book.values[goal], constants=book.constants))
 
 
-def lone_symbol(setting: Setting, path: str) -> str:
+def lone_symbol(setting: ProblemContext, path: str) -> str:
     """Return the symbol of the number at an address; UnsolvedError if another number shares it."""
     given = setting.lexicon.givens.get(path)
     alike = [held for held in setting.lexicon.givens.values() if given is not None and held.symbol == given.symbol]
@@ -189,6 +191,6 @@ def lone_symbol(setting: Setting, path: str) -> str:
     return given.symbol
 
 
-def counted(value: float, unit: str) -> float:
+def in_formula_units(value: float, unit: str) -> float:
     """Convert an answer to the unit of formulas: degrees to radians."""
     return radians(value) if unit == DEGREES else value

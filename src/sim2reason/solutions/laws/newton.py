@@ -12,13 +12,13 @@ from operator import mul
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.scenes.dsl.fields import Push
-from sim2reason.scenes.dsl.frames import Frames, start
+from sim2reason.scenes.dsl.frames import Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Line, Mechanism
-from sim2reason.scenes.dsl.vectors import Triple, applied, product
+from sim2reason.scenes.dsl.vectors import Triple, applied, dot
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
-from sim2reason.solutions.writing.lexicon import Both, Lexicon, UnreadError
+from sim2reason.solutions.writing.lexicon import DualValue, Lexicon, UnreadError
 
 Side = tuple[Mechanism, Frames]
 
@@ -56,11 +56,11 @@ class Newton:
     def __init__(self, lexicon: Lexicon, segment: Segment) -> None:
         """Take a segment; UnreadError for forces other than weight, strings, contacts and constant forces."""
         self.lexicon, self.mechanism, self.segment = lexicon, lexicon.mechanism, segment
-        self._stretches: dict[tuple[int, int], Both] = {}
+        self._stretches: dict[tuple[int, int], DualValue] = {}
         varying = any(f.region or not (isinstance(f.law, Push) and f.law.constant) for f in self.mechanism.forces)
         if varying or self.mechanism.feet or any(segment.found.mode.acting[len(self.lines) :]):
             raise UnreadError("there are forces of fields, or feet")
-        self._sides: tuple[Side, Side] = tuple((m, start(m)) for m in (lexicon.mechanism, lexicon.twin))  # type: ignore[assignment]
+        self._sides: tuple[Side, Side] = tuple((m, initial_frames(m)) for m in (lexicon.mechanism, lexicon.twin))  # type: ignore[assignment]
 
     @property
     def lines(self) -> tuple[Line, ...]:
@@ -69,19 +69,19 @@ class Newton:
 
     # ---- numbers
 
-    def _both(self, number: Callable[[Mechanism, Frames], float]) -> Both:
+    def _both(self, number: Callable[[Mechanism, Frames], float]) -> DualValue:
         """Return a number of the mechanism and of its twin, which is the same mechanism with other parameters."""
         (here, frames), (there, others) = self._sides
-        return Both(float(number(here, frames)), float(number(there, others)))
+        return DualValue(float(number(here, frames)), float(number(there, others)))
 
     def read(self, number: Callable[[Mechanism, Frames], float]) -> Polynomial:
         """Return a number of the mechanism and its initial geometry, in symbols."""
         return self.lexicon.read(self._both(number))
 
     @cached_property
-    def scale(self) -> list[Both]:
+    def scale(self) -> list[DualValue]:
         """Return the factor of each coordinate's rate: the radius of a wheel's rim (the largest), or 1."""
-        found = [Both(1.0, 1.0)] * len(self.mechanism.coordinates)
+        found = [DualValue(1.0, 1.0)] * len(self.mechanism.coordinates)
         for k, radii in self._rims.items():
             found[k] = max(radii, key=lambda both: both.here)
         for number, face in enumerate(self.mechanism.faces):
@@ -92,22 +92,22 @@ class Newton:
         return found
 
     @cached_property
-    def _rims(self) -> dict[int, list[Both]]:
+    def _rims(self) -> dict[int, list[DualValue]]:
         """Return the radii at which lines are wound round rotating bodies, by coordinate."""
-        found: dict[int, list[Both]] = {}
+        found: dict[int, list[DualValue]] = {}
         for number, line in enumerate(self.mechanism.lines):
             for place, wheel in enumerate(line.wheels):
                 both = self._both(lambda m, _, n=number, p=place: abs(m.lines[n].wheels[p].radius))
                 found.setdefault(self.mechanism.number[wheel.coordinate], []).append(both)
         return found
 
-    def _over(self, number: Both, *coordinates: int) -> Polynomial:
+    def _over(self, number: DualValue, *coordinates: int) -> Polynomial:
         """Divide a number by the scales of coordinates, or by the symbol of the largest radius if there are several."""
         stepped = [k for k in coordinates if len(set(self._rims.get(k, ()))) > 1]
         plain = (self.scale[k] for k in coordinates if k not in stepped)
         radii = (self.lexicon.read(self.scale[k]).symbol for k in stepped)
         inverse = (Polynomial({((radius, -1),): 1.0}) for radius in radii if radius is not None)
-        return reduce(mul, inverse, self.lexicon.read(reduce(Both.__truediv__, plain, number)))
+        return reduce(mul, inverse, self.lexicon.read(reduce(DualValue.__truediv__, plain, number)))
 
     @cached_property
     def gravity(self) -> Polynomial:
@@ -123,14 +123,14 @@ class Newton:
         """Return the mass of a body."""
         return self._masses[next(n for n, held in enumerate(self.mechanism.bodies) if held.name == body)]
 
-    def moved(self, body: str) -> list[int]:
+    def moving_coordinates(self, body: str) -> list[int]:
         """Return the coordinates that move the centre of mass of a body."""
         gradient = self._sides[0][1].center(body).gradient
-        return [k for k, way in gradient.items() if product(way, way) > 1e-18]
+        return [k for k, way in gradient.items() if dot(way, way) > 1e-18]
 
     def along(self, body: str, k: int, way: tuple[float, float, float]) -> Polynomial:
         """Return the component of a body's displacement per unit of coordinate k, along a world direction."""
-        return self.read(lambda _, f: product(f.center(body).gradient[k], way))
+        return self.read(lambda _, f: dot(f.center(body).gradient[k], way))
 
     # ---- laws
 
@@ -138,7 +138,7 @@ class Newton:
         """Return Newton's law along a coordinate."""
         inertia, forces = list[Polynomial](), list[Polynomial]()
         for number, body in enumerate(self.mechanism.bodies):
-            moved = self.moved(body.name) if body.mass else []
+            moved = self.moving_coordinates(body.name) if body.mass else []
             if k in moved:
                 mass = self._masses[number]
                 inertia += [mass * self._dot(body.name, k, j) * symbol("q", j) for j in moved]
@@ -156,7 +156,7 @@ class Newton:
             if way(self._sides[0][1], force.body) is not None:
                 size = self.read(lambda m, _, n=number: _push(m, n).profile.value)
                 along = self.read(
-                    lambda m, f, n=number, b=force.body: product(_push(m, n).direction, way(f, b) or (0.0, 0.0, 0.0))
+                    lambda m, f, n=number, b=force.body: dot(_push(m, n).direction, way(f, b) or (0.0, 0.0, 0.0))
                 )
                 found.append(size * along)
         return found
@@ -165,7 +165,7 @@ class Newton:
         """Return the scalar product of a body's displacements per unit of two coordinates."""
         if k == j:
             return Polynomial.of(1.0)
-        return self.read(lambda _, f: product(f.center(body).gradient[k], f.center(body).gradient[j]))
+        return self.read(lambda _, f: dot(f.center(body).gradient[k], f.center(body).gradient[j]))
 
     def _turning(self, k: int) -> list[Polynomial]:
         """Return I/r² times the acceleration of the rim, for each rotating body."""
@@ -180,7 +180,7 @@ class Newton:
             for body in m.bodies:
                 axes = f[body.name].turning.gradient
                 if any(body.inertia) and k in axes and j in axes:
-                    total += float(product(axes[k], applied(body.inertia, axes[j])))
+                    total += float(dot(axes[k], applied(body.inertia, axes[j])))
             return total
 
         return self._over(self._both(inertia), k, j)
@@ -203,7 +203,7 @@ class Newton:
         """Return the increase of a line's length per unit of a coordinate."""
         return self._over(self._stretch(number, k), k)
 
-    def _stretch(self, number: int, k: int) -> Both:
+    def _stretch(self, number: int, k: int) -> DualValue:
         """Return the increase of a line's length per unit of a coordinate as numbers, without the scale of a rim."""
 
         def along(m: Mechanism, f: Frames) -> float:
@@ -228,7 +228,7 @@ class Newton:
     # ---- faces
 
     @cached_property
-    def rough(self) -> dict[int, int]:
+    def slip_directions(self) -> dict[int, int]:
         """Return the direction of slip at each rough contact by index: 1 or -1, 0 if it sticks."""
         faces = [number for number, face in enumerate(self.mechanism.faces) if face.friction > 0.0]
         return dict(zip(faces, self.segment.found.mode.rubbing, strict=True))
@@ -242,14 +242,14 @@ class Newton:
             found[k] = self.lexicon.read(both)
         return found
 
-    def alone(self, face: int) -> int | None:
+    def single_slip_coordinate(self, face: int) -> int | None:
         """Return the only coordinate along which a contact slips; None if there are several."""
         slip = self.slip(face)
         return next(iter(slip)) if len(slip) == 1 else None
 
     def friction(self, face: int) -> Polynomial:
         """Return the friction along the slip: −µN against it, or an unknown if the contact sticks."""
-        side = self.rough.get(face)
+        side = self.slip_directions.get(face)
         if side is None:
             return NIL
         if side == 0:
@@ -266,7 +266,7 @@ class Newton:
 
     def _rubbing(self, k: int) -> list[Polynomial]:
         """Return the friction forces along a coordinate."""
-        found = [(self.friction(face), self.slip(face)) for face in self.rough]
+        found = [(self.friction(face), self.slip(face)) for face in self.slip_directions]
         return [force * slip[k] for force, slip in found if k in slip]
 
     def normal(self, face: int) -> Row:
@@ -277,10 +277,8 @@ class Newton:
             if face not in lift or not body.mass:
                 continue
             mass = self._masses[number]
-            for j in self.moved(body.name):
-                part = self.read(
-                    lambda _, f, b=body.name, j=j: product(f.center(b).lift[face], f.center(b).gradient[j])
-                )
+            for j in self.moving_coordinates(body.name):
+                part = self.read(lambda _, f, b=body.name, j=j: dot(f.center(b).lift[face], f.center(b).gradient[j]))
                 inertia.append(mass * part * symbol("q", j))
             down = self.read(lambda _, f, b=body.name: -float(f.center(b).lift[face][2]))
             forces.append(mass * self.gravity * down)

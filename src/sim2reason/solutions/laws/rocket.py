@@ -6,23 +6,23 @@ import numpy as np
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.scenes.dsl.frames import start
-from sim2reason.scenes.dsl.mechanism import Attraction, Burn, Mechanism
+from sim2reason.scenes.dsl.frames import initial_frames
+from sim2reason.scenes.dsl.mechanism import Attraction, MassEjection, Mechanism
 from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, ratio
 from sim2reason.solutions.algebra.functions import Call, Power
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.laws.newton import Newton
-from sim2reason.solutions.laws.straight_way import Way
-from sim2reason.solutions.setting import capital
-from sim2reason.solutions.writing.comparing import exceeds, verify_assumed
-from sim2reason.solutions.writing.steps import UnsolvedError, Writing
+from sim2reason.solutions.laws.straight_way import StraightMotion
+from sim2reason.solutions.setting import capitalized
+from sim2reason.solutions.writing.comparing import record_inequality, verify_assumed
+from sim2reason.solutions.writing.steps import StepBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import KILOGRAMS, NEWTONS, SECONDS
 
 HALF = Number(0.5)
 
 
-class Burning(Way):
+class Burning(StraightMotion):
     """The quantities of a rocket, and the times of lift-off and burnout, written as they are needed."""
 
     @property
@@ -41,7 +41,7 @@ class Burning(Way):
         return self.setting.lexicon.of(number)
 
     @property
-    def burn(self) -> Burn:
+    def burn(self) -> MassEjection:
         """Return the rocket's engine."""
         return self.setting.lexicon.mechanism.burns[0]
 
@@ -89,15 +89,15 @@ class Burning(Way):
             self._tell_rising()
             return self.first
         formula = self.rate_of_burning * self.exhaust / self.gravity.expression()
-        step, name = self.book.open("wait"), self.book.fresh("m", r"\text{lift}")
+        step, name = self.book.begin_step("wait"), self.book.fresh("m", r"\text{lift}")
         equal = step.result(name, formula, KILOGRAMS, law=True)
-        step.say(f"The thrust equals the weight of {self.name} at the mass {equal}.")
-        step.say(f"{self._heavier(step, name)} the thrust is less than the weight at first,")
-        step.say(f"and {self.name} stays on the ground until its mass has fallen to this value.")
+        step.add_text(f"The thrust equals the weight of {self.name} at the mass {equal}.")
+        step.add_text(f"{self._heavier(step, name)} the thrust is less than the weight at first,")
+        step.add_text(f"and {self.name} stays on the ground until its mass has fallen to this value.")
         step.close()
         return name
 
-    def _heavier(self, step: Writing, lift: Symbol) -> str:
+    def _heavier(self, step: StepBuilder, lift: Symbol) -> str:
         """Return a clause that the thrust is initially too small: shown, verified at the end, or assumed."""
         larger = f"{self.first.latex()} > {lift.latex()}"
         if self.book.in_symbols:
@@ -105,16 +105,18 @@ class Burning(Way):
         if self.book.is_hidden(self.first - lift):
             self.book.afterwards.append(lambda: verify_assumed(self.book, self.first, lift, larger))
             return f"Assume that ${larger}$; then"
-        exceeds(self.book, step, self.first, lift)
+        record_inequality(self.book, step, self.first, lift)
         return f"As ${larger}$,"
 
     def exclude_rising(self, time: Symbol, longest: Expression) -> None:
         """Write that a rocket that rose from the start would come to rest before the given time."""
-        step = self.book.open("verify")
-        exceeds(self.book, step, time, longest)
+        step = self.book.begin_step("verify")
+        record_inequality(self.book, step, time, longest)
         told = self._observed(step, r"\text{max}", longest)
-        step.say(f"If {self.name} rose from the start, ${self.first.latex()}$ would be at most ${self.full.latex()}$,")
-        step.say(f"and {self.name} would come to rest at the latest after {told}, which is before the given time.")
+        step.add_text(
+            f"If {self.name} rose from the start, ${self.first.latex()}$ would be at most ${self.full.latex()}$,"
+        )
+        step.add_text(f"and {self.name} would come to rest at the latest after {told}, which is before the given time.")
         step.close()
 
     def _risen(self, time: Expression) -> Expression:
@@ -126,7 +128,7 @@ class Burning(Way):
         """Return the time until lift-off."""
         said, formula = f"The mass of {self.name} has fallen to this value after", self.first - self.full
         name = self.book.fresh("t", r"\text{lift}")
-        return self.book.told("wait", said, name, formula / self.rate_of_burning, SECONDS)
+        return self.book.add_step("wait", said, name, formula / self.rate_of_burning, SECONDS)
 
     @cached_property
     def rising(self) -> Symbol:
@@ -134,14 +136,14 @@ class Burning(Way):
         if not self.waits:
             return self.burned
         said, formula = "From lift-off on, the fuel lasts for", (self.full - self.dry) / self.rate_of_burning
-        return self.book.told("time", said, self.book.fresh("t", r"\text{up}"), formula, SECONDS)
+        return self.book.add_step("time", said, self.book.fresh("t", r"\text{up}"), formula, SECONDS)
 
     @cached_property
     def burned(self) -> Symbol:
         """Return the time of burnout."""
         formula = (self.first - self.dry) / self.rate_of_burning
         base = self.book.fresh("t", r"\text{out}") if self.out else self.book.fresh("t")
-        return self.book.told("time", "The fuel lasts for", base, formula, SECONDS)
+        return self.book.add_step("time", "The fuel lasts for", base, formula, SECONDS)
 
     @property
     def rocket_equation(self) -> str:
@@ -185,12 +187,12 @@ class Burning(Way):
     @property
     def who(self) -> str:
         """Return the name of the rocket, capitalized."""
-        return capital(self.name)
+        return capitalized(self.name)
 
     @property
     def name(self) -> str:
         """Return the name of the rocket within a sentence."""
-        return self.setting.called(self.burn.body)
+        return self.setting.display_name(self.burn.body)
 
     def told_when_known(self, write: Callable[[], None], *held: Expression) -> bool:
         """Call `write` now if the numbers are known, else after the answer; return whether it was called now."""
@@ -209,13 +211,13 @@ class Burning(Way):
 
     def _verify_rising(self, thrust: Expression, weight: Expression) -> None:
         """Write the comparison of thrust and weight."""
-        step = self.book.open("verify")
+        step = self.book.begin_step("verify")
         names = [self.book.fresh("F", mark) for mark in (r"\text{thrust}", r"\text{weight}")]
         pairs = [*zip(names, (thrust, weight), strict=True)]
         self.book.observed |= {name.name: self.book.value(held) for name, held in pairs}
         told = [step.verified(name, held, NEWTONS) for name, held in pairs]
-        exceeds(self.book, step, thrust, weight)
-        step.say(f"{self.who} rises from the start, since the thrust {told[0]} exceeds the weight {told[1]}.")
+        record_inequality(self.book, step, thrust, weight)
+        step.add_text(f"{self.who} rises from the start, since the thrust {told[0]} exceeds the weight {told[1]}.")
         step.close()
 
     def assumed_at(self, time: Symbol) -> str:
@@ -233,30 +235,30 @@ class Burning(Way):
 
     def _verify_spent(self, time: Symbol, formula: Expression) -> None:
         """Write the comparison of a time with the time of burnout."""
-        step = self.book.open("verify")
-        exceeds(self.book, step, time, formula)
+        step = self.book.begin_step("verify")
+        record_inequality(self.book, step, time, formula)
         told = self._observed(step, r"\text{out}", formula)
-        step.say(f"The fuel lasts for {told}, so at ${time.name}$ the engine is off.")
+        step.add_text(f"The fuel lasts for {told}, so at ${time.name}$ the engine is off.")
         step.close()
 
     def verify_burning(self, time: Symbol, spent: Expression) -> None:
         """Write that the fuel lasts longer than a given time."""
-        step = self.book.open("verify")
-        exceeds(self.book, step, spent, time)
+        step = self.book.begin_step("verify")
+        record_inequality(self.book, step, spent, time)
         told = self._observed(step, r"\text{out}", spent)
-        step.say(f"The fuel lasts for {told}, so the engine is still on at this time.")
+        step.add_text(f"The fuel lasts for {told}, so the engine is still on at this time.")
         step.close()
 
-    def _observed(self, step: Writing, mark: str, formula: Expression) -> str:
+    def _observed(self, step: StepBuilder, mark: str, formula: Expression) -> str:
         """Return the equation of a time that only a verification uses."""
         return step.verified(self.book.fresh("t", mark), formula, SECONDS)
 
     def verify_farther(self, distance: Symbol, high: Expression) -> None:
         """Write that a distance is covered only after burnout."""
-        step = self.book.open("verify")
-        exceeds(self.book, step, distance, high)
-        step.say(f"As ${distance.latex()} > {high.latex()}$, {self.name} covers this distance")
-        step.say("only after burnout.")
+        step = self.book.begin_step("verify")
+        record_inequality(self.book, step, distance, high)
+        step.add_text(f"As ${distance.latex()} > {high.latex()}$, {self.name} covers this distance")
+        step.add_text("only after burnout.")
         step.close()
 
 
@@ -264,7 +266,7 @@ def _pull(mechanism: Mechanism) -> float:
     """Return the initial gravitational acceleration along the rocket's line, m/s²."""
     axis = mechanism.coordinates[0].axis
     found = -sum(a * b for a, b in zip(axis, mechanism.gravity, strict=True))
-    frames = start(mechanism)
+    frames = initial_frames(mechanism)
     for pull in mechanism.attractions:
         found += _attracted(mechanism, pull, frames.center(pull.a).place, frames.center(pull.b).place)
     return found

@@ -3,7 +3,7 @@
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, ratio
 from sim2reason.solutions.algebra.functions import Call, Power
 from sim2reason.solutions.laws.rocket import Burning
-from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.writing.comparing import record_inequality
 from sim2reason.solutions.writing.unit_latex import KILOGRAMS, METRES
 
 HALF = Number(0.5)
@@ -22,11 +22,13 @@ def tell_in_the_air(rocket: Burning, velocity: Symbol, risen: Expression) -> Non
     height = (
         u * log * risen - u * (rocket.full / rocket.rate_of_burning) * log + u * burning - HALF * g * Power(risen, 2)
     )
-    step, name = book.open("verify"), book.fresh("h")
-    exceeds(book, step, height, ZERO)
+    step, name = book.begin_step("verify"), book.fresh("h")
+    record_inequality(book, step, height, ZERO)
     told = step.verified(name, height, METRES)
-    step.say(f"{rocket.who} is falling then, but it is still in the air: by integration of its velocity, its height is")
-    step.say(f"{told}.")
+    step.add_text(
+        f"{rocket.who} is falling then, but it is still in the air: by integration of its velocity, its height is"
+    )
+    step.add_text(f"{told}.")
     step.close()
 
 
@@ -38,11 +40,11 @@ def _exclude_falling(rocket: Burning, velocity: Symbol, risen: Expression) -> No
     would = rocket.full / Call("exp", (g * risen - velocity) / rocket.exhaust)
     if book.value(would) <= book.value(rocket.full):
         return
-    step, name = book.open("verify"), book.fresh(dry.name, r"\text{down}")
-    exceeds(book, step, would, rocket.full)
+    step, name = book.begin_step("verify"), book.fresh(dry.name, r"\text{down}")
+    record_inequality(book, step, would, rocket.full)
     told = step.verified(name, would, KILOGRAMS)
-    step.say(f"If {rocket.name} moved down at this speed, its empty mass would be {told}, more than the mass")
-    step.say(f"${rocket.full.latex()}$ at which it begins to rise.")
+    step.add_text(f"If {rocket.name} moved down at this speed, its empty mass would be {told}, more than the mass")
+    step.add_text(f"${rocket.full.latex()}$ at which it begins to rise.")
     step.close()
 
 
@@ -63,9 +65,9 @@ def exclude_burning(rocket: Burning, time: Symbol) -> None:
         most = most - HALF * rocket.gravity.expression() * Power(time, 2)
     if book.value(most) >= book.values[far]:
         return
-    step, name = book.open("verify"), book.fresh("s", r"\text{max}")
-    exceeds(book, step, Symbol(far), most)
+    step, name = book.begin_step("verify"), book.fresh("s", r"\text{max}")
+    record_inequality(book, step, Symbol(far), most)
     told = step.verified(name, most, METRES)
-    step.say(f"If the engine were still on at ${time.latex()}$, ${rate.latex()}$ would be at most")
-    step.say(f"${(fuel / time).latex()}$, and {rocket.name} at most {told} from its start, less than ${far}$.")
+    step.add_text(f"If the engine were still on at ${time.latex()}$, ${rate.latex()}$ would be at most")
+    step.add_text(f"${(fuel / time).latex()}$, and {rocket.name} at most {told} from its start, less than ${far}$.")
     step.close()

@@ -2,62 +2,62 @@
 
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import Polynomial
-from sim2reason.solutions.laws.common_rates import Shared
+from sim2reason.solutions.laws.common_rates import SharedRate
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Newton, Row
-from sim2reason.solutions.laws.sliding import way_of_slip
-from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.laws.sliding import slip_direction_text
+from sim2reason.solutions.setting import ProblemContext, capitalized
 from sim2reason.solutions.writing.lexicon import UnreadError
 
 REASON = "From then on it rolls, which on level ground needs no friction"
 
 
-def radius_of(setting: Setting, body: str) -> str:
+def radius_of(setting: ProblemContext, body: str) -> str:
     """Return the words for the radius of a body's rim: *outer radius* for a thick-walled pipe or a stepped pulley."""
     two = is_stepped(setting, body) or getattr(setting.scene.bodies.get(body), "bore", None)
     return "outer radius" if two else "radius"
 
 
-def rim_of(setting: Setting, body: str) -> str:
+def rim_of(setting: ProblemContext, body: str) -> str:
     """Return the words for the rim of a body: *the outer rim* for a stepped pulley."""
-    return f"the {'outer ' if is_stepped(setting, body) else ''}rim of {setting.called(body)}"
+    return f"the {'outer ' if is_stepped(setting, body) else ''}rim of {setting.display_name(body)}"
 
 
-def is_stepped(setting: Setting, body: str) -> bool:
+def is_stepped(setting: ProblemContext, body: str) -> bool:
     """Return whether strings are wound round a body at several radii."""
     own = {c.name for c in setting.mechanism.body[body].coordinates}
     return len({abs(w.radius) for line in setting.mechanism.lines for w in line.wheels if w.coordinate in own}) > 1
 
 
-def rolling_bodies(dynamics: Dynamics, shared: Shared) -> list[str]:
+def rolling_bodies(dynamics: Dynamics, shared: SharedRate) -> list[str]:
     """Return the bodies with a shared rate that rotate while their centres move.
 
     The rate is that of the rim relative to the centre, which is the radius times the angular rate.
     """
     bodies = (dynamics.mechanism.coordinates[k] for k in shared.sense)
-    return [held.body for held in bodies if held.kind == "hinge" and dynamics.newton.moved(held.body)]
+    return [held.body for held in bodies if held.kind == "hinge" and dynamics.newton.moving_coordinates(held.body)]
 
 
-def only_turning(dynamics: Dynamics, shared: Shared) -> str:
+def only_turning(dynamics: Dynamics, shared: SharedRate) -> str:
     """Return the body whose rotation alone has a shared rate, such as a slipping one; empty if there is none."""
     rolling = rolling_bodies(dynamics, shared)
     return rolling[0] if len(rolling) == len(shared.sense) == 1 else ""
 
 
-def turning_noun(dynamics: Dynamics, shared: Shared) -> str:
+def turning_noun(dynamics: Dynamics, shared: SharedRate) -> str:
     """Return the words for a rate of pure rotation and its positive sense."""
     rate = "the angle through which it turns" if dynamics.measure.values else "its angular acceleration"
     body, sense = only_turning(dynamics, shared), _positive(dynamics, shared)
-    return f"the {radius_of(dynamics.setting, body)} of {dynamics.setting.called(body)} times {rate}{sense}"
+    return f"the {radius_of(dynamics.setting, body)} of {dynamics.setting.display_name(body)} times {rate}{sense}"
 
 
-def rolling_words(dynamics: Dynamics, body: str, shared: Shared) -> str:
+def rolling_words(dynamics: Dynamics, body: str, shared: SharedRate) -> str:
     """Return the sentence that a body rolls without slipping, and its rotation with the positive sense.
 
     The positive sense is repeated, since it may differ from that of an earlier phase.
     """
     rate = "the angle through which it turns" if dynamics.measure.values else "its angular acceleration"
-    who, radius = capital(dynamics.setting.called(body)), radius_of(dynamics.setting, body)
+    who, radius = capitalized(dynamics.setting.display_name(body)), radius_of(dynamics.setting, body)
     later = dynamics.segment is not dynamics.setting.motion.segments[0]
     sense = _positive(dynamics, shared, last=False) if later else ""
     return f"{who} rolls without slipping, so its {radius} times {rate}{sense} is ${shared.symbol.name}$, too."
@@ -75,7 +75,7 @@ def rolling_way(dynamics: Dynamics, k: int, sense: float) -> str:
     return ""
 
 
-def _positive(dynamics: Dynamics, shared: Shared, *, last: bool = True) -> str:
+def _positive(dynamics: Dynamics, shared: SharedRate, *, last: bool = True) -> str:
     """Return the words for the positive sense of a rotation rate, as an aside."""
     hinges = ((k, s) for k, s in shared.sense.items() if dynamics.mechanism.coordinates[k].kind == "hinge")
     ways = [(k, sense, rolling_way(dynamics, k, float(sense))) for k, sense in hinges]
@@ -95,8 +95,10 @@ def winding_way(dynamics: Dynamics, k: int, sense: int) -> str:
     for onto, to in ((True, "onto"), (False, "off")):
         for line in newton.lines:
             pace = newton.stretch(dynamics.mechanism.lines.index(line), k).value(dynamics.book.values) * sense
-            if pace and (pace > 0.0) is onto and line.name in dynamics.setting.lines:
-                return f"when {dynamics.setting.lines[line.name]} runs {to} {dynamics.setting.called(body)}"
+            if pace and (pace > 0.0) is onto and line.name in dynamics.setting.string_phrases:
+                return (
+                    f"when {dynamics.setting.string_phrases[line.name]} runs {to} {dynamics.setting.display_name(body)}"
+                )
     return ""
 
 
@@ -105,7 +107,7 @@ def glided_words(dynamics: Dynamics, k: int) -> str:
     coordinate = dynamics.mechanism.coordinates[k]
     if coordinate.kind != "hinge":
         return f"{constant_words(dynamics, k)}, which gives"
-    radius = f"the {radius_of(dynamics.setting, coordinate.body)} of {dynamics.setting.called(coordinate.body)}"
+    radius = f"the {radius_of(dynamics.setting, coordinate.body)} of {dynamics.setting.display_name(coordinate.body)}"
     return f"{constant_words(dynamics, k)}, so {radius} times the angle through which it has turned is"
 
 
@@ -113,7 +115,7 @@ def not_slipping(dynamics: Dynamics, row: Row) -> str:
     """Return a clause such as *, nor does it slip on pulley P*; empty if no body turns with the string."""
     held = (int(name[1:]) for name in sorted(row.inertia.names()) if name[0] == "q" and name[1:].isdigit())
     bodies = [c.body for c in (dynamics.mechanism.coordinates[k] for k in held) if c.kind == "hinge"]
-    return f", nor does it slip on {dynamics.setting.listed(bodies)}" if bodies else ""
+    return f", nor does it slip on {dynamics.setting.bodies_phrase(bodies)}" if bodies else ""
 
 
 def inertia_words(dynamics: Dynamics, k: int) -> str:
@@ -132,47 +134,49 @@ def inertia_words(dynamics: Dynamics, k: int) -> str:
     return f", whose moment of inertia is ${size.latex()}$, divided by its {called} ${radius.symbol.latex()}$"
 
 
-def rim_inertia_words(newton: Newton, setting: Setting, k: int) -> str:
+def rim_inertia_words(newton: Newton, setting: ProblemContext, k: int) -> str:
     """Return the sentence with the moment of inertia of a body on a hinge; empty if it has none."""
     body = setting.mechanism.coordinates[k].body
     inertia, radius = newton.turning(k, k), radius_of(setting, body)
     size = f"${inertia.expression().latex()}$ times the square of its {radius}"
-    return f"The moment of inertia of {setting.called(body)} is {size}." if inertia else ""
+    return f"The moment of inertia of {setting.display_name(body)} is {size}." if inertia else ""
 
 
 def slipping_words(dynamics: Dynamics, face: int, normal: Polynomial) -> str:
     """Return the sentence that a round body slips at its contact, with the friction in terms of the normal force."""
     newton = dynamics.newton
-    size, side = newton.coefficient(face) * normal, float(newton.rough[face])
-    ways = [way_of_slip(dynamics, face, sign) for sign in (side, -side)]
+    size, side = newton.coefficient(face) * normal, float(newton.slip_directions[face])
+    ways = [slip_direction_text(dynamics, face, sign) for sign in (side, -side)]
     if not all(ways):
         return ""
-    who = capital(dynamics.setting.called(dynamics.mechanism.faces[face].subject))
+    who = capitalized(dynamics.setting.display_name(dynamics.mechanism.faces[face].subject))
     friction = f"the friction ${size.expression().latex()}$ acts on it {ways[1]}"
     return f"{who} slips {ways[0]} at the point of contact, so {friction}."
 
 
-def speed_words(dynamics: Dynamics, shared: Shared, begun: Expression, name: Symbol) -> str:
+def speed_words(dynamics: Dynamics, shared: SharedRate, begun: Expression, name: Symbol) -> str:
     """Return the words before a velocity if its name does not identify it, or if it is that of a rotation."""
     body = only_turning(dynamics, shared)
     first = f", at first ${begun.latex()}$," if begun != ZERO else ""
     if body:
-        radius = f"the {radius_of(dynamics.setting, body)} of {dynamics.setting.called(body)}"
+        radius = f"the {radius_of(dynamics.setting, body)} of {dynamics.setting.display_name(body)}"
         return f"{radius} times its angular velocity{first} is "
     return f"the velocity in the direction of ${shared.symbol.name}$ is " if name.name == "v" else ""
 
 
-def arc_words(dynamics: Dynamics, shared: Shared) -> str:
+def arc_words(dynamics: Dynamics, shared: SharedRate) -> str:
     """Return the words before an arc of pure rotation; empty for other displacements."""
     body = only_turning(dynamics, shared)
-    radius = f"the {radius_of(dynamics.setting, body)} of {dynamics.setting.called(body)}" if body else ""
+    radius = f"the {radius_of(dynamics.setting, body)} of {dynamics.setting.display_name(body)}" if body else ""
     return f"{radius} times the angle through which it has turned is " if body else ""
 
 
 def constant_words(dynamics: Dynamics, k: int) -> str:
     """Return why a rate is constant; on first use, that rolling on level ground needs no friction."""
     newton = dynamics.newton
-    rolls = any(side == 0 and newton.alone(face) is None for face, side in newton.rough.items())
+    rolls = any(
+        side == 0 and newton.single_slip_coordinate(face) is None for face, side in newton.slip_directions.items()
+    )
     turns = dynamics.mechanism.coordinates[k].kind == "hinge"
     rate = f"the {'angular velocity' if turns else 'velocity'}"
     if rolls and any(step.text.startswith(REASON) for step in dynamics.book.steps):

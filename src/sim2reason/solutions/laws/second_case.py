@@ -4,30 +4,30 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
-from sim2reason.solutions.algebra.inverse import put
+from sim2reason.solutions.algebra.inverse import substitute
 from sim2reason.solutions.closed_forms.closed_form import defined_by
 from sim2reason.solutions.laws.nested import AGAIN, NEW
 from sim2reason.solutions.multipart.quantities import LABEL
 from sim2reason.solutions.multipart.quoting import labelled
 from sim2reason.solutions.multipart.renaming import TOKEN, renamed_step
-from sim2reason.solutions.setting import joined
+from sim2reason.solutions.setting import join_words
 from sim2reason.solutions.solution import Relation, Step
-from sim2reason.solutions.writing.comparing import exceeds
-from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
-from sim2reason.solutions.writing.subscripts import marked, split
+from sim2reason.solutions.writing.comparing import record_inequality
+from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError
+from sim2reason.solutions.writing.subscripts import split_name, with_subscript
 
-KEPT = "verify", "solve"  # kinds of steps that are repeated under new names
-FEW = 20  # words: shorter repetitions are kept
+REPEATED_KINDS = "verify", "solve"  # kinds of steps that are repeated under new names
+MIN_REPEATED_WORDS = 20  # words: shorter repetitions are kept
 
 
-def shorten_second_case(book: Book, begun: int, changed: Mapping[str, str]) -> None:
+def shorten_second_case(book: SolutionBuilder, begun: int, changed: Mapping[str, str]) -> None:
     """Replace the steps from `begun` on that repeat laws by a sentence that the laws are the same.
 
     `changed` maps the name of the differing number to its name in the first case.
     """
     first, second, names = book.steps[:begun], book.steps[begun:], dict[str, str]()
     repeated = _repeated(book, first, second, names)
-    if sum(len(step.text.split()) for step in repeated) < FEW:
+    if sum(len(step.text.split()) for step in repeated) < MIN_REPEATED_WORDS:
         return
     rest = [step for step in second if step not in repeated]
     used = {match[0] for step in rest for match in TOKEN.finditer(step.text)}
@@ -39,7 +39,7 @@ def shorten_second_case(book: Book, begun: int, changed: Mapping[str, str]) -> N
         book.steps[begun + number] = kept
 
 
-def reuse_first_case(book: Book, begun: int, stated: Collection[str]) -> dict[str, str]:
+def reuse_first_case(book: SolutionBuilder, begun: int, stated: Collection[str]) -> dict[str, str]:
     """Remove steps of the second case that repeat the first; return old names by new ones.
 
     `stated` has the first case's names of numbers in the question. For a motion with several phases, or a result that
@@ -70,21 +70,21 @@ def reuse_first_case(book: Book, begun: int, stated: Collection[str]) -> dict[st
     return names
 
 
-def _same_given(book: Book, new: str, old: str) -> bool:
+def _same_given(book: SolutionBuilder, new: str, old: str) -> bool:
     """Return whether two names, one of each case, are the same number of the question."""
-    return book.stated[new] == book.stated[old] and split(new)[0] == split(old)[0]
+    return book.stated[new] == book.stated[old] and split_name(new)[0] == split_name(old)[0]
 
 
-def _same_result(book: Book, new: str, old: str) -> bool:
+def _same_result(book: SolutionBuilder, new: str, old: str) -> bool:
     """Return whether two names, one of each case, have the same value, or the new one is an equation's label."""
     if new == old or LABEL.fullmatch(new):
         return True
     return new in book.values and book.values.get(old) == book.values[new]
 
 
-def _is_idle_law(step: Step, kept: Sequence[Step], first: Sequence[Step], book: Book) -> bool:
+def _is_idle_law(step: Step, kept: Sequence[Step], first: Sequence[Step], book: SolutionBuilder) -> bool:
     """Return whether a step only sets up laws of the first case, and no kept step depends on it."""
-    if step.kind in KEPT or any(name in book.values for name in step.gives):
+    if step.kind in REPEATED_KINDS or any(name in book.values for name in step.gives):
         return False
     used = {match[0] for other in kept if other is not step for match in TOKEN.finditer(other.text)}
     needed = any(step.id in other.needs for other in kept)
@@ -103,15 +103,17 @@ def _moved(step: Step, places: Mapping[int, int]) -> Step:
 def _same_laws(names: Mapping[str, str]) -> str:
     """Return the sentence that the laws are the same, with the substituted names."""
     said = [f"${new}$ for ${old}$" for new, old in names.items()]
-    return f"The same laws hold, with {joined(said)}."
+    return f"The same laws hold, with {join_words(said)}."
 
 
-def _repeated(book: Book, first: Sequence[Step], second: Sequence[Step], names: dict[str, str]) -> list[Step]:
+def _repeated(
+    book: SolutionBuilder, first: Sequence[Step], second: Sequence[Step], names: dict[str, str]
+) -> list[Step]:
     """Return the steps that repeat a law of the first case, and add their new names to `names`."""
     found, left = list[Step](), [*first]
     for step in second:
         valued = any(name in book.values for name in step.gives)
-        for other in left if not valued and step.kind not in KEPT else ():
+        for other in left if not valued and step.kind not in REPEATED_KINDS else ():
             pairs = _renaming(step.text, other.text)
             if pairs is not None and all(names.get(new, old) == old for new, old in pairs.items()):
                 names |= pairs
@@ -151,11 +153,11 @@ def _labels(first: Sequence[Step], rest: Sequence[Step], names: Mapping[str, str
     return found
 
 
-LONG = 200  # characters: longer formulas are checked, but not written
-LONGEST = 1000  # characters: no substitution into longer formulas
+MAX_WRITTEN_LENGTH = 200  # characters: longer formulas are checked, but not written
+MAX_SUBSTITUTED_LENGTH = 1000  # characters: no substitution into longer formulas
 
 
-def verify_again(book: Book, symbol: str, changed: Expression, lead: str) -> None:
+def verify_again(book: SolutionBuilder, symbol: str, changed: Expression, lead: str) -> None:
     """Write that each comparison that depends on a symbol still holds with `changed` in its place.
 
     Raises:
@@ -188,13 +190,13 @@ def _changed(
 ) -> Expression | None:
     """Return a formula with `changed` in place of a symbol, also in dependent names; None if it gets long."""
     for name, formula in {**hanging, symbol: changed}.items():
-        side = put(side, name, formula)
-        if len(side.latex()) > LONGEST:
+        side = substitute(side, name, formula)
+        if len(side.latex()) > MAX_SUBSTITUTED_LENGTH:
             return None
     return side
 
 
-def _exceeds_still(book: Book, held: Relation, formulas: Mapping[str, Expression]) -> None:
+def _exceeds_still(book: SolutionBuilder, held: Relation, formulas: Mapping[str, Expression]) -> None:
     """Check a comparison numerically with other formulas for names.
 
     Raises:
@@ -207,23 +209,23 @@ def _exceeds_still(book: Book, held: Relation, formulas: Mapping[str, Expression
         raise UnsolvedError(f"{held.left.latex()} no longer exceeds {held.right.latex()}")
 
 
-def _verify(book: Book, step: Step, held: Relation, sides: Sequence[Expression], lead: str) -> None:
+def _verify(book: SolutionBuilder, step: Step, held: Relation, sides: Sequence[Expression], lead: str) -> None:
     """Write one comparison with its new values."""
-    writing, (left, right) = book.open("verify"), sides
-    exceeds(book, writing, left, right)
-    if max(len(side.latex()) for side in sides) > LONG:
+    writing, (left, right) = book.begin_step("verify"), sides
+    record_inequality(book, writing, left, right)
+    if max(len(side.latex()) for side in sides) > MAX_WRITTEN_LENGTH:
         return
     said = [_told(writing, step, pair) for pair in ((held.left, left), (held.right, right))]
-    writing.say(f"{lead}, {said[0]} still exceeds {said[1]}.")
+    writing.add_text(f"{lead}, {said[0]} still exceeds {said[1]}.")
     writing.label(f"{AGAIN} {len(book.steps)}")
     writing.close()
 
 
-def _told(writing: Writing, step: Step, sides: tuple[Expression, Expression]) -> str:
+def _told(writing: StepBuilder, step: Step, sides: tuple[Expression, Expression]) -> str:
     """Return one side of a comparison in words: its new value, or its name if it is unchanged."""
     before, after = sides
     named = next((r for r in step.relations if r.role == "verified" and before in (r.left, r.right)), None)
     if named is None or before == after:
         return f"${(after if named is None else named.left).latex()}$"
-    name = Symbol(marked(named.left.latex(), NEW))
+    name = Symbol(with_subscript(named.left.latex(), NEW))
     return writing.verified(name, after, named.unit)

@@ -5,27 +5,33 @@ from math import isinf
 
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, multiplied
-from sim2reason.solutions.algebra.inverse import put_all
+from sim2reason.solutions.algebra.inverse import substitute_all
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
-from sim2reason.solutions.collisions.placing import SOLVED
+from sim2reason.solutions.collisions.placing import SOLVE_KIND
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Row
-from sim2reason.solutions.laws.sticking import carriers, found_alone, holding, limit_of_friction, tell_not_held
-from sim2reason.solutions.setting import capital, joined
-from sim2reason.solutions.writing.comparing import exceeds
-from sim2reason.solutions.writing.steps import Writing
+from sim2reason.solutions.laws.sticking import (
+    carriers,
+    force_from_one_law,
+    limit_of_friction,
+    required_friction,
+    tell_not_held,
+)
+from sim2reason.solutions.setting import capitalized, join_words
+from sim2reason.solutions.writing.comparing import record_inequality
+from sim2reason.solutions.writing.steps import StepBuilder
 from sim2reason.solutions.writing.unit_latex import ACCELERATION
 
 FORCES = frozenset({"tension", "normal force", "friction force", "impulse of a tension", "work of a tension"})
 """Quantities that, if given, determine an acceleration together with its sign."""
-SLOW = 1e-9  # m/s: smaller initial velocities of slip count as zero
+SLIP_SPEED_ATOL = 1e-9  # m/s: smaller initial velocities of slip count as zero
 
 
 def rubs_at_rest(dynamics: Dynamics, face: int) -> bool:
     """Return whether slipping surfaces are still at relative rest, so that accelerations decide the direction."""
     rates = dynamics.segment.v
     slip = dynamics.mechanism.faces[face].slip
-    return abs(sum(float(rates[dynamics.mechanism.number[name]]) * radius for name, radius in slip)) < SLOW
+    return abs(sum(float(rates[dynamics.mechanism.number[name]]) * radius for name, radius in slip)) < SLIP_SPEED_ATOL
 
 
 def directions_of_friction(dynamics: Dynamics, rows: Sequence[Row]) -> list[str]:
@@ -33,25 +39,27 @@ def directions_of_friction(dynamics: Dynamics, rows: Sequence[Row]) -> list[str]
     used = {name for row in rows for name in row.zero.names()}
     ways: dict[str, list[str]] = {}
     sticking: list[str] = []
-    for face, side in dynamics.newton.rough.items():
+    for face, side in dynamics.newton.slip_directions.items():
         body = dynamics.mechanism.faces[face].subject
-        if side and dynamics.newton.alone(face) is None:  # round bodies: written with the point of contact
+        if (
+            side and dynamics.newton.single_slip_coordinate(face) is None
+        ):  # round bodies: written with the point of contact
             continue
         if side and f"N{face}" in used:
-            ways.setdefault(way_of_slip(dynamics, face, -side), []).append(body)
+            ways.setdefault(slip_direction_text(dynamics, face, -side), []).append(body)
         elif f"f{face}" in used:
             (force,) = dynamics.names[f"f{face}"].names()
-            way = way_of_slip(dynamics, face, 1 if dynamics.values[f"f{face}"] >= 0.0 else -1)
-            who = dynamics.setting.called(body)
+            way = slip_direction_text(dynamics, face, 1 if dynamics.values[f"f{face}"] >= 0.0 else -1)
+            who = dynamics.setting.display_name(body)
             if dynamics.book.in_symbols:  # either direction is possible
                 sticking.append(f"The static friction ${force}$ on {who} is counted as positive {way}.")
             else:
                 sticking.append(f"Static friction ${force}$ acts on {who} {way}.")
-    said = [f"on {dynamics.setting.listed(bodies)} {way}" for way, bodies in ways.items()]
+    said = [f"on {dynamics.setting.bodies_phrase(bodies)} {way}" for way, bodies in ways.items()]
     bodies = [body for some in ways.values() for body in some]
     stacked = any(body.parent in bodies for body in dynamics.mechanism.bodies)  # contacts on both faces
     begin = "From the surface beneath, friction" if stacked else "Friction"
-    return [*([f"{begin} acts {joined(said)}."] if said else []), *sticking]
+    return [*([f"{begin} acts {join_words(said)}."] if said else []), *sticking]
 
 
 def verify_sliding(dynamics: Dynamics) -> None:
@@ -72,11 +80,11 @@ def _tell(dynamics: Dynamics) -> None:
     """Write the reasons of `verify_sliding`."""
     spoken = {dynamics.mechanism.coordinates[row.number].body for group in dynamics.groups for row in group}
     moved: dict[Expression, list[int]] = {}
-    for number, side in dynamics.newton.rough.items():
+    for number, side in dynamics.newton.slip_directions.items():
         face = dynamics.mechanism.faces[number]
         if not side or isinf(face.friction) or face.subject not in spoken or not rubs_at_rest(dynamics, number):
             continue
-        needed = holding(dynamics.newton, dynamics.setting, number)
+        needed = required_friction(dynamics.newton, dynamics.setting, number)
         if needed is None and (relative := _relative(dynamics, number)) is not None:
             moved.setdefault(relative, []).append(number)
         elif needed is not None and not dynamics.segment.start:
@@ -90,8 +98,8 @@ def _tell_not_held(dynamics: Dynamics, face: int, needed: Expression) -> None:
     book, newton = dynamics.book, dynamics.newton
     most = limit_of_friction(newton, face)
     if abs(book.value(needed)) > book.value(most):
-        slips = newton.alone(face) is None
-        moves = "slips" if slips else f"slides {way_of_slip(dynamics, face, newton.rough[face])}"
+        slips = newton.single_slip_coordinate(face) is None
+        moves = "slips" if slips else f"slides {slip_direction_text(dynamics, face, newton.slip_directions[face])}"
         tell_not_held(newton, dynamics.setting, book, face, needed, f", so it {moves}")
 
 
@@ -101,24 +109,26 @@ def _tell_accelerated(dynamics: Dynamics, relative: Expression, faces: Sequence[
     if not {*relative.symbols()} <= book.values.keys() or book.value(relative) <= 0.0:
         return
     bodies = [dynamics.mechanism.faces[face].subject for face in faces]
-    step, under = book.open("verify"), carriers(dynamics, bodies[0])
+    step, under = book.begin_step("verify"), carriers(dynamics, bodies[0])
     _tell_carriers(dynamics, step, faces[0])
     free = _without_friction(dynamics, relative) if isinstance(relative, Symbol) else None
     if free is not None and book.value(free) > 0.0:
-        exceeds(book, step, free, ZERO)
+        record_inequality(book, step, free, ZERO)
         told = step.verified(book.fresh("a", r"\text{free}"), free, ACCELERATION)
-        step.say(f"Without friction the acceleration would be {told}, which is positive; friction can only reduce it,")
-        step.say(f"so {joined(_slides(dynamics, faces))}.")
+        step.add_text(
+            f"Without friction the acceleration would be {told}, which is positive; friction can only reduce it,"
+        )
+        step.add_text(f"so {join_words(_slides(dynamics, faces))}.")
         step.close()
         return
-    exceeds(book, step, relative, ZERO)
+    record_inequality(book, step, relative, ZERO)
     if isinstance(relative, Symbol):
         told = f"the acceleration ${relative.latex()}$"
     else:
         own = None if under else _unvalued(dynamics, faces[0])
-        name = own or book.fresh("a", r"\text{rel}" if under else setting.mark(bodies[0]))
+        name = own or book.fresh("a", r"\text{rel}" if under else setting.subscript_of(bodies[0]))
         told = f"the {'relative ' if under else ''}acceleration {step.verified(name, relative, ACCELERATION)}"
-    step.say(f"Even against friction {told} is positive, so {joined(_slides(dynamics, faces))}.")
+    step.add_text(f"Even against friction {told} is positive, so {join_words(_slides(dynamics, faces))}.")
     step.close()
 
 
@@ -128,15 +138,17 @@ def _without_friction(dynamics: Dynamics, found: Symbol) -> Expression | None:
     Such an acceleration is positive for either direction of motion, so it does not prove the direction.
     """
     book, formula = dynamics.book, dynamics.book.formulas.get(found.name)
-    solved = any(step.kind == SOLVED and found.name in step.gives for step in book.steps)
+    solved = any(step.kind == SOLVE_KIND and found.name in step.gives for step in book.steps)
     target = dynamics.setting.target
     if formula is None or not solved or len(dynamics.shared) != 1 or (target and target.quantity in FORCES):
         return None
-    if any(isinf(dynamics.mechanism.faces[face].friction) for face in dynamics.newton.rough):
+    if any(isinf(dynamics.mechanism.faces[face].friction) for face in dynamics.newton.slip_directions):
         return None  # an unlimited constraint may also act along the motion
-    formula = put_all(formula, {name: book.formulas[name] for name in reversed(book.formulas) if name != found.name})
-    coefficients = (dynamics.newton.coefficient(face) for face in dynamics.newton.rough)
-    return put_all(formula, {name: ZERO for coefficient in coefficients for name in coefficient.names()})
+    formula = substitute_all(
+        formula, {name: book.formulas[name] for name in reversed(book.formulas) if name != found.name}
+    )
+    coefficients = (dynamics.newton.coefficient(face) for face in dynamics.newton.slip_directions)
+    return substitute_all(formula, {name: ZERO for coefficient in coefficients for name in coefficient.names()})
 
 
 def _unvalued(dynamics: Dynamics, face: int) -> Symbol | None:
@@ -145,7 +157,7 @@ def _unvalued(dynamics: Dynamics, face: int) -> Symbol | None:
     if len(slips) != 1:
         return None
     ((k, factor),) = slips
-    held = (factor.scaled(dynamics.newton.rough[face]) * dynamics.names.get(f"q{k}", NIL)).expression()
+    held = (factor.scaled(dynamics.newton.slip_directions[face]) * dynamics.names.get(f"q{k}", NIL)).expression()
     return held if isinstance(held, Symbol) and held.name in dynamics.bound else None
 
 
@@ -153,15 +165,18 @@ def _slides(dynamics: Dynamics, faces: Sequence[int]) -> list[str]:
     """Return the sliding bodies and their directions, in words."""
     ways: dict[tuple[str, str], list[str]] = {}
     for face in faces:
-        body, way = dynamics.mechanism.faces[face].subject, way_of_slip(dynamics, face, dynamics.newton.rough[face])
+        body, way = (
+            dynamics.mechanism.faces[face].subject,
+            slip_direction_text(dynamics, face, dynamics.newton.slip_directions[face]),
+        )
         under = carriers(dynamics, body)
-        on = f" on {dynamics.setting.called(under[0])}" if under else ""
+        on = f" on {dynamics.setting.display_name(under[0])}" if under else ""
         ways.setdefault((way, on), []).append(body)
-    called = dynamics.setting.listed
+    called = dynamics.setting.bodies_phrase
     return [f"{called(who)} {'slides' if len(who) == 1 else 'slide'} {way}{on}" for (way, on), who in ways.items()]
 
 
-def way_of_slip(dynamics: Dynamics, face: int, sense: float) -> str:
+def slip_direction_text(dynamics: Dynamics, face: int, sense: float) -> str:
     """Return the words for the direction in which a body slides at a contact."""
     slides = sliding_coordinates(dynamics.mechanism, face)
     return dynamics.moving(slides[0][0], 1 if sense * slides[0][1] > 0.0 else -1) if slides else ""
@@ -187,14 +202,14 @@ def _parts(dynamics: Dynamics, face: int) -> list[tuple[int, Polynomial, Express
         for n, factor in terms:
             if n in dynamics.frozen:
                 continue
-            found = found_alone(dynamics, rows, f"q{n}")
+            found = force_from_one_law(dynamics, rows, f"q{n}")
             if found is None:
                 return None
-            parts.append((n, part.scaled(factor * dynamics.newton.rough[face]), found))
+            parts.append((n, part.scaled(factor * dynamics.newton.slip_directions[face]), found))
     return parts
 
 
-def _tell_carriers(dynamics: Dynamics, step: Writing, face: int) -> None:
+def _tell_carriers(dynamics: Dynamics, step: StepBuilder, face: int) -> None:
     """Write the accelerations of the bodies that carry a sliding body, unless they have names already."""
     book, parts = dynamics.book, _parts(dynamics, face) or []
     own = dynamics.mechanism.faces[face].subject
@@ -203,10 +218,10 @@ def _tell_carriers(dynamics: Dynamics, step: Writing, face: int) -> None:
         if body == own or not book.value(found) or isinstance(-found if found.negative else found, Symbol):
             continue
         sense = 1 if book.value(found) > 0.0 else -1
-        name = book.fresh("a", dynamics.setting.mark(body))
+        name = book.fresh("a", dynamics.setting.subscript_of(body))
         told = step.verified(name, found if sense > 0 else -found, ACCELERATION)
-        step.say(f"{capital(dynamics.setting.called(body))} then has the acceleration {told}")
-        step.say(f"{dynamics.moving(n, sense)}.")
+        step.add_text(f"{capitalized(dynamics.setting.display_name(body))} then has the acceleration {told}")
+        step.add_text(f"{dynamics.moving(n, sense)}.")
 
 
 def _laws(dynamics: Dynamics) -> list[Row]:
@@ -217,7 +232,7 @@ def _laws(dynamics: Dynamics) -> list[Row]:
         name = f"N{row.number}"
         if row.kind == "normal" and not row.inertia:
             pressed[name] = row.forces.without((name,)).scaled(-1.0)
-    return [Row(r.kind, r.number, r.forces.put(pressed), r.inertia) for r in rows if r.kind != "normal"]
+    return [Row(r.kind, r.number, r.forces.substitute(pressed), r.inertia) for r in rows if r.kind != "normal"]
 
 
 def sliding_coordinates(m: Mechanism, face: int) -> list[tuple[int, float]]:

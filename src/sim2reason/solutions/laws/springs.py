@@ -4,7 +4,7 @@ from sim2reason.scenes.dsl.frames import Frames
 from sim2reason.scenes.dsl.mechanism import Elastic, Line, Mechanism
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.laws.newton import Newton, symbol
-from sim2reason.solutions.writing.lexicon import Both, UnreadError
+from sim2reason.solutions.writing.lexicon import DualValue, UnreadError
 
 
 class SpringLaws(Newton):
@@ -43,7 +43,7 @@ class SpringLaws(Newton):
         """Return the initial length of a spring, m."""
         return self.read(lambda m, f: _length(m.lines[number], f))
 
-    def changes(self, number: int, k: int) -> Both:
+    def changes(self, number: int, k: int) -> DualValue:
         """Return the change of a spring's length per unit of a coordinate, as numbers."""
         return self._stretch(number, k) / self.scale[k]
 

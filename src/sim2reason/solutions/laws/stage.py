@@ -14,16 +14,16 @@ from sim2reason.solutions.algebra.expressions import (
     multiplied,
     ratio,
 )
-from sim2reason.solutions.algebra.functions import Power, Root, squares
+from sim2reason.solutions.algebra.functions import Power, Root, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, balance, total
-from sim2reason.solutions.laws.common_rates import STILL, Shared
+from sim2reason.solutions.laws.common_rates import RATE_RTOL, SharedRate
 from sim2reason.solutions.laws.either_way import acceleration_over_distance
 from sim2reason.solutions.laws.rolling_words import arc_words, constant_words, glided_words, speed_words
 from sim2reason.solutions.laws.turning_back import tell_not_turned, tell_turning_only_later, turned_before
 from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.writing.comparing import why_this_time
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.subscripts import subscript
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
 
@@ -47,8 +47,8 @@ HALF = Number(0.5)
 class Stage:
     """A segment with its initial `speeds` and `places` by coordinate, positive along the coordinate."""
 
-    setting: Setting
-    book: Book
+    setting: ProblemContext
+    book: SolutionBuilder
     segment: Segment
     span: float  # duration, s, used only for signs
     end: End
@@ -129,15 +129,15 @@ class Stage:
             return self._size(self.gain(k).expression())
         begun, late = self._begun(shared), self._value(shared, moved=False)
         early = self.book.value(begun.expression())
-        if not early or early * late >= -STILL * abs(early):
+        if not early or early * late >= -RATE_RTOL * abs(early):
             gone = self._travelled(shared).expression()
             tell_turning_only_later(self.book, begun.factored(), shared.symbol, self.written_time)
             return self._size(gone)
-        step, name = self.book.open("distance"), self.book.fresh("s", subscript(shared.symbol.name))
+        step, name = self.book.begin_step("distance"), self.book.fresh("s", subscript(shared.symbol.name))
         formula = -Quotient(Power(begun.factored(), 2), multiplied(Number(2.0), shared.symbol))
         where = f"at {step.result(name, formula, METRES, law=True)}"
         turned = turned_before(self.book, step, begun.factored(), shared.symbol, self.time)
-        step.say(f"It turns back where its velocity is zero, {where}{turned}.")
+        step.add_text(f"It turns back where its velocity is zero, {where}{turned}.")
         step.close()
         return added(self._size(name), self._size(self._travelled(shared).expression() - name))
 
@@ -149,9 +149,9 @@ class Stage:
         """Write the displacement along a coordinate at constant velocity, m."""
         if not self.speeds.get(k, NIL):
             return before
-        time, step, name = self.time, self.book.open("distance"), self.book.fresh("s")
+        time, step, name = self.time, self.book.begin_step("distance"), self.book.fresh("s")
         formula = (before + self.speeds[k] * Polynomial.of(time)).expression()
-        step.say(f"{glided_words(self.dynamics, k)} {step.result(name, formula, METRES, law=True)}.")
+        step.add_text(f"{glided_words(self.dynamics, k)} {step.result(name, formula, METRES, law=True)}.")
         step.close()
         return Polynomial.of(name)
 
@@ -160,30 +160,32 @@ class Stage:
         k = self.end.coordinate
         if self.end.distance is None or not self.speeds.get(k, NIL):
             raise UnsolvedError("nothing ends a motion at constant velocity")
-        step, name = self.book.open("time"), self.book.fresh("t")
+        step, name = self.book.begin_step("time"), self.book.fresh("t")
         formula = ratio(self.end.distance.expression(), self.speeds[k].expression())
-        step.say(f"{constant_words(self.dynamics, k)}, which gives {step.result(name, formula, SECONDS, law=True)}.")
+        step.add_text(
+            f"{constant_words(self.dynamics, k)}, which gives {step.result(name, formula, SECONDS, law=True)}."
+        )
         step.close()
         return name
 
-    def _shared(self, k: int) -> Shared | None:
+    def _shared(self, k: int) -> SharedRate | None:
         """Return the common rate of a coordinate, or None."""
         return next((shared for shared in self.dynamics.shared if k in shared.sense), None)
 
-    def _begun(self, shared: Shared) -> Polynomial:
+    def _begun(self, shared: SharedRate) -> Polynomial:
         """Return the initial velocity of a common rate, in its own sense."""
         k, sense = next(iter(shared.sense.items()))
         return self.speeds.get(k, NIL).scaled(float(sense))
 
-    def _ends(self, shared: Shared) -> bool:
+    def _ends(self, shared: SharedRate) -> bool:
         """Return whether a common rate includes the coordinate that ends the stage."""
         return not self.end.slip and self.end.coordinate in shared.sense
 
-    def _value(self, shared: Shared, *, moved: bool) -> float:
+    def _value(self, shared: SharedRate, *, moved: bool) -> float:
         """Return the engine's final value of a common rate, m/s, or displacement, m."""
         k, sense = next(iter(shared.sense.items()))
         scale = sense * self.dynamics.newton.scale[k].here
-        own = self.dynamics.own
+        own = self.dynamics.relative_to_ground
         v, a = scale * own(self.segment.v)[k], scale * own(self.segment.found.a)[k]
         return v * self.span + 0.5 * a * self.span**2 if moved else v + a * self.span
 
@@ -200,11 +202,11 @@ class Stage:
         """Write the time at which slip ends: Σ factor (v + a t) = 0."""
         begun = total(part * self.speeds.get(k, NIL) for k, part in self.end.slip.items())
         gained = total(part * self.acceleration(k) for k, part in self.end.slip.items())
-        step, name = self.book.open("time"), self.book.fresh("t")
+        step, name = self.book.begin_step("time"), self.book.fresh("t")
         law = step.law(*balance(begun + gained * Polynomial.of(name)))
         swapped = -1.0 if self.book.value(gained.expression()) > 0.0 else 1.0  # makes both parts positive
         formula = ratio(begun.scaled(swapped).expression(), gained.scaled(-swapped).expression())
-        step.say(f"{self.end.what} {law}, so {step.result(name, formula, SECONDS)}.")
+        step.add_text(f"{self.end.what} {law}, so {step.result(name, formula, SECONDS)}.")
         step.close()
         return name
 
@@ -218,10 +220,10 @@ class Stage:
         if shared is None:
             raise UnsolvedError("what ends a stage does not move")
         begun, a = self._begun(shared).factored(), shared.symbol
-        step, name = self.book.open("time"), self.book.fresh("t")
+        step, name = self.book.begin_step("time"), self.book.fresh("t")
         if self.end.distance is None:
             law = step.law(added(begun, multiplied(a, name)), ZERO)
-            step.say(f"{self.end.what} {law}, so {step.result(name, Quotient(-begun, a), SECONDS)}.")
+            step.add_text(f"{self.end.what} {law}, so {step.result(name, Quotient(-begun, a), SECONDS)}.")
         else:
             distance = self.end.distance.scaled(float(shared.sense[self.end.coordinate])).expression()
             rate, why = self._over(shared)
@@ -229,15 +231,15 @@ class Stage:
             result = step.result(name, self._root(shared, distance), SECONDS)
             if begun != ZERO:
                 why = why_this_time(self.book, step, name, self._root(shared, distance, first=False))
-            step.say(f"{self.end.what} {law}, so {result}{why}.")
+            step.add_text(f"{self.end.what} {law}, so {result}{why}.")
             slowed = self.book.value(begun) > 0.0 > self.book.value(a)
             if slowed and self.book.is_hidden(added(begun, a)) and self._value(shared, moved=False) > 0.0:
-                who = self.setting.called(self.dynamics.mechanism.coordinates[self.end.coordinate].body)
+                who = self.setting.display_name(self.dynamics.mechanism.coordinates[self.end.coordinate].body)
                 self.book.afterwards.append(lambda: tell_not_turned(self.book, begun, a, name, who))
         step.close()
         return name
 
-    def _root(self, shared: Shared, distance: Expression, *, first: bool = True) -> Expression:
+    def _root(self, shared: SharedRate, distance: Expression, *, first: bool = True) -> Expression:
         """Return the first positive root of d = v t + ½ a t², or the other root."""
         begun, a = self._begun(shared).factored(), shared.symbol
         if begun == ZERO:
@@ -246,20 +248,20 @@ class Stage:
         sign = 1.0 if (self._value(shared, moved=False) >= 0.0) is first else -1.0
         return Quotient(added(multiplied(Number(sign), Root(under)), -begun), a)
 
-    def _over(self, shared: Shared) -> tuple[Expression, str]:
+    def _over(self, shared: SharedRate) -> tuple[Expression, str]:
         """Return the acceleration over a distance, perhaps its magnitude, and the reason to end a sentence."""
         bodies = [self.dynamics.mechanism.coordinates[k].body for k in shared.sense]
         begun = self._begun(shared).factored()
         return acceleration_over_distance(self.setting, self.book, begun, shared.symbol, bodies)
 
-    def _at_end(self, shared: Shared) -> Polynomial:
+    def _at_end(self, shared: SharedRate) -> Polynomial:
         """Return the final velocity of a common rate, written once."""
         name = shared.symbol.name
         if name not in self._velocity:
             self._velocity[name] = self._speed(shared)
         return self._velocity[name]
 
-    def _speed(self, shared: Shared) -> Polynomial:
+    def _speed(self, shared: SharedRate) -> Polynomial:
         """Write the final velocity, m/s: v + a t, or √(v² + 2 a d) for a known distance."""
         if self._ends(shared) and self.end.distance is None and self.end.time is None:
             return NIL
@@ -267,48 +269,50 @@ class Stage:
         if self._ends(shared) and self.end.distance is not None:
             return self._by_distance(shared, begun)
         time = self.time
-        step, name = self.book.open("velocity"), self.book.fresh("v", subscript(shared.symbol.name))
+        step, name = self.book.begin_step("velocity"), self.book.fresh("v", subscript(shared.symbol.name))
         told = step.result(name, added(begun, multiplied(a, time)), SPEED, law=True)
         said = speed_words(self.dynamics, shared, begun, name)
-        step.say(f"After the time ${time.name}$, {said}{told}.")
+        step.add_text(f"After the time ${time.name}$, {said}{told}.")
         step.close()
         return Polynomial.of(name)
 
-    def _by_distance(self, shared: Shared, begun: Expression) -> Polynomial:
+    def _by_distance(self, shared: SharedRate, begun: Expression) -> Polynomial:
         """Write the final velocity after a known distance."""
         assert self.end.distance is not None
         distance = self.end.distance.scaled(float(shared.sense[self.end.coordinate])).expression()
-        step, name = self.book.open("velocity"), self.book.fresh("v", subscript(shared.symbol.name))
+        step, name = self.book.begin_step("velocity"), self.book.fresh("v", subscript(shared.symbol.name))
         rate, why = self._over(shared)
-        square = added(squares([begun]), multiplied(Number(2.0), multiplied(rate, distance)))
+        square = added(sum_of_squares([begun]), multiplied(Number(2.0), multiplied(rate, distance)))
         law = step.law(Power(name, 2), square)
         sign = 1.0 if self._value(shared, moved=False) >= 0.0 else -1.0
-        step.say(f"{self.end.what} {law}, so {step.result(name, multiplied(Number(sign), Root(square)), SPEED)}{why}.")
+        step.add_text(
+            f"{self.end.what} {law}, so {step.result(name, multiplied(Number(sign), Root(square)), SPEED)}{why}."
+        )
         step.close()
         return Polynomial.of(name)
 
-    def _travelled(self, shared: Shared) -> Polynomial:
+    def _travelled(self, shared: SharedRate) -> Polynomial:
         """Return the displacement of a common rate, written once."""
         name = shared.symbol.name
         if name not in self._moved:
             self._moved[name] = self._distance(shared)
         return self._moved[name]
 
-    def _distance(self, shared: Shared) -> Polynomial:
+    def _distance(self, shared: SharedRate) -> Polynomial:
         """Write the displacement, m: v t + ½ a t², or v²/2a for a body that comes to rest."""
         if self._ends(shared) and self.end.distance is not None:
             return self.end.distance.scaled(float(shared.sense[self.end.coordinate]))
         begun, a = self._begun(shared).factored(), shared.symbol
         if self._ends(shared) and self.end.time is None:
-            step, name = self.book.open("distance"), self.book.fresh("s", subscript(shared.symbol.name))
+            step, name = self.book.begin_step("distance"), self.book.fresh("s", subscript(shared.symbol.name))
             law = step.law(added(Power(begun, 2), multiplied(Number(2.0), multiplied(a, name))), ZERO)
             formula = -Quotient(Power(begun, 2), multiplied(Number(2.0), a))
-            step.say(f"{self.end.what} {law}, so {step.result(name, formula, METRES)}.")
+            step.add_text(f"{self.end.what} {law}, so {step.result(name, formula, METRES)}.")
         else:
             time = self.time
-            step, name = self.book.open("distance"), self.book.fresh("s", subscript(shared.symbol.name))
+            step, name = self.book.begin_step("distance"), self.book.fresh("s", subscript(shared.symbol.name))
             told, what = step.result(name, _path(begun, a, time), METRES, law=True), arc_words(self.dynamics, shared)
-            step.say(f"After the time ${time.name}$, {what}{told}.")
+            step.add_text(f"After the time ${time.name}$, {what}{told}.")
         step.close()
         return Polynomial.of(name)
 

@@ -9,18 +9,18 @@ from typing import Protocol
 
 from sim2reason.scenes.dsl.frames import Frames
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Mechanism
-from sim2reason.scenes.dsl.vectors import minus, product
+from sim2reason.scenes.dsl.vectors import dot, minus
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
-from sim2reason.solutions.goals import Stretch
+from sim2reason.solutions.goals import MotionPart
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.rolling_words import rolling_way
 from sim2reason.solutions.laws.sliding import rubs_at_rest, sliding_coordinates
 from sim2reason.solutions.laws.stage import Stage
-from sim2reason.solutions.laws.straight_way import Way
-from sim2reason.solutions.writing.comparing import exceeds
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.laws.straight_way import StraightMotion
+from sim2reason.solutions.writing.comparing import record_inequality
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import SPEED
 
 
@@ -50,29 +50,31 @@ class Course(Protocol):
         ...
 
 
-def tell_arcs(book: Book, stages: Sequence[Course], k: int) -> None:
+def tell_arcs(book: SolutionBuilder, stages: Sequence[Course], k: int) -> None:
     """Write the arcs through which a hinge turns the rim of its body in several stages, and their senses."""
     gains = [gain for stage in stages if (gain := stage.gain(k))]
     if len(gains) < 2:
         return
-    step, dynamics = book.open("verify"), stages[0].dynamics
+    step, dynamics = book.begin_step("verify"), stages[0].dynamics
     senses = [1.0 if book.value(gain.expression()) > 0.0 else -1.0 for gain in gains]
     arcs = [f"${gain.scaled(sense).expression().latex()}$" for gain, sense in zip(gains, senses, strict=True)]
     turns = ("further" if now == before else "back" for before, now in pairwise(senses))
     later = (f", then {way} through {arc}" for way, arc in zip(turns, arcs[1:], strict=True))
-    who = dynamics.setting.called(dynamics.mechanism.coordinates[k].body)
+    who = dynamics.setting.display_name(dynamics.mechanism.coordinates[k].body)
     way = rolling_way(dynamics, k, senses[0])
-    step.say(f"The rim of {who} first turns through the arc {arcs[0]} in the sense of rolling {way}{''.join(later)}.")
+    step.add_text(
+        f"The rim of {who} first turns through the arc {arcs[0]} in the sense of rolling {way}{''.join(later)}."
+    )
     for name in dict.fromkeys(name for gain in gains for name in gain.names()):
         step.rest_on(name)
     step.close()
 
 
 @dataclass(frozen=True, slots=True)
-class StagePart(Stretch):
+class StagePart(MotionPart):
     """One stage of a motion, with the laws that give its forces."""
 
-    way: Way
+    way: StraightMotion
     stage: Course
     laws: Dynamics
 
@@ -95,12 +97,12 @@ class StagePart(Stretch):
                 return self._newton.tension(m.lines.index(line), line)
             return names.get(f"T{m.constraints.index(line)}", NIL)
         face = next(number for number, held in enumerate(m.faces) if held.subject == name)
-        side = self._newton.rough.get(face, 0)
+        side = self._newton.slip_directions.get(face, 0)
         return (self._newton.coefficient(face) * names[f"N{face}"]).scaled(float(side)) if side else NIL
 
     def moved(self, body: str, line: str) -> Polynomial:
         """Return the displacement of a body along a line attached to it."""
-        own = self.stage.dynamics.enough(self.way.moving([body]))
+        own = self.stage.dynamics.sufficient_coordinates(self.way.moving([body]))
         parts: list[Polynomial] = []
         for k in own:
             along = self._newton.read(lambda m, f, k=k: _along(m, f, (body, line, k)))
@@ -121,7 +123,7 @@ class StagePart(Stretch):
     def path(self, body: str) -> Expression:
         """Return the distance that a body travels along its line."""
         dynamics = self.stage.dynamics
-        own = [k for k in dynamics.enough(self.way.moving([body])) if k not in dynamics.frozen]
+        own = [k for k in dynamics.sufficient_coordinates(self.way.moving([body])) if k not in dynamics.frozen]
         if not own:
             return ZERO
         if len(own) != 1:
@@ -135,8 +137,8 @@ def _along(mechanism: Mechanism, frames: Frames, of: tuple[str, str, int]) -> fl
     through = mechanism.line[line].through
     ends = through if mechanism.site[through[0]].body == body else through[::-1]
     apart = minus(frames.site(ends[1]).place, frames.site(ends[0]).place)
-    size = float(product(apart, apart)) ** 0.5
-    return float(product(apart, frames.center(body).gradient[k])) / size
+    size = float(dot(apart, apart)) ** 0.5
+    return float(dot(apart, frames.center(body).gradient[k])) / size
 
 
 def verify_still_sliding(stages: Sequence[Stage]) -> None:
@@ -163,7 +165,7 @@ def verify_still_sliding(stages: Sequence[Stage]) -> None:
 def _slowing(stage: Stage) -> list[int]:
     """Return the contacts at which sliding slows down, except that whose end of slip ends the stage."""
     m, segment, found = stage.dynamics.mechanism, stage.segment, list[int]()
-    for number, side in stage.dynamics.newton.rough.items():
+    for number, side in stage.dynamics.newton.slip_directions.items():
         face = m.faces[number]
         parts = sliding_coordinates(m, number)
         ends = any(k in stage.end.slip for k, _ in parts) or (
@@ -209,10 +211,13 @@ def _tell(stage: Stage, face: int, velocity: Expression) -> None:
     body = stage.dynamics.mechanism.faces[face].subject
     under = stage.dynamics.mechanism.body[body].parent
     assert under is not None
-    step, name = book.open("verify"), book.fresh("u", f"{setting.mark(under)}{setting.mark(body)}")
-    exceeds(book, step, velocity, ZERO)
+    step, name = (
+        book.begin_step("verify"),
+        book.fresh("u", f"{setting.subscript_of(under)}{setting.subscript_of(body)}"),
+    )
+    record_inequality(book, step, velocity, ZERO)
     told = step.verified(name, velocity, SPEED)
     further = "further " if stage.segment.start else ""
-    step.say(f"After the {further}time ${stage.time.latex()}$, {setting.called(body)} still slides on")
-    step.say(f"{setting.called(under)}, as their relative speed is {told}.")
+    step.add_text(f"After the {further}time ${stage.time.latex()}$, {setting.display_name(body)} still slides on")
+    step.add_text(f"{setting.display_name(under)}, as their relative speed is {told}.")
     step.close()

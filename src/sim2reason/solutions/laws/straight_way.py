@@ -6,24 +6,24 @@ from collections.abc import Set as AbstractSet
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.questions import Target
-from sim2reason.scenes.dsl.frames import Frames, start
-from sim2reason.scenes.dsl.vectors import Vector, minus, product
+from sim2reason.scenes.dsl.frames import Frames, initial_frames
+from sim2reason.scenes.dsl.vectors import Vector, dot, minus
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
-from sim2reason.solutions.goals import AXES, GOALS, Components, Goal, Stretch, Struck
+from sim2reason.solutions.goals import AXES, GOALS, CollisionTerm, Components, Goal, MotionPart
 from sim2reason.solutions.laws.newton import Newton
-from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.writing.lexicon import Both
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.setting import ProblemContext
+from sim2reason.solutions.writing.lexicon import DualValue
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 
-ROOM: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-STILL = 1e-9
+WORLD_AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+COMPONENT_ATOL = 1e-9
 
 
-class Way(ABC):
+class StraightMotion(ABC):
     """The derivation of one answer for bodies that move along straight lines."""
 
-    def __init__(self, setting: Setting, book: Book) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
         """Take the problem and the book."""
         self.setting, self.book = setting, book
         self.mechanism, self.query = setting.mechanism, setting.query
@@ -55,12 +55,12 @@ class Way(ABC):
     @cached_property
     def _start(self) -> Frames:
         """Return the initial geometry."""
-        return start(self.mechanism)
+        return initial_frames(self.mechanism)
 
     def moving(self, bodies: Sequence[str]) -> list[int]:
         """Return the coordinates that move given bodies."""
         ways = (self._start.center(body).gradient.items() for body in bodies)
-        return sorted({k for found in ways for k, way in found if product(way, way) > STILL})
+        return sorted({k for found in ways for k, way in found if dot(way, way) > COMPONENT_ATOL})
 
     def own(self, body: str) -> list[int]:
         """Return the coordinates whose rates add up to a body's motion; by default all that move it."""
@@ -79,7 +79,7 @@ class Way(ABC):
 
     def _matters(self, body: str, k: int, way: Vector) -> bool:
         """Return whether a coordinate moves a body along a direction."""
-        return abs(product(self._start.center(body).gradient[k], way)) >= STILL
+        return abs(dot(self._start.center(body).gradient[k], way)) >= COMPONENT_ATOL
 
     def stretching(self, line: str) -> list[int]:
         """Return the coordinates that change the length of a line."""
@@ -100,7 +100,7 @@ class Way(ABC):
         pairs = zip(lexicon.mechanism.coordinates, lexicon.twin.coordinates, strict=True)
         turns = any(c.kind == "hinge" for c in self.mechanism.coordinates)
         scale = Newton(lexicon, self.setting.motion.segments[0]).scale if turns else None
-        speeds = {k: Both(a.speed, b.speed) for k, (a, b) in enumerate(pairs) if a.speed}
+        speeds = {k: DualValue(a.speed, b.speed) for k, (a, b) in enumerate(pairs) if a.speed}
         return {k: lexicon.read(speed * scale[k] if scale else speed) for k, speed in speeds.items()}
 
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:
@@ -118,12 +118,12 @@ class Way(ABC):
         """
         parts: list[Polynomial] = []
         for k, rate in rates.items():
-            along = product(self._start.center(body).gradient[k], way)
-            if abs(along) < STILL:
+            along = dot(self._start.center(body).gradient[k], way)
+            if abs(along) < COMPONENT_ATOL:
                 continue
-            if abs(abs(along) - 1.0) < STILL:
+            if abs(abs(along) - 1.0) < COMPONENT_ATOL:
                 factor = Polynomial.of(1.0 if along > 0.0 else -1.0)
-            elif way in ROOM:
+            elif way in WORLD_AXES:
                 factor = self.newton.along(body, k, (way[0], way[1], way[2]))
             else:
                 raise UnsolvedError("a component along a direction that is neither the room's nor the body's own")
@@ -137,15 +137,15 @@ class Way(ABC):
             rates = self.first_speeds if kind == "u" else {k: self.rate(kind, k) for k in own}
             parts = [*(rates.get(k, NIL) for k in own), NIL]
             return parts[0], parts[1], parts[2]
-        x, y, z = (self.component(kind, body, way) for way in ROOM)
+        x, y, z = (self.component(kind, body, way) for way in WORLD_AXES)
         return x, y, z
 
     def lone(self, kind: str, body: str) -> Polynomial | None:
         """Return a vector of a body along its line of motion, signed like its coordinate; None for several lines."""
         own = self.moving([body]) if kind == "u" else self.own(body)
         ways = [self._start.center(body).gradient[k] for k in own]
-        senses = [product(way, ways[-1]) for way in ways]
-        if not own or any(abs(abs(sense) - 1.0) > STILL for sense in senses):
+        senses = [dot(way, ways[-1]) for way in ways]
+        if not own or any(abs(abs(sense) - 1.0) > COMPONENT_ATOL for sense in senses):
             return None
         rates = [self.first_speeds.get(k, NIL) if kind == "u" else self.rate(kind, k) for k in own]
         return total(rate.scaled(float(round(sense))) for rate, sense in zip(rates, senses, strict=True))
@@ -159,13 +159,17 @@ class Way(ABC):
     def apart(self, one: str, other: str) -> Components:
         """Return the initial vector from the centre of one body to that of another."""
         lexicon = self.setting.lexicon
-        places = [minus(f.center(other).place, f.center(one).place) for f in (self._start, start(lexicon.twin))]
+        places = [
+            minus(f.center(other).place, f.center(one).place) for f in (self._start, initial_frames(lexicon.twin))
+        ]
         own, ways = self._own(other), list[tuple[Vector, Vector]]()
         for n in range(3):
-            axes = [(m.coordinates[own[n]].axis if n < len(own) else ROOM[n]) for m in (self.mechanism, lexicon.twin)]
+            axes = [
+                (m.coordinates[own[n]].axis if n < len(own) else WORLD_AXES[n]) for m in (self.mechanism, lexicon.twin)
+            ]
             ways.append((axes[0], axes[1]))
-        pairs = ([float(product(place, way)) for place, way in zip(places, axes, strict=True)] for axes in ways)
-        x, y, z = (lexicon.read(Both(*pair)) for pair in pairs)
+        pairs = ([float(dot(place, way)) for place, way in zip(places, axes, strict=True)] for axes in ways)
+        x, y, z = (lexicon.read(DualValue(*pair)) for pair in pairs)
         return (x, y, NIL) if own else (x, y, z)
 
     def rim(self, kind: str, body: str) -> Polynomial:
@@ -205,7 +209,7 @@ class Way(ABC):
         raise UnsolvedError(f"no {kind} of {line}")
 
     @property
-    def stretches(self) -> Sequence[Stretch]:
+    def stretches(self) -> Sequence[MotionPart]:
         """Return the parts of the motion; by default raise UnsolvedError."""
         raise UnsolvedError("no way to what adds up over a motion")
 
@@ -218,7 +222,7 @@ class Way(ABC):
         del line
 
     @property
-    def impacts(self) -> Sequence[Struck]:
+    def impacts(self) -> Sequence[CollisionTerm]:
         """Return the collisions up to the moment; by default raise UnsolvedError."""
         raise UnsolvedError("there are no collisions")
 

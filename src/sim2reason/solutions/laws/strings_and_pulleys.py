@@ -6,14 +6,14 @@ from collections.abc import Set as AbstractSet
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.solutions.algebra.elimination import Equation, solved
+from sim2reason.solutions.algebra.elimination import Equation, solve_linear
 from sim2reason.solutions.algebra.expressions import ZERO, Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Row
-from sim2reason.solutions.setting import capital, joined
+from sim2reason.solutions.setting import capitalized, join_words
 from sim2reason.solutions.solution import Relation, Step
-from sim2reason.solutions.writing.steps import UnsolvedError, Writing
+from sim2reason.solutions.writing.steps import StepBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import NEWTONS
 
 TWICE = 2.0
@@ -30,7 +30,7 @@ def balanced_tensions(
     labels: dict[str, frozenset[str]] = {}
     for equation in light:
         used = {name for name in equation.zero.names() if name in found}
-        zero = equation.forces.put(found)
+        zero = equation.forces.substitute(found)
         names = [n for n in sorted(zero.names() & unknown) if n not in known]
         name = min(names, key=lambda n: (n in goals, abs(zero.coefficient(n).number or 0.0) != 1.0, n))
         before = zero.coefficient(name).number
@@ -39,11 +39,11 @@ def balanced_tensions(
         found[name] = zero.without((name,)).scaled(-1.0 / before)
         labels[name] = frozenset({equation.label}).union(*(labels[n] for n in used))
         labels |= {n: labels[n] | labels[name] for n, held in found.items() if name in held.names()}
-        found = {n: p.put({name: found[name]}) for n, p in found.items()}
+        found = {n: p.substitute({name: found[name]}) for n, p in found.items()}
     return found, labels
 
 
-def doubled(dynamics: Dynamics, row: Row) -> str:
+def doubling_reason(dynamics: Dynamics, row: Row) -> str:
     """Return why a pulley's acceleration has the factor 2 in a string's law, as an addition to a sentence."""
     held = [int(name[1:]) for name in row.inertia.names() if name[1:].isdigit()]
     twice = [k for k in held if abs(row.inertia.coefficient(f"q{k}").number or 0.0) == TWICE]
@@ -51,13 +51,13 @@ def doubled(dynamics: Dynamics, row: Row) -> str:
     pulleys = [body for body in bodies if body in dynamics.setting.pulleys]
     if not pulleys:
         return ""
-    return f", and moving {dynamics.setting.listed(pulleys)} changes the two parts beside it equally"
+    return f", and moving {dynamics.setting.bodies_phrase(pulleys)} changes the two parts beside it equally"
 
 
-FAINT = 1e-9  # relative to the largest weight: laws with smaller weights are not needed
+WEIGHT_RTOL = 1e-9  # relative to the largest weight: laws with smaller weights are not needed
 
 
-def needed(
+def needed_laws(
     rows: Sequence[Row], unknowns: Sequence[str], values: Mapping[str, float], goals: Sequence[str]
 ) -> list[Row]:
     """Return the laws that determine the goals, in order; UnsolvedError if all laws together do not.
@@ -81,7 +81,7 @@ def _taking_part(matrix: NDArray[np.float64], target: NDArray[np.float64], goal:
     if weights is None:
         raise UnsolvedError(f"the laws do not determine {goal}")
     if np.linalg.matrix_rank(matrix) == len(matrix):
-        return {n for n in everything if abs(weights[n]) > FAINT * np.abs(weights).max()}
+        return {n for n in everything if abs(weights[n]) > WEIGHT_RTOL * np.abs(weights).max()}
     kept = everything
     for number in everything:
         fewer = [n for n in kept if n != number]
@@ -126,7 +126,7 @@ def _tell(dynamics: Dynamics, rows: Sequence[Row], phase: int) -> None:
     """Write the check that strings stay taut."""
     book, rows = dynamics.book, _with_weights(dynamics, rows)
     now, book.phase = book.phase, phase
-    step, told = book.open(TAUT), list[tuple[int, str]]()
+    step, told = book.begin_step(TAUT), list[tuple[int, str]]()
     waiting, symbols = [n for n in dynamics.taut if not _is_told(dynamics, n)], dict(dynamics.names)
     while (ready := _ready(dynamics, rows, waiting, symbols)) is not None:
         place, law = ready
@@ -138,33 +138,35 @@ def _tell(dynamics: Dynamics, rows: Sequence[Row], phase: int) -> None:
     if len(told) == 1:
         ((place, formula),) = told
         alone = len(dynamics.newton.lines) == 1 and f"T{place}" in dynamics.names
-        who, what = ("The string", "") if alone else (capital(_line(dynamics, place)), "its tension ")
-        step.say(f"{who} stays taut, as {what}{formula} is positive.")
+        who, what = ("The string", "") if alone else (capitalized(_line(dynamics, place)), "its tension ")
+        step.add_text(f"{who} stays taut, as {what}{formula} is positive.")
     elif told:
         named = [
             formula if f"T{place}" in dynamics.names else f"the tension {formula} in {_line(dynamics, place)}"
             for place, formula in told
         ]
         every = "The" if len(told) == len(dynamics.taut) else "These"
-        step.say(f"{every} strings stay taut, as {joined(named)} are positive.")
+        step.add_text(f"{every} strings stay taut, as {join_words(named)} are positive.")
     step.close()
     book.phase = now
 
 
 def _line(dynamics: Dynamics, place: int) -> str:
     """Return the name of a string."""
-    return dynamics.setting.lines[dynamics.newton.lines[place].name]
+    return dynamics.setting.string_phrases[dynamics.newton.lines[place].name]
 
 
 def _positive(
-    dynamics: Dynamics, step: Writing, place: int, law: Polynomial, symbols: dict[str, Polynomial]
+    dynamics: Dynamics, step: StepBuilder, place: int, law: Polynomial, symbols: dict[str, Polynomial]
 ) -> list[tuple[int, str]]:
     """Record that a tension is positive by its law; return it with its equation, or nothing if it is zero."""
     own = next(iter(symbols[f"T{place}"].names())) if f"T{place}" in symbols else f"T{place}"
-    formula, book = solved(law, own), dynamics.book
+    formula, book = solve_linear(law, own), dynamics.book
     line = dynamics.newton.lines[place]
     bodies = [dynamics.mechanism.site[site].body or "" for site in (line.through[0], line.through[-1])]
-    symbol = Symbol(own) if f"T{place}" in symbols else book.fresh("T", "".join(map(dynamics.setting.mark, bodies)))
+    symbol = (
+        Symbol(own) if f"T{place}" in symbols else book.fresh("T", "".join(map(dynamics.setting.subscript_of, bodies)))
+    )
     symbols[f"T{place}"] = Polynomial.of(symbol)
     told = step.verified(symbol, formula, NEWTONS)
     if book.observed[symbol.name] <= 0.0:
@@ -186,7 +188,7 @@ def _ready(
         name = next(iter(symbols[f"T{place}"].names())) if f"T{place}" in symbols else f"T{place}"
         for row in rows:
             if f"T{place}" in row.zero.names():
-                law = row.zero.put(symbols).put(dynamics.bound)
+                law = row.zero.substitute(symbols).substitute(dynamics.bound)
                 if name in law.names() and law.names() - {name} <= known:
                     found.append((place, law))
     return min(found, key=lambda pair: len(pair[1].terms), default=None)
@@ -203,6 +205,6 @@ def _with_weights(dynamics: Dynamics, rows: Sequence[Row]) -> list[Row]:
     pressed: dict[str, Polynomial] = {}
     for row in rows:
         name = f"N{row.number}"
-        if row.kind == "normal" and not row.inertia.put(dynamics.names):
+        if row.kind == "normal" and not row.inertia.substitute(dynamics.names):
             pressed[name] = row.forces.without((name,)).scaled(-1.0)
-    return [Row(r.kind, r.number, r.forces.put(pressed), r.inertia) for r in rows if r.kind != "normal"]
+    return [Row(r.kind, r.number, r.forces.substitute(pressed), r.inertia) for r in rows if r.kind != "normal"]

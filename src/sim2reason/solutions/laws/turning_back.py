@@ -4,64 +4,64 @@ from collections.abc import Callable
 
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Quotient, Symbol, added, multiplied
 from sim2reason.solutions.algebra.polynomials import Polynomial
-from sim2reason.solutions.writing.comparing import exceeds
-from sim2reason.solutions.writing.steps import Book, Writing
+from sim2reason.solutions.writing.comparing import record_inequality
+from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
 
 
-def turned_before(book: Book, step: Writing, begun: Expression, a: Symbol, time: Symbol) -> str:
+def turned_before(book: SolutionBuilder, step: StepBuilder, begun: Expression, a: Symbol, time: Symbol) -> str:
     """Return the words that a velocity has become zero before a time, as an addition to a sentence."""
     formula = Quotient(-begun, a)
-    exceeds(book, step, time, formula)
+    record_inequality(book, step, time, formula)
     if book.is_hidden(formula):
         return f", before ${time.name}$"
     name = book.fresh("t", r"\text{turn}")
     return f", after {step.verified(name, formula, SECONDS)}, which is less than ${time.name}$"
 
 
-def later_words(book: Book, step: Writing, formula: Expression, time: Symbol) -> str:
+def later_words(book: SolutionBuilder, step: StepBuilder, formula: Expression, time: Symbol) -> str:
     """Return *only after t_turn = ..., which is more than t*, for a time in s, and record the comparison."""
-    exceeds(book, step, formula, time)
+    record_inequality(book, step, formula, time)
     told = step.verified(book.fresh("t", r"\text{turn}"), formula, SECONDS)
     return f"only after {told}, which is more than ${time.name}$"
 
 
-def tell_turning_only_later(book: Book, begun: Expression, a: Symbol, time: Symbol | None) -> None:
+def tell_turning_only_later(book: SolutionBuilder, begun: Expression, a: Symbol, time: Symbol | None) -> None:
     """Write that a decreasing velocity becomes zero only after a time, if the time is known."""
     formula = Quotient(-begun, a)
     if time is None or book.is_hidden(formula) or book.is_hidden(time) or not book.value(formula) > 0.0:
         return
-    step = book.open("verify")
-    step.say(f"It would turn back {later_words(book, step, formula, time)}, so this is the distance.")
+    step = book.begin_step("verify")
+    step.add_text(f"It would turn back {later_words(book, step, formula, time)}, so this is the distance.")
     step.close()
 
 
-def tell_not_turned(book: Book, begun: Expression, a: Symbol, time: Symbol, who: str) -> None:
+def tell_not_turned(book: SolutionBuilder, begun: Expression, a: Symbol, time: Symbol, who: str) -> None:
     """Write that a body still moves forward at a time, so that it is there for the first time."""
     if book.in_symbols:
         return
     formula = added(begun, multiplied(a, time))
-    step, name = book.open("verify"), book.fresh("v")
-    exceeds(book, step, formula, ZERO)
+    step, name = book.begin_step("verify"), book.fresh("v")
+    record_inequality(book, step, formula, ZERO)
     told = step.verified(name, formula, SPEED)
-    step.say(f"At ${time.name}$ the velocity is {told} and still positive, so {who} is there for the first time.")
+    step.add_text(f"At ${time.name}$ the velocity is {told} and still positive, so {who} is there for the first time.")
     step.close()
 
 
-def verify_remaining(book: Book, left: Symbol, formula: Expression, until: str) -> None:
+def verify_remaining(book: SolutionBuilder, left: Symbol, formula: Expression, until: str) -> None:
     """Write that earlier stages end before an instant; at the end if it depends on the unknown."""
 
     def write() -> None:
-        step = book.open("verify")
-        exceeds(book, step, left, ZERO)
+        step = book.begin_step("verify")
+        record_inequality(book, step, left, ZERO)
         told = step.verified(left, formula, SECONDS)
-        step.say(f"Indeed {told} is positive, so the earlier motion ends before ${until}$.")
+        step.add_text(f"Indeed {told} is positive, so the earlier motion ends before ${until}$.")
         step.close()
 
     _in_the_end(book, left, write)
 
 
-def verify_farther(book: Book, whole: Polynomial, covers: tuple[Symbol, Polynomial], who: str) -> None:
+def verify_farther(book: SolutionBuilder, whole: Polynomial, covers: tuple[Symbol, Polynomial], who: str) -> None:
     """Write that earlier stages do not cover a distance; at the end if it depends on the unknown.
 
     `whole` is the remaining distance; `covers` has the distance and the displacement so far.
@@ -69,24 +69,26 @@ def verify_farther(book: Book, whole: Polynomial, covers: tuple[Symbol, Polynomi
     rest, (distance, place) = whole.expression(), covers
 
     def write() -> None:
-        step, name = book.open("verify"), book.fresh("s", r"\text{rest}")
+        step, name = book.begin_step("verify"), book.fresh("s", r"\text{rest}")
         left = book.magnitude(rest)
-        exceeds(book, step, left, ZERO)
-        step.say(f"Indeed {step.verified(name, left, METRES)} is positive, so the distance is covered only after this.")
+        record_inequality(book, step, left, ZERO)
+        step.add_text(
+            f"Indeed {step.verified(name, left, METRES)} is positive, so the distance is covered only after this."
+        )
         step.close()
 
     _in_the_end(book, rest, write)
     covered = place.expression() if book.value(place.expression()) > 0.0 else place.scaled(-1.0).expression()
     if place and not book.in_symbols and not book.is_hidden(rest):
-        step = book.open("verify")
-        exceeds(book, step, distance, covered)
-        step.say(
+        step = book.begin_step("verify")
+        record_inequality(book, step, distance, covered)
+        step.add_text(
             f"As ${covered.latex()} < {distance.latex()}$, {who} covers the distance ${distance.latex()}$ only later."
         )
         step.close()
 
 
-def _in_the_end(book: Book, held: Expression, write: Callable[[], None]) -> None:
+def _in_the_end(book: SolutionBuilder, held: Expression, write: Callable[[], None]) -> None:
     """Schedule a check for the end if it depends on the unknown."""
     if book.is_hidden(held) and not book.in_symbols:
         book.afterwards.append(write)

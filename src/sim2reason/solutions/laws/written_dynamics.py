@@ -3,10 +3,10 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from sim2reason.solutions.algebra.elimination import Elimination, Equation, solved
+from sim2reason.solutions.algebra.elimination import Elimination, Equation, solve_linear
 from sim2reason.solutions.algebra.expressions import Expression, Symbol, multiplied
-from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, balance, divided, total
-from sim2reason.solutions.laws.common_rates import Shared
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, balance, divide_by_term, total
+from sim2reason.solutions.laws.common_rates import SharedRate
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Row
 from sim2reason.solutions.laws.rolling_words import (
@@ -21,20 +21,20 @@ from sim2reason.solutions.laws.rolling_words import (
 )
 from sim2reason.solutions.laws.sliding import directions_of_friction, verify_sliding
 from sim2reason.solutions.laws.sticking import verify_sticking
-from sim2reason.solutions.laws.strings_and_pulleys import balanced_tensions, doubled, needed, verify_taut
-from sim2reason.solutions.setting import capital
-from sim2reason.solutions.writing.steps import UnsolvedError, Writing
+from sim2reason.solutions.laws.strings_and_pulleys import balanced_tensions, doubling_reason, needed_laws, verify_taut
+from sim2reason.solutions.setting import capitalized
+from sim2reason.solutions.writing.steps import StepBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import NEWTONS
 
 
 def tell_unforced(dynamics: Dynamics, goals: Sequence[str]) -> None:
     """Write that no force acts along coordinates whose accelerations are among the goals."""
-    step = dynamics.book.open("unforced")
+    step = dynamics.book.begin_step("unforced")
     for k in sorted(dynamics.unforced - dynamics.frozen):
         if f"q{k}" in goals:
             coordinate = dynamics.mechanism.coordinates[k]
-            who, way = dynamics.setting.called(coordinate.body), f"in the {coordinate.label} direction"
-            step.say(f"No force acts on {who} {way}, so its velocity in this direction is constant.")
+            who, way = dynamics.setting.display_name(coordinate.body), f"in the {coordinate.label} direction"
+            step.add_text(f"No force acts on {who} {way}, so its velocity in this direction is constant.")
     step.close()
 
 
@@ -51,8 +51,8 @@ class WrittenDynamics(Dynamics):
             return
         rows, unknowns = self.laws(goals)
         givens = {g.symbol: g.value for g in self.setting.lexicon.givens.values()}
-        chosen = needed(rows, unknowns, {**givens, **self.values}, [goal for goal in goals if goal in unknowns])
-        self.share(chosen, goals, rows)
+        chosen = needed_laws(rows, unknowns, {**givens, **self.values}, [goal for goal in goals if goal in unknowns])
+        self.name_shared_rates(chosen, goals, rows)
         self.name(chosen, goals)
         DynamicsWriter(self, chosen, goals).write()
         verify_sticking(self)
@@ -76,9 +76,9 @@ class DynamicsWriter:
         self.pressed: dict[str, Polynomial] = {}  # other normal forces in terms of accelerations
         dynamics.bound = {}
 
-    def _open(self, kind: str) -> Writing:
+    def _open(self, kind: str) -> StepBuilder:
         """Begin a step that is kept only if another step depends on it."""
-        step = self.d.book.open(kind)
+        step = self.d.book.begin_step(kind)
         self._labels.append(f"{kind} {len(self.d.book.steps)}")
         step.label(self._labels[-1])
         return step
@@ -94,7 +94,7 @@ class DynamicsWriter:
         light = [e for group, e in zip(groups, rows, strict=True) if not self._mass(group)]
         balanced, labels = balanced_tensions(light, known, self.d.units.keys(), self.goals)
         known |= balanced
-        heavy = [e.put(known).put(known).by(labels) for e in rows if e not in light]
+        heavy = [e.substitute(known).substitute(known).by(labels) for e in rows if e not in light]
         all_of_them = heavy + equations + [replace(e, moves=NIL) for e in light]
         unknowns = sorted({n for e in all_of_them for n in e.zero.names()} & self.d.units.keys())
         Elimination(self.d.book, self.d.units, self._labels).solve(all_of_them, unknowns, self.goals)
@@ -107,13 +107,13 @@ class DynamicsWriter:
         said = [f"${shared.symbol.name}${self._what(shared)}" for shared in self.d.shared]
         if len(said) == 1:
             name, _, what = said[0].partition("$ of ")
-            step.say(f"Let {name}$ be the {noun} of {what}." if what else f"Let {name.replace(',', ' be', 1)}.")
+            step.add_text(f"Let {name}$ be the {noun} of {what}." if what else f"Let {name.replace(',', ' be', 1)}.")
         elif said:
-            step.say(f"{capital(noun)}s: {'; '.join(said)}.")
+            step.add_text(f"{capitalized(noun)}s: {'; '.join(said)}.")
         tensions = [f"${_name_of(self.names[n])}$ in {self._line(n)}" for n in self.names if n[0] == "T"]
         if tensions:
-            step.say(f"Tension{'s' if len(tensions) > 1 else ''}: {'; '.join(tensions)}.")
-        step.say(*map(self._rolling, self.d.shared), *directions_of_friction(self.d, self.rows), *self._resting())
+            step.add_text(f"Tension{'s' if len(tensions) > 1 else ''}: {'; '.join(tensions)}.")
+        step.add_text(*map(self._rolling, self.d.shared), *directions_of_friction(self.d, self.rows), *self._resting())
         step.close()
 
     def _resting(self) -> list[str]:
@@ -126,45 +126,45 @@ class DynamicsWriter:
             if parent is not None and self._carried(body, own):
                 found.setdefault(parent, []).append(body)
         return [
-            f"{capital(self.d.setting.listed(bodies))} stay{'' if bodies[1:] else 's'} at rest relative to "
-            f"{self.d.setting.called(parent)}."
+            f"{capitalized(self.d.setting.bodies_phrase(bodies))} stay{'' if bodies[1:] else 's'} at rest relative to "
+            f"{self.d.setting.display_name(parent)}."
             for parent, bodies in found.items()
         ]
 
     def _line(self, name: str) -> str:
         """Return the name of the string of a tension."""
-        return self.d.setting.lines[self.d.newton.lines[int(name[1:])].name]
+        return self.d.setting.string_phrases[self.d.newton.lines[int(name[1:])].name]
 
-    def _what(self, shared: Shared) -> str:
+    def _what(self, shared: SharedRate) -> str:
         """Return the words after the symbol of a rate: its bodies, or the rotation it describes."""
         alone = only_turning(self.d, shared)
         return f", {turning_noun(self.d, shared)}" if alone else f" {self._whose(shared)}"
 
-    def _rolling(self, shared: Shared) -> str:
+    def _rolling(self, shared: SharedRate) -> str:
         """Return the sentences about rolling bodies."""
         bodies = rolling_bodies(self.d, shared) if not only_turning(self.d, shared) else []
         return " ".join(rolling_words(self.d, body, shared) for body in bodies)
 
-    def _whose(self, shared: "Shared") -> str:
+    def _whose(self, shared: "SharedRate") -> str:
         """Return the bodies of a rate, such as *of block A downward and of block B up the slope*."""
         ways: dict[str, list[str]] = {}
         turning: list[str] = []
         for k, sense in shared.sense.items():
             coordinate = self.d.mechanism.coordinates[k]
             if coordinate.kind == "hinge":
-                turning += [] if self.d.newton.moved(coordinate.body) else [coordinate.body]
+                turning += [] if self.d.newton.moving_coordinates(coordinate.body) else [coordinate.body]
                 continue
             parent = self.d.mechanism.body[coordinate.body].parent
             way = self.d.moving(k, sense)
             if parent is not None and self._moves(parent) and k not in self.d.carried:
-                way += f" relative to {self.d.setting.called(parent)}"
+                way += f" relative to {self.d.setting.display_name(parent)}"
             ways.setdefault(way, []).append(coordinate.body)
-        said = [f"of {self.d.setting.listed(bodies)} {way}" for way, bodies in ways.items()]
+        said = [f"of {self.d.setting.bodies_phrase(bodies)} {way}" for way, bodies in ways.items()]
         return " and ".join([*said, *(f"of {rim_of(self.d.setting, body)}" for body in turning)])
 
     def _moves(self, body: str) -> bool:
         """Return whether a body moves."""
-        return any(k not in self.d.frozen for k in self.d.newton.moved(body))
+        return any(k not in self.d.frozen for k in self.d.newton.moving_coordinates(body))
 
     # ---- constraints
 
@@ -175,18 +175,18 @@ class DynamicsWriter:
         for row in self.rows:
             if row.kind not in ("string", "grip"):
                 continue
-            zero = row.inertia.put(self.names)
+            zero = row.inertia.substitute(self.names)
             if not zero:
                 continue
-            zero = zero.put(self.d.bound)
+            zero = zero.substitute(self.d.bound)
             name = self._dependent(zero)
-            rest = solved(zero, name)
+            rest = solve_linear(zero, name)
             before = zero.coefficient(name).number
             assert before is not None
             self.d.bound[name] = zero.without((name,)).scaled(-1.0 / before)
-            self.d.bound = {n: p.put({name: self.d.bound[name]}) for n, p in self.d.bound.items()}
-            line, more = self._line(f"T{row.number}"), f"{not_slipping(self.d, row)}{doubled(self.d, row)}"
-            step.say(f"{capital(line)} does not stretch{more}: {step.law(Symbol(name), rest)}.")
+            self.d.bound = {n: p.substitute({name: self.d.bound[name]}) for n, p in self.d.bound.items()}
+            line, more = self._line(f"T{row.number}"), f"{not_slipping(self.d, row)}{doubling_reason(self.d, row)}"
+            step.add_text(f"{capitalized(line)} does not stretch{more}: {step.law(Symbol(name), rest)}.")
             found.append(Equation("", NIL, zero, NIL))
         step.close()
         return found
@@ -209,19 +209,22 @@ class DynamicsWriter:
                 continue
             name = f"N{row.number}"
             symbol = _name_of(self.names[name])
-            pressed = (row.inertia - row.forces.without((name,))).put(self.names)
-            round_one = self.d.newton.rough.get(row.number) and self.d.newton.alone(row.number) is None
+            pressed = (row.inertia - row.forces.without((name,))).substitute(self.names)
+            round_one = (
+                self.d.newton.slip_directions.get(row.number)
+                and self.d.newton.single_slip_coordinate(row.number) is None
+            )
             if symbol not in self.goals and not pressed.names() & self.d.units.keys():
                 self.inline[symbol] = pressed
                 if round_one:
-                    step.say(slipping_words(self.d, row.number, pressed))
+                    step.add_text(slipping_words(self.d, row.number, pressed))
                 continue
             self.pressed[symbol] = pressed
             alone = not pressed.names() & self.d.units.keys()
-            body = self.d.setting.called(self.d.mechanism.faces[row.number].subject)
+            body = self.d.setting.display_name(self.d.mechanism.faces[row.number].subject)
             name, formula = Symbol(symbol), pressed.expression()
             told = step.result(name, formula, NEWTONS, law=True) if alone else step.law(name, formula)
-            step.say(f"Perpendicular to the surface, {body}: {told}.")
+            step.add_text(f"Perpendicular to the surface, {body}: {told}.")
             found += [] if alone else [Equation("", Polynomial.of(name), pressed, NIL)]
         step.close()
         return found
@@ -232,7 +235,9 @@ class DynamicsWriter:
         """Return the sum of a group's laws in the symbols of the book, along its sense of motion."""
         sense = float(self.d.sense.get(group[0].number, 1))
         row = self.d.added(group)
-        forces, inertia = (part.put(self.names).put(self.inline).scaled(sense) for part in (row.forces, row.inertia))
+        forces, inertia = (
+            part.substitute(self.names).substitute(self.inline).scaled(sense) for part in (row.forces, row.inertia)
+        )
         return Row("newton", group[0].number, forces, inertia)
 
     def _equation(self, group: Sequence[Row], *, labelled: bool) -> Equation:
@@ -252,11 +257,11 @@ class DynamicsWriter:
         for group, equation in zip(groups, equations, strict=True):
             if not equation.inertia and not self._mass(group):
                 left, right = balance(equation.forces)
-                who = capital(self.d.setting.called(self._body(group[0].number)))
-                step.say(f"{equation.label} {who}, which is light: {step.law(left, right)}.".strip())
+                who = capitalized(self.d.setting.display_name(self._body(group[0].number)))
+                step.add_text(f"{equation.label} {who}, which is light: {step.law(left, right)}.".strip())
                 continue
             law = step.law(equation.forces.expression(), self._inertia(group, equation))
-            step.say(f"{equation.label} {self._why(group)}: {law}.".strip())
+            step.add_text(f"{equation.label} {self._why(group)}: {law}.".strip())
         step.close()
 
     def _why(self, group: Sequence[Row]) -> str:
@@ -265,23 +270,23 @@ class DynamicsWriter:
             who, _, direction = self._who(group).rpartition(", ")
             said = f"No external force on {who} has a component {direction}, and they start from rest,"
             return f"{said} so their centre of mass does not move in this direction"
-        return capital(self._who(group))
+        return capitalized(self._who(group))
 
     def _inertia(self, group: Sequence[Row], equation: Equation) -> Expression:
         """Return mass times acceleration, with the masses collected if all have the same acceleration."""
-        own = [row.inertia.put(self.names).scaled(float(self.d.sense.get(row.number, 1))) for row in group]
+        own = [row.inertia.substitute(self.names).scaled(float(self.d.sense.get(row.number, 1))) for row in group]
         masses = [part.coefficient(n) for part in own for n in sorted(equation.moves.names()) if part]
         accelerations = sorted(equation.inertia.names() & self.d.units.keys())
         if masses and len(masses) == len(own) and len(masses[0].terms) == 1 and len(accelerations) > 1:
             (monomial, part), *_ = masses[0].terms.items()
-            acceleration = divided(own[0], monomial, part)
+            acceleration = divide_by_term(own[0], monomial, part)
             if acceleration is not None and not (total(masses) * acceleration - equation.inertia):
                 return multiplied(total(masses).expression(), acceleration.expression())
         return equation.inertia.collected(accelerations)
 
     def _mass(self, group: Sequence[Row]) -> bool:
         """Return whether a group has a mass or a moment of inertia."""
-        heavy = {k for b in self.d.mechanism.bodies if b.mass for k in self.d.newton.moved(b.name)}
+        heavy = {k for b in self.d.mechanism.bodies if b.mass for k in self.d.newton.moving_coordinates(b.name)}
         return any(row.number in heavy or self.d.mechanism.coordinates[row.number].kind == "hinge" for row in group)
 
     def _body(self, k: int) -> str:
@@ -293,13 +298,13 @@ class DynamicsWriter:
         k = group[0].number
         own = [self._body(row.number) for row in group]
         if self.d.mechanism.coordinates[k].kind == "hinge":
-            return f"torque on {self.d.setting.called(own[0])}{inertia_words(self.d, k)}"
-        said = {self.d.setting.called(body) for body in own}  # a pulley and its carrier share a name
+            return f"torque on {self.d.setting.display_name(own[0])}{inertia_words(self.d, k)}"
+        said = {self.d.setting.display_name(body) for body in own}  # a pulley and its carrier share a name
         heavy = [b.name for b in self.d.mechanism.bodies if b.mass and b.name not in own]
-        riders = [body for body in heavy if self._carried(body, own) and self.d.setting.called(body) not in said]
-        who = self.d.setting.listed(own)
+        riders = [body for body in heavy if self._carried(body, own) and self.d.setting.display_name(body) not in said]
+        who = self.d.setting.bodies_phrase(own)
         if riders:
-            who += f" with {self.d.setting.listed(riders)}"
+            who += f" with {self.d.setting.bodies_phrase(riders)}"
         return f"{who}{' together' if len(own) > 1 or riders else ''}, {self.d.moving(k, self.d.sense.get(k, 1))}"
 
     def _carried(self, body: str, own: Iterable[str]) -> bool:

@@ -10,16 +10,30 @@ from sim2reason.grading.tokens import canonical
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
 from sim2reason.solutions.algebra.inverse import solved_for
-from sim2reason.solutions.algebra.stated_equations import tidied
+from sim2reason.solutions.algebra.stated_equations import as_one_fraction
 from sim2reason.solutions.laws.strings_and_pulleys import TAUT
-from sim2reason.solutions.multipart.quantities import SAME, NamedQuantity, agree, meanings, names_of, quantities
-from sim2reason.solutions.multipart.quoting import DEFINED, quoting, referred, without_unused
-from sim2reason.solutions.multipart.recall import EARLIER, given_for, kept_steps, known_from, renumbered, starting_from
-from sim2reason.solutions.multipart.renaming import renamed, spoken
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.multipart.quantities import (
+    VALUE_RTOL,
+    NamedQuantity,
+    are_same_meaning,
+    meanings,
+    names_of,
+    quantities,
+)
+from sim2reason.solutions.multipart.quoting import DEFINED, cited_labels, quote_earlier_parts, without_unused
+from sim2reason.solutions.multipart.recall import (
+    EARLIER,
+    kept_steps,
+    recall_results,
+    recallable_names,
+    reduce_givens,
+    renumbered,
+)
+from sim2reason.solutions.multipart.renaming import names_in_text, rename_solution
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.solution import Relation, Solution, Step
-from sim2reason.solutions.verification import verified
-from sim2reason.solutions.writing.subscripts import numbered, split
+from sim2reason.solutions.verification import verify_solution
+from sim2reason.solutions.writing.subscripts import numbered, split_name
 
 
 def naming_fault(parts: Sequence[Solution]) -> str:
@@ -58,7 +72,7 @@ def _doubled(parts: Sequence[Solution]) -> Iterator[str]:
             first, other, meaning = known.setdefault(name, (label, part, words.get(name, "")))
             if name in part.values and name in other.values and not _same(part, other, name):
                 yield f"{name} has one value in part ({first}) and another in part ({label})"
-            if not agree(name, meaning, words.get(name, "")):
+            if not are_same_meaning(name, meaning, words.get(name, "")):
                 yield f"{name} is {meaning!r} in part ({first}) and {words[name]!r} in part ({label})"
             if not meaning and name in words:
                 known[name] = (label, part, words[name])
@@ -71,7 +85,7 @@ def _called_twice(parts: Sequence[Solution]) -> Iterator[str]:
         own: dict[tuple[str, str, str], set[str]] = {}
         for name, words in meanings(part).items():
             if name in part.values:
-                own.setdefault((split(name)[0], words, f"{part.values[name]:.9g}"), set()).add(name)
+                own.setdefault((split_name(name)[0], words, f"{part.values[name]:.9g}"), set()).add(name)
         for key, names in own.items():
             first, called = known.setdefault(key, (label, names))
             if called.isdisjoint(names):
@@ -79,10 +93,10 @@ def _called_twice(parts: Sequence[Solution]) -> Iterator[str]:
 
 
 def _same(part: Solution, other: Solution, name: str) -> bool:
-    return abs(part.values[name] - other.values[name]) <= SAME * abs(other.values[name])
+    return abs(part.values[name] - other.values[name]) <= VALUE_RTOL * abs(other.values[name])
 
 
-def consistent(solutions: Sequence[Solution], fixed: Collection[str] = ()) -> list[Solution]:
+def unify_names(solutions: Sequence[Solution], fixed: Collection[str] = ()) -> list[Solution]:
     """Return the solutions renamed so that a name means the same in all; `fixed` names of the text are kept.
 
     Numbers that the question states keep their names. A quantity that several parts find has the first of its names
@@ -97,7 +111,7 @@ def consistent(solutions: Sequence[Solution], fixed: Collection[str] = ()) -> li
         name = naming.named(quantity)
         for part, old in quantity.members.items():
             names[part][old] = name
-    told = iter([renamed(solution, given) for solution, given in zip(solved, names, strict=True)])
+    told = iter([rename_solution(solution, given) for solution, given in zip(solved, names, strict=True)])
     return [solution if solution.answer is None else next(told) for solution in solutions]
 
 
@@ -114,7 +128,7 @@ class _Naming:
             earlier = [q for q in found if any(q.members.get(n) == goals[n] for n in range(part))]
             steps = kept_steps(solution, {q.members[part] for q in earlier if part in q.members})
             self._used.append(frozenset([*names_of(steps), solution.goal, *solution.stated]))
-            self._spoken.append(spoken(" ".join(step.text for step in steps)))
+            self._spoken.append(names_in_text(" ".join(step.text for step in steps)))
 
     def ordered(self) -> Iterator[NamedQuantity]:
         """Yield quantities in the order of naming: stated in the question, used in the texts, the others."""
@@ -154,12 +168,12 @@ LAWS = frozenset({"newton", "constraint", "normal"})  # kinds of steps whose equ
 SOLVED = frozenset({"solve"})
 
 
-def shortened(solution: Solution, earlier: Sequence[tuple[str, Solution]]) -> Iterator[Solution]:
+def shortened_variants(solution: Solution, earlier: Sequence[tuple[str, Solution]]) -> Iterator[Solution]:
     """Yield variants of the solution of a later part with fewer intermediate results, the shortest first.
 
     A name that one law of the part gives, from given numbers and results of earlier parts, needs no other steps.
     """
-    known = {*known_from(solution, earlier, whole=True)}
+    known = {*recallable_names(solution, earlier, whole=True)}
     found = [solution]
     for place in reversed(range(len(solution.steps))):
         direct = _direct(found[-1], place, known)
@@ -196,7 +210,7 @@ def _direct(solution: Solution, place: int, known: Collection[str]) -> Solution 
 def _is_direct(step: Step, before: Sequence[Step]) -> bool:
     """Return whether a step already takes its result from a single law."""
     labels = {label for held in before if held.kind in LAWS for label, _ in DEFINED.findall(held.text)}
-    used = referred(step.text)
+    used = cited_labels(step.text)
     return len(used) == 1 and used[0] in labels
 
 
@@ -205,7 +219,7 @@ def _solved(name: str, law: Relation, solution: Solution) -> Expression | None:
     if name in {*sides[1].symbols()}:
         return None
     found = solved_for(name, *sides, solution.values)
-    return None if isinstance(found, NumericRoot) else tidied(found, name, always=True)
+    return None if isinstance(found, NumericRoot) else as_one_fraction(found, name, always=True)
 
 
 def _step(step: Step, result: Relation, source: Step, law: Relation, formula: Expression, solution: Solution) -> Step:
@@ -222,7 +236,9 @@ def _step(step: Step, result: Relation, source: Step, law: Relation, formula: Ex
 UNCLEAR = "the names of its parts are not clear"
 
 
-def in_sequence(settings: Sequence[Setting], solutions: Sequence[Solution], *, whole: bool = False) -> list[Solution]:
+def sequential_solutions(
+    settings: Sequence[ProblemContext], solutions: Sequence[Solution], *, whole: bool = False
+) -> list[Solution]:
     """Return a solution of each part that uses earlier answers; `solutions` are those of the separate parts.
 
     With `whole`, a solution also uses the intermediate results of earlier solutions. Names mean the same in all parts;
@@ -230,20 +246,20 @@ def in_sequence(settings: Sequence[Setting], solutions: Sequence[Solution], *, w
     """
     fixed = {given.symbol for setting in settings for given in setting.lexicon.givens.values()}
     found, earlier = list[Solution](), list[tuple[str, Solution]]()
-    for label, alone, setting in zip(LABELS, consistent(solutions, fixed), settings, strict=False):
+    for label, alone, setting in zip(LABELS, unify_names(solutions, fixed), settings, strict=False):
         held = _without_repeated_checks(alone, earlier) if whole else alone
-        solution = starting_from(held, earlier, whole=whole)
+        solution = recall_results(held, earlier, whole=whole)
         known = results_of(found, whole=whole)
         accepted = partial(_accepted, setting=setting, known=known)
         if whole:
-            direct = (starting_from(each, earlier, whole=True) for each in shortened(held, earlier))
+            direct = (recall_results(each, earlier, whole=True) for each in shortened_variants(held, earlier))
             solution = next((each for each in direct if accepted(each)), solution)
-        checked = solution if solution is held else verified(solution, setting, known)
+        checked = solution if solution is held else verify_solution(solution, setting, known)
         found.append(checked if whole else without_unused(checked, accepted))
         earlier.append((label, found[-1]))
     if fault := naming_fault(found):
         return [Solution("", reason=f"{UNCLEAR}: {fault}") for _ in found]
-    return quoting(found) if whole else found
+    return quote_earlier_parts(found) if whole else found
 
 
 def _without_repeated_checks(solution: Solution, earlier: Sequence[tuple[str, Solution]]) -> Solution:
@@ -255,12 +271,12 @@ def _without_repeated_checks(solution: Solution, earlier: Sequence[tuple[str, So
         return solution
     symbols = {name for step in kept if step.kind != "givens" for name in step.symbols()} | {solution.goal}
     return replace(
-        solution, steps=renumbered([given_for(step, symbols) if step.kind == "givens" else step for step in kept])
+        solution, steps=renumbered([reduce_givens(step, symbols) if step.kind == "givens" else step for step in kept])
     )
 
 
-def _accepted(solution: Solution, setting: Setting, known: Mapping[str, float]) -> bool:
-    return verified(solution, setting, known).answer is not None
+def _accepted(solution: Solution, setting: ProblemContext, known: Mapping[str, float]) -> bool:
+    return verify_solution(solution, setting, known).answer is not None
 
 
 def results_of(earlier: Iterable[Solution], *, whole: bool = False) -> dict[str, float]:

@@ -4,24 +4,26 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from sim2reason.grading.parts import LABELS
-from sim2reason.solutions.multipart.in_sequence import UNCLEAR, in_sequence
-from sim2reason.solutions.multipart.quantities import agree, meanings, unit_of
-from sim2reason.solutions.multipart.quoting import AS_IN_PART, SO, referred
+from sim2reason.solutions.multipart.in_sequence import UNCLEAR, sequential_solutions
+from sim2reason.solutions.multipart.quantities import are_same_meaning, meanings, unit_of
+from sim2reason.solutions.multipart.quoting import AS_IN_PART, SO, cited_labels
 from sim2reason.solutions.multipart.recall import EARLIER
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.solution import Solution, Step
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.steps import SolutionBuilder
 
 REFERENCES = EARLIER, "equations", "reference", "givens"
 """Kinds of steps that only quote an earlier part or the givens, and are left out in one text."""
 
 
-def in_one_text(settings: Sequence[Setting], solutions: Sequence[Solution]) -> tuple[list[Solution], list[Step]]:
+def merge_into_one_text(
+    settings: Sequence[ProblemContext], solutions: Sequence[Solution]
+) -> tuple[list[Solution], list[Step]]:
     """Return the solutions with names that mean the same in all, and all their steps except the givens.
 
     If a name is ambiguous, the solutions have no answer, and there are no steps.
     """
-    parts, steps = in_sequence(settings, solutions, whole=True), list[Step]()
+    parts, steps = sequential_solutions(settings, solutions, whole=True), list[Step]()
     if any(part.answer is None for part in parts) or not _have_clear_names(parts):
         return [replace(part, answer=None, reason=part.reason or UNCLEAR) for part in parts], []
     for part in parts:
@@ -38,18 +40,18 @@ def _have_clear_names(parts: Sequence[Solution]) -> bool:
     """Return whether no symbol is introduced twice with different words."""
     said: dict[str, str] = {}
     introduced = (pair for part in parts for pair in meanings(part).items())
-    return all(agree(name, said.setdefault(name, words), words) for name, words in introduced)
+    return all(are_same_meaning(name, said.setdefault(name, words), words) for name, words in introduced)
 
 
 def _placed(step: Step, places: Mapping[int, int], source: Mapping[str, int]) -> Step:
     """Return a step renumbered for the whole text, with the new numbers of the steps that it needs."""
     needs = {places[need] for need in step.needs if need in places}
-    needs |= {source[name] for name in (*step.symbols(), *referred(step.text)) if name in source}
+    needs |= {source[name] for name in (*step.symbols(), *cited_labels(step.text)) if name in source}
     text = step.text.replace(AS_IN_PART.format(LABELS[0]), SO)
     return replace(step, id=places[step.id], needs=tuple(sorted(needs)), text=text)
 
 
-def enter(part: Solution, book: Book) -> None:
+def enter(part: Solution, book: SolutionBuilder) -> None:
     """Register all symbols of a solution in a book."""
     said = {name: text for step in part.steps if step.kind == "givens" for name, text in _stated(part, step.text)}
     book.stated |= {name: said[name] for name in part.stated if name in said}
@@ -57,7 +59,7 @@ def enter(part: Solution, book: Book) -> None:
     for name, value in part.values.items():
         if name not in book.values:
             book.reserve(name)
-            book.know(name, value, unit_of(name, part))
+            book.set_value(name, value, unit_of(name, part))
     book.keen = max(book.keen, part.keen)
 
 

@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
 from sim2reason.solutions.algebra.trees import Tree, tree
 from sim2reason.solutions.solution import Solution, Step
-from sim2reason.solutions.writing.subscripts import split
+from sim2reason.solutions.writing.subscripts import split_name
 
-SAME = 1e-9  # relative tolerance within which two values belong to one quantity
+VALUE_RTOL = 1e-9  # relative tolerance within which two values belong to one quantity
 LABEL = re.compile(r"\(\d+\)")
 _INTRODUCED = re.compile(r"\$(?P<name>[^$=]+)\$ (?P<words>(?:[^$;.]|\.(?=\d))+?)(?= and \$|, and |[;.]|$)")
 _SAID = re.compile(r"be the [a-z]+ ")
@@ -34,7 +34,7 @@ class NamedQuantity:
             return False
         if self.value is None or other.value is None:
             return self.value is other.value
-        return abs(self.value - other.value) <= SAME * abs(self.value)
+        return abs(self.value - other.value) <= VALUE_RTOL * abs(self.value)
 
 
 def quantities(solutions: Sequence[Solution], fixed: Collection[str]) -> list[NamedQuantity]:
@@ -68,17 +68,17 @@ def meanings(solution: Solution) -> dict[str, str]:
     return found
 
 
-def introduced(text: str) -> list[str]:
+def introduced_names(text: str) -> list[str]:
     """Return the names that a text introduces in words."""
     return [match["name"] for match in _INTRODUCED.finditer(text)]
 
 
-def agree(name: str, one: str, other: str) -> bool:
+def are_same_meaning(name: str, one: str, other: str) -> bool:
     """Return whether two introductions of a name, in words, can describe one quantity.
 
     They are equal, or both mention the body in its subscript: a_A *of blocks A and B*, and *of block A*.
     """
-    body = split(name)[1]
+    body = split_name(name)[1]
     if not one or not other or one == other:
         return True
     return len(body) == 1 and body.isupper() and all(re.search(rf"\b{body}\b", words) for words in (one, other))
@@ -112,7 +112,7 @@ def _own(part: int, solution: Solution, fixed: Collection[str]) -> Iterator[tupl
         if name not in fixed:
             value, stated = solution.values.get(name), name in solution.stated
             unit = unit_of(name, solution) if stated or name in given else None
-            yield name, NamedQuantity({part: name}, split(name)[0], value, unit, stated, words.get(name, ""))
+            yield name, NamedQuantity({part: name}, split_name(name)[0], value, unit, stated, words.get(name, ""))
 
 
 def _formula(solution: Solution, name: str) -> Expression | None:
@@ -151,10 +151,12 @@ def _known(
 
 
 def _same(held: NamedQuantity, other: NamedQuantity, name: str) -> bool:
-    return name in held.members.values() and agree(name, held.meaning, other.meaning)
+    return name in held.members.values() and are_same_meaning(name, held.meaning, other.meaning)
 
 
 def _marks_agree(one: str, other: str) -> bool:
     """Return whether the subscripts of two names allow them to denote one quantity."""
-    marks = [{part for part in split(name)[1].split(",") if part.isalpha() and len(part) == 1} for name in (one, other)]
+    marks = [
+        {part for part in split_name(name)[1].split(",") if part.isalpha() and len(part) == 1} for name in (one, other)
+    ]
     return not all(marks) or marks[0] == marks[1]

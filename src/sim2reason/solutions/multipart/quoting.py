@@ -5,10 +5,10 @@ from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from sim2reason.grading.parts import LABELS
-from sim2reason.solutions.multipart.quantities import LABEL, introduced, names_of
-from sim2reason.solutions.multipart.recall import EARLIER, given_for, renumbered, with_bases
-from sim2reason.solutions.multipart.renaming import spoken
-from sim2reason.solutions.setting import joined
+from sim2reason.solutions.multipart.quantities import LABEL, introduced_names, names_of
+from sim2reason.solutions.multipart.recall import EARLIER, reduce_givens, renumbered, with_bases
+from sim2reason.solutions.multipart.renaming import names_in_text
+from sim2reason.solutions.setting import join_words
 from sim2reason.solutions.solution import Relation, Solution, Step
 
 DEFINED = re.compile(r"(\(\d+\))(?: [A-Z](?:[^$()]|\$[^$]*\$)*?:)? \$([^$]+)\$")  # a heading may contain formulas
@@ -19,21 +19,21 @@ SENTENCE = re.compile(r"(?<=\.) (?=[A-Z(])")
 _LIST = re.compile(r"(?P<noun>[A-Z][a-z]*?)s?: (?P<items>\$.*)\.")
 
 
-def quoting(parts: Sequence[Solution]) -> list[Solution]:
+def quote_earlier_parts(parts: Sequence[Solution]) -> list[Solution]:
     """Return the solutions of all parts as one text with unique equation labels and no repeated sentence.
 
     Integrated phases keep all their steps, unless there is but one. An initial-value problem that an earlier part
     states is not stated again.
     """
-    told = _Told()
-    found = [told.added(label, part) for label, part in zip(LABELS, parts, strict=False)]
+    told = _StatedParts()
+    found = [told.add_part(label, part) for label, part in zip(LABELS, parts, strict=False)]
     texts = "\n".join(step.text for part in found for step in part.steps)
     labels = dict.fromkeys(label for label, _ in DEFINED.findall(texts))
     names = {label: f"({number})" for number, label in enumerate(labels, start=1)}
     return [replace(part, steps=tuple(labelled(step, names) for step in part.steps)) for part in found]
 
 
-class _Told:
+class _StatedParts:
     """A record of the equations, labels and sentences of earlier parts."""
 
     def __init__(self) -> None:
@@ -42,7 +42,7 @@ class _Told:
         self._sentences: set[str] = set()
         self._problems: dict[str, str] = {}  # the part of each initial-value problem
 
-    def added(self, label: str, part: Solution) -> Solution:
+    def add_part(self, label: str, part: Solution) -> Solution:
         """Return a part without sentences of earlier parts, and add its own sentences to the record."""
         names = self._relabelled(label, part.steps)
         steps = [labelled(step, names) for step in part.steps]
@@ -51,7 +51,9 @@ class _Told:
         used = with_bases(names_of(kept), part)
         for step in kept:
             said = [step.text, *SENTENCE.split(step.text), *_items(step.text)]
-            self._sentences |= {text for text in said if used.issuperset(introduced(text)) or step.kind != "names"}
+            self._sentences |= {
+                text for text in said if used.issuperset(introduced_names(text)) or step.kind != "names"
+            }
             for relation in step.relations:
                 self._parts.setdefault(relation.latex(), label)
         return replace(part, steps=renumbered(kept))
@@ -70,14 +72,14 @@ class _Told:
         """Return steps without repeated statements; repeated equations that they use are cited."""
         dropped = [step for step in steps if self._is_said(step, values)]
         left = [step for step in steps if step not in dropped]
-        labels = {label for step in left for label in referred(step.text)}
+        labels = {label for step in left for label in cited_labels(step.text)}
         left = [self._shorter(self._solved_again(step), labels) for step in left]
         if dropped == [] and [step.text for step in left] == [step.text for step in steps]:
             return [*steps]
         quoted = [*self._quoted(dropped, left)]
         rest = [step for step in left if step.kind != "givens"]
-        used = spoken(" ".join(step.text for step in (*quoted, *rest)))
-        given = [given_for(step, used) for step in left if step.kind == "givens"]
+        used = names_in_text(" ".join(step.text for step in (*quoted, *rest)))
+        given = [reduce_givens(step, used) for step in left if step.kind == "givens"]
         recalled = [step for step in rest if step.kind == EARLIER]
         return [*given, *recalled, *quoted, *(step for step in rest if step.kind != EARLIER and step.text)]
 
@@ -126,7 +128,7 @@ class _Told:
         labels = [*dict.fromkeys(label for label in LABEL.findall(text) if label not in defined)]
         by_label = {label: r for step in dropped for label, r in _quoted_equations(step)}
         needed = {need for step in left for need in step.needs}
-        names = spoken(" ".join([text, *(by_label[label].latex() for label in labels if label in by_label)]))
+        names = names_in_text(" ".join([text, *(by_label[label].latex() for label in labels if label in by_label)]))
         laws = [r for step in dropped if step.id in needed for r in step.relations if r not in by_label.values()]
         again = {relation.latex() for step in left for relation in step.relations}  # given in numbers by these steps
         laws = [r for r in laws if names.issuperset(r.left.symbols()) and r.latex() not in again]
@@ -135,7 +137,7 @@ class _Told:
             plain = [r for r in laws if self._parts.get(r.latex()) == part]
             if own or plain:
                 relations = (*(by_label[label] for label in own if label in by_label), *plain)
-                yield Step(-1, "equations", _said(part, own, plain), relations, tuple(own), ())
+                yield Step(-1, "equations", _citation_text(part, own, plain), relations, tuple(own), ())
 
 
 def shortened(sentence: str, kept: Callable[[str], bool]) -> str:
@@ -150,11 +152,11 @@ def shortened(sentence: str, kept: Callable[[str], bool]) -> str:
     return f"{match['noun']}{'s' if len(new) > 1 else ''}: {'; '.join(new)}." if new else ""
 
 
-def _said(part: str, labels: Sequence[str], plain: Sequence[Relation]) -> str:
-    named = joined(sorted(labels, key=lambda label: int(label[1:-1]))) if labels else ""
+def _citation_text(part: str, labels: Sequence[str], plain: Sequence[Relation]) -> str:
+    named = join_words(sorted(labels, key=lambda label: int(label[1:-1]))) if labels else ""
     numbered = f"equation{'s' if len(labels) > 1 else ''} {named}" if labels else ""
     held = [each for each in (numbered, *(relation.latex() for relation in plain)) if each]
-    return f"As in part ({part}), {joined(held)} hold{'s' if len(labels) + len(plain) == 1 else ''}."
+    return f"As in part ({part}), {join_words(held)} hold{'s' if len(labels) + len(plain) == 1 else ''}."
 
 
 def labelled(step: Step, names: Mapping[str, str]) -> Step:
@@ -164,7 +166,7 @@ def labelled(step: Step, names: Mapping[str, str]) -> Step:
     return replace(step, text="$".join(parts), gives=tuple(names.get(name, name) for name in step.gives))
 
 
-def referred(text: str) -> list[str]:
+def cited_labels(text: str) -> list[str]:
     """Return the equation labels that a text cites."""
     begun = {match.start(1) for match in DEFINED.finditer(text)}
     return [match[0] for match in LABEL.finditer(text) if match.start() not in begun]
@@ -211,7 +213,7 @@ def _shorter(steps: tuple[Step, ...], accepted: Callable[[tuple[Step, ...]], boo
             break
         for equation in reversed(_stated_equations(steps[place])):
             others = (*steps[:place], *steps[place + 1 :])
-            if any(label in referred(step.text) for step in others for label, _ in DEFINED.findall(equation)):
+            if any(label in cited_labels(step.text) for step in others for label, _ in DEFINED.findall(equation)):
                 continue
             trial = (*steps[:place], _without(steps[place], equation), *steps[place + 1 :])
             steps = trial if accepted(trial) else steps
@@ -236,7 +238,7 @@ def _tidied(steps: Sequence[Step]) -> tuple[Step, ...]:
     """Return the steps that have a text, with the givens and introductions in use, and new labels."""
     left = [step for step in steps if step.text]
     rest = [step for step in left if step.kind not in ("givens", "names")]
-    used = spoken(" ".join(step.text for step in rest)) | {*names_of(rest)}
+    used = names_in_text(" ".join(step.text for step in rest)) | {*names_of(rest)}
     left = [_in_use(step, used) for step in left]
     labels = dict.fromkeys(label for step in left for label, _ in DEFINED.findall(step.text))
     names = {label: f"({number})" for number, label in enumerate(labels, start=1)}
@@ -246,10 +248,10 @@ def _tidied(steps: Sequence[Step]) -> tuple[Step, ...]:
 def _in_use(step: Step, used: frozenset[str]) -> Step:
     """Return a step of givens or introductions reduced to the names in use; other steps unchanged."""
     if step.kind == "givens":
-        return given_for(step, used)
+        return reduce_givens(step, used)
     if step.kind != "names":
         return step
     sentences = (
-        shortened(each, lambda item: not used.isdisjoint(introduced(item))) for each in SENTENCE.split(step.text)
+        shortened(each, lambda item: not used.isdisjoint(introduced_names(item))) for each in SENTENCE.split(step.text)
     )
     return replace(step, text=" ".join(sentence for sentence in sentences if sentence))

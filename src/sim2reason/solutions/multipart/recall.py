@@ -7,9 +7,9 @@ from dataclasses import replace
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.collisions.long_chains import SINGULAR
 from sim2reason.solutions.collisions.order import ORDER
-from sim2reason.solutions.multipart.quantities import SAME, introduced, names_of, unit_of
-from sim2reason.solutions.multipart.renaming import spoken
-from sim2reason.solutions.setting import joined
+from sim2reason.solutions.multipart.quantities import VALUE_RTOL, introduced_names, names_of, unit_of
+from sim2reason.solutions.multipart.renaming import names_in_text
+from sim2reason.solutions.setting import join_words
 from sim2reason.solutions.solution import CHECKS, Relation, Solution, Step, with_unit
 
 EARLIER = "earlier part"
@@ -18,24 +18,24 @@ _ONE = {f"{several} are ": f"{one} is " for several, one in SINGULAR.items()}
 _NAMED = re.compile(r"\$(\\?[A-Za-z]+(?:_(?:\{(?:[^{}$]|\{[^{}$]*\})*\}|\w))?)\$")
 
 
-def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *, whole: bool = False) -> Solution:
+def recall_results(solution: Solution, earlier: Sequence[tuple[str, Solution]], *, whole: bool = False) -> Solution:
     """Return a solution that cites results of earlier parts, by their labels, instead of deriving them.
 
     Names mean the same in all parts. With `whole`, intermediate results of earlier parts are used as well. The solution
     is unchanged if no step can be left out, or if it integrates the motion.
     """
-    known = known_from(solution, earlier, whole=whole)
+    known = recallable_names(solution, earlier, whole=whole)
     said = {text for _, other in earlier for text in _introduced(other)} if whole else set[str]()
     steps = (step for step in kept_steps(solution, known, said) if step.kind != "givens")
     kept = [_without(step, known, solution.goal) for step in steps]
-    used = {*names_of(kept), *spoken(" ".join(step.text for step in kept))} & known.keys()
+    used = {*names_of(kept), *names_in_text(" ".join(step.text for step in kept))} & known.keys()
     recalled = used - {name for step in kept for name in step.gives}
     shorter = whole and bool(earlier) and _results(kept) < _results(solution.steps)
     if not recalled and not shorter:
         return solution
     kept = sorted([*kept, *_introductions(solution, kept, said)], key=lambda step: step.id)
     symbols = {name for step in kept for name in step.symbols()}
-    first = [given_for(step, symbols) for step in solution.steps if step.kind == "givens"]
+    first = [reduce_givens(step, symbols) for step in solution.steps if step.kind == "givens"]
     told = _recalled({name: known[name] for name in known if name in recalled}, solution)
     told = told or _verified_earlier(solution, earlier)
     return replace(solution, steps=renumbered([*first, *told, *kept]))
@@ -50,10 +50,10 @@ def _verified_earlier(solution: Solution, earlier: Sequence[tuple[str, Solution]
     return [Step(-1, "reference", text, (), (), ())] if label else []
 
 
-def known_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *, whole: bool) -> dict[str, str]:
+def recallable_names(solution: Solution, earlier: Sequence[tuple[str, Solution]], *, whole: bool) -> dict[str, str]:
     """Return the names that earlier parts compute, each with the label of the first such part."""
     known: dict[str, str] = {}
-    for name in _found(solution):
+    for name in _result_names(solution):
         source = next((label for label, other in earlier if _tells(other, name, solution, whole=whole)), None)
         if source is not None:
             known[name] = source
@@ -88,7 +88,7 @@ def renumbered(steps: Sequence[Step]) -> tuple[Step, ...]:
     return tuple(found)
 
 
-def _found(solution: Solution) -> list[str]:
+def _result_names(solution: Solution) -> list[str]:
     """Return the names of the intermediate results of a solution."""
     given = {name for step in solution.steps for name in step.gives}
     return [name for name in solution.values if name in given and name != solution.goal]
@@ -100,7 +100,9 @@ def _tells(other: Solution, name: str, solution: Solution, *, whole: bool) -> bo
         return False
     found = other.goal == name or (whole and any(name in step.gives and step.kind != EARLIER for step in other.steps))
     value = solution.values[name]
-    same = abs(value - other.values[name]) <= SAME * abs(value) and unit_of(name, other) == unit_of(name, solution)
+    same = abs(value - other.values[name]) <= VALUE_RTOL * abs(value) and unit_of(name, other) == unit_of(
+        name, solution
+    )
     return found and same
 
 
@@ -114,7 +116,7 @@ def _without(step: Step, known: Collection[str], goal: str) -> Step:
     lead = step.text.removesuffix(f"{formulas}.")
     many = next((ending for ending in _ONE if lead.endswith(ending)), "") if len(rest) == 1 else ""
     lead = lead.removesuffix(many) + _ONE.get(many, "")
-    text = f"{lead}{joined([told[n] for n in rest])}."
+    text = f"{lead}{join_words([told[n] for n in rest])}."
     return replace(
         step,
         text=text,
@@ -136,14 +138,14 @@ def with_bases(names: Iterable[str], solution: Solution) -> set[str]:
     x_1 is a value of the x that a text introduces; but if a text introduces a_1, it is a different acceleration from a.
     """
     found = {*names}
-    own = {name for step in solution.steps if step.kind == "names" for name in introduced(step.text)}
+    own = {name for step in solution.steps if step.kind == "names" for name in introduced_names(step.text)}
     return found | {name.partition("_")[0] for name in found - own}
 
 
 def _introduced(solution: Solution) -> Iterator[str]:
     """Yield the texts of all steps; introductions only if one of their names is used."""
     used = with_bases(names_of(solution.steps), solution)
-    yield from (step.text for step in solution.steps if step.kind != "names" or used & {*introduced(step.text)})
+    yield from (step.text for step in solution.steps if step.kind != "names" or used & {*introduced_names(step.text)})
 
 
 def _needed(solution: Solution, known: Collection[str], said: Container[str]) -> list[Step]:
@@ -185,7 +187,7 @@ def _is_known(needed: Step, step: Step, known: Collection[str]) -> bool:
     return bool(taken) and taken <= {*known}
 
 
-def given_for(step: Step, used: Collection[str]) -> Step:
+def reduce_givens(step: Step, used: Collection[str]) -> Step:
     """Return the step of givens, reduced to the names in use."""
     said = re.findall(r"\$[^$]*\$(?: \([a-z]+\))?", step.text)
     if len(said) != len(step.relations):
@@ -195,7 +197,9 @@ def given_for(step: Step, used: Collection[str]) -> Step:
     ]
     lead, colon, _ = step.text.partition(": ")
     texts = [text for text, _ in pairs]
-    return replace(step, text=f"{lead}{colon}{joined(texts)}." if texts else "", relations=tuple(r for _, r in pairs))
+    return replace(
+        step, text=f"{lead}{colon}{join_words(texts)}." if texts else "", relations=tuple(r for _, r in pairs)
+    )
 
 
 def _recalled(known: Mapping[str, str], solution: Solution) -> list[Step]:
@@ -208,5 +212,5 @@ def _recalled(known: Mapping[str, str], solution: Solution) -> list[Step]:
             f"${r.left.latex()} = {with_unit(solution.values[n], r.unit)}$"
             for n, r in zip(names, relations, strict=True)
         ]
-        steps.append(Step(-1, EARLIER, f"From part ({label}), {joined(said)}.", tuple(relations), tuple(names), ()))
+        steps.append(Step(-1, EARLIER, f"From part ({label}), {join_words(said)}.", tuple(relations), tuple(names), ()))
     return steps

@@ -8,7 +8,7 @@ from typing import Any, cast
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
 from sim2reason.solutions.solution import Accumulated, Coordinate, Integration, Relation, Solution, Step
-from sim2reason.solutions.writing.subscripts import marked, split
+from sim2reason.solutions.writing.subscripts import split_name, with_subscript
 
 _BELOW = r"_(?:\\[A-Za-z]+|[A-Za-z0-9]|\{(?:[^{}]|\{[^{}]*\})*\})"
 _NAME = rf"(?:\\[A-Za-z]+|[A-Za-z])'*(?:{_BELOW})?"
@@ -22,7 +22,7 @@ TOKEN = re.compile(
 Names = Mapping[str, str]
 
 
-def renamed(solution: Solution, names: Names) -> Solution:
+def rename_solution(solution: Solution, names: Names) -> Solution:
     """Return a solution with names replaced; names missing from the mapping are kept."""
     names = {old: new for old, new in names.items() if old != new}
     if not names:
@@ -38,11 +38,14 @@ def renamed(solution: Solution, names: Names) -> Solution:
         goal=of(solution.goal),
         stated=tuple(map(of, solution.stated)),
         constants={of(name): value for name, value in solution.constants.items()},
-        phases=tuple(replace(p, begins=in_text(p.begins, names), ends=in_text(p.ends, names)) for p in solution.phases),
+        phases=tuple(
+            replace(p, begins=rename_in_text(p.begins, names), ends=rename_in_text(p.ends, names))
+            for p in solution.phases
+        ),
     )
 
 
-def in_formula(held: Expression, names: Names) -> Expression:
+def rename_in_formula(held: Expression, names: Names) -> Expression:
     """Return a formula with names replaced."""
     if isinstance(held, Symbol):
         return Symbol(names.get(held.name, held.name))
@@ -60,10 +63,12 @@ def in_formula(held: Expression, names: Names) -> Expression:
 
 def in_relation(relation: Relation, names: Names) -> Relation:
     """Return a relation with names replaced."""
-    return replace(relation, left=in_formula(relation.left, names), right=in_formula(relation.right, names))
+    return replace(
+        relation, left=rename_in_formula(relation.left, names), right=rename_in_formula(relation.right, names)
+    )
 
 
-def in_text(text: str, names: Names, relations: Sequence[Relation] = ()) -> str:
+def rename_in_text(text: str, names: Names, relations: Sequence[Relation] = ()) -> str:
     """Return a text with names replaced in its formulas; formulas of given relations are typeset again."""
     parts = text.split("$")
     for number in range(1, len(parts), 2):
@@ -76,7 +81,7 @@ def in_text(text: str, names: Names, relations: Sequence[Relation] = ()) -> str:
     return "$".join(parts)
 
 
-def spoken(text: str) -> frozenset[str]:
+def names_in_text(text: str) -> frozenset[str]:
     """Return all names in the formulas of a text."""
     found: set[str] = set()
     for part in text.split("$")[1::2]:
@@ -88,7 +93,7 @@ def spoken(text: str) -> frozenset[str]:
 
 def _inside(value: "Expression | tuple[object, ...]", names: Names) -> object:
     if isinstance(value, Expression):
-        return in_formula(value, names)
+        return rename_in_formula(value, names)
     return tuple(
         _inside(cast("Expression | tuple[object, ...]", held), names)
         if isinstance(held, Expression | tuple)
@@ -104,7 +109,7 @@ def renamed_step(step: Step, names: Names) -> Step:
     held = step.integration
     return replace(
         step,
-        text=in_text(step.text, names, step.relations),
+        text=rename_in_text(step.text, names, step.relations),
         relations=tuple(in_relation(relation, names) for relation in step.relations),
         gives=tuple(names.get(name, name) for name in step.gives),
         integration=None if held is None else _integration(held, names),
@@ -120,23 +125,24 @@ def _integration(held: Integration, names: Names) -> Integration:
     return replace(
         held,
         time=of(held.time),
-        begin=in_formula(held.begin, names),
+        begin=rename_in_formula(held.begin, names),
         coordinates=tuple(
             Coordinate(
                 of(c.place),
                 of(c.rate),
                 of(c.acceleration),
-                in_formula(c.initial_place, names),
-                in_formula(c.initial_rate, names),
+                rename_in_formula(c.initial_place, names),
+                rename_in_formula(c.initial_rate, names),
             )
             for c in held.coordinates
         ),
         unknowns=tuple(map(of, held.unknowns)),
         equations=tuple(in_relation(relation, names) for relation in held.equations),
-        until=replace(held.until, expression=in_formula(held.until.expression, names)),
+        until=replace(held.until, expression=rename_in_formula(held.until.expression, names)),
         ends=tuple((of(symbol), of(name)) for symbol, name in held.ends),
         accumulated=tuple(
-            Accumulated(of(a.name), in_formula(a.rate, names), in_formula(a.initial, names)) for a in held.accumulated
+            Accumulated(of(a.name), rename_in_formula(a.rate, names), rename_in_formula(a.initial, names))
+            for a in held.accumulated
         ),
     )
 
@@ -152,24 +158,24 @@ def _token(match: re.Match[str], names: Names) -> str:
         return match[0]
     if match["name"]:
         return new
-    base, mark = split(new)
+    base, mark = split_name(new)
     return f"{match['dots']}{{{base}}}" + (f"_{{{mark}}}" if mark else "")
 
 
 def _plain(name: str) -> str:
-    base, mark = split(name)
-    return marked(base, mark)
+    base, mark = split_name(name)
+    return with_subscript(base, mark)
 
 
 TIME = re.compile(r"t(?:_(?:(\d)|\{(\d+)\}))?")  # the symbol t, with its number if it has one
 
 
-def times_in_sequence(solution: Solution) -> Solution:
+def renumber_times(solution: Solution) -> Solution:
     """Return a solution whose times t₁, t₂, … are numbered in the order of the steps that give them."""
     given = [name for step in solution.steps for name in step.gives if TIME.fullmatch(name)]
     names = [name for name in dict.fromkeys(given) if name not in solution.stated]
     exchanged = dict(zip(names, sorted(names, key=_number), strict=True))
-    return renamed(solution, exchanged)
+    return rename_solution(solution, exchanged)
 
 
 def _number(name: str) -> int:

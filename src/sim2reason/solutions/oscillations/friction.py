@@ -5,29 +5,29 @@ from collections.abc import Sequence
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.strings import NaturalLength
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
-from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.algebra.fractions import reduced_quotient
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.laws.sliding import sliding_coordinates
-from sim2reason.solutions.laws.sticking import told_friction
-from sim2reason.solutions.oscillations.harmonic import Harmonic
+from sim2reason.solutions.laws.sticking import friction_formulas
+from sim2reason.solutions.oscillations.harmonic import HarmonicOscillation
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
-from sim2reason.solutions.oscillations.linear_way import LinearWay
-from sim2reason.solutions.oscillations.net_force import collected, without_friction
-from sim2reason.solutions.oscillations.single_way import SingleWay
-from sim2reason.solutions.setting import Setting, capital, joined
-from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.oscillations.linear_way import LinearMotionModel
+from sim2reason.solutions.oscillations.net_force import collect_stiffness, without_friction
+from sim2reason.solutions.oscillations.single_way import OneCoordinateModel
+from sim2reason.solutions.setting import ProblemContext, capitalized, join_words
+from sim2reason.solutions.writing.comparing import record_inequality
 from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES, NEWTONS
 
-STILL = 1e-6  # relative tolerance of times, and tolerance of positions in m
+REST_TOLERANCE = 1e-6  # relative tolerance of times, and tolerance of positions in m
 
 
-def swings_on(setting: Setting) -> bool:
+def continues_after_rest(setting: ProblemContext) -> bool:
     """Return whether the motion, by the engine, continues after it first comes to rest."""
-    return any(0.0 < held.start < setting.time * (1.0 - STILL) for held in setting.motion.segments)
+    return any(0.0 < held.start < setting.time * (1.0 - REST_TOLERANCE) for held in setting.motion.segments)
 
 
-def fastest_place(way: SingleWay, seen: float) -> Symbol:
+def write_fastest_position(way: OneCoordinateModel, seen: float) -> Symbol:
     """Write the position of zero net force, m; UnsolvedError unless it is the position `seen` of greatest speed."""
     motion, name = way.motion, way.name
     (i,) = motion.free
@@ -35,39 +35,39 @@ def fastest_place(way: SingleWay, seen: float) -> Symbol:
     if not stiffness:
         raise UnsolvedError("it never is in balance")
     there = load.value(motion.givens) / stiffness.value(motion.givens)
-    if abs(there - seen) > 1e-3 * max(abs(there), abs(seen), STILL):
+    if abs(there - seen) > 1e-3 * max(abs(there), abs(seen), REST_TOLERANCE):
         raise UnsolvedError("the greatest value is not where forces balance")
     if not load:
         raise UnsolvedError("it begins in balance")
-    step = way.book.open("balance")
-    gathered = collected(load, stiffness)
+    step = way.book.begin_step("balance")
+    gathered = collect_stiffness(load, stiffness)
     law = step.law(stiffness.expression() * name, gathered)
-    if isinstance(motion, LinearMotion) and motion.friction(i) and swings_on(way.setting):
-        step.say(f"Friction makes each swing smaller than the one before, so {way.mover} is fastest in the first.")
-    formula = over(load, stiffness) if gathered == load.expression() else gathered / stiffness.expression()
-    step.say(f"The kinetic energy is greatest where the net force is zero: {law},")
-    step.say(f"so {step.result(name, formula, METRES)}.")
+    if isinstance(motion, LinearMotion) and motion.friction(i) and continues_after_rest(way.setting):
+        step.add_text(f"Friction makes each swing smaller than the one before, so {way.mover} is fastest in the first.")
+    formula = reduced_quotient(load, stiffness) if gathered == load.expression() else gathered / stiffness.expression()
+    step.add_text(f"The kinetic energy is greatest where the net force is zero: {law},")
+    step.add_text(f"so {step.result(name, formula, METRES)}.")
     step.close()
     _tell_on_the_way(way, name)
     return name
 
 
-def _tell_on_the_way(way: SingleWay, name: Symbol) -> None:
+def _tell_on_the_way(way: OneCoordinateModel, name: Symbol) -> None:
     """Verify that the body passes the position of greatest speed before the motion in question ends."""
     book, end = way.book, _end(way)
     if end is None or book.is_hidden(end) or book.is_hidden(name):
         return
     near, far = (-held if book.value(held) < 0.0 else held for held in (name, end))
-    step, last = book.open("verify"), book.fresh(name.name, r"\text{end}")
-    exceeds(book, step, far, near)
+    step, last = book.begin_step("verify"), book.fresh(name.name, r"\text{end}")
+    record_inequality(book, step, far, near)
     told = step.verified(last, end, METRES)
-    spring = way.setting.springs[way.query.moment.name] if isinstance(way.query.moment, NaturalLength) else ""
+    spring = way.setting.spring_phrases[way.query.moment.name] if isinstance(way.query.moment, NaturalLength) else ""
     there = f"{spring} has its natural length, at {told}" if spring else f"${name.name} = {end.latex()}$ is reached"
-    step.say(f"This point is passed before {there}.")
+    step.add_text(f"This point is passed before {there}.")
     step.close()
 
 
-def _end(way: SingleWay) -> Expression | None:
+def _end(way: OneCoordinateModel) -> Expression | None:
     """Return the position, m, at which the motion in question ends; None if the question states none."""
     moment = way.query.moment
     if isinstance(moment, NaturalLength):
@@ -75,10 +75,10 @@ def _end(way: SingleWay) -> Expression | None:
     return way.moved_to(moment) if isinstance(moment, Moved) and isinstance(way.motion, LinearMotion) else None
 
 
-def friction_words(way: LinearWay, motion: LinearMotion) -> str:
+def friction_words(way: LinearMotionModel, motion: LinearMotion) -> str:
     """Return the direction of kinetic friction in words, with the bodies unless only the mover of `motion` slides."""
     ways: dict[str, list[str]] = {}
-    for face, side in motion.laws.rough.items():
+    for face, side in motion.laws.slip_directions.items():
         found = [(k, radius) for k, radius in sliding_coordinates(motion.mechanism, face) if motion.ratios[k]]
         if side and found:
             k, radius = found[0]
@@ -86,20 +86,24 @@ def friction_words(way: LinearWay, motion: LinearMotion) -> str:
             ways.setdefault(against, []).append(motion.mechanism.faces[face].subject)
     if [body for bodies in ways.values() for body in bodies] == [motion.mechanism.coordinates[motion.free[0]].body]:
         return next(iter(ways))
-    return joined([f"on {way.setting.listed(bodies)} {against}" for against, bodies in ways.items()])
+    return join_words([f"on {way.setting.bodies_phrase(bodies)} {against}" for against, bodies in ways.items()])
 
 
-def first_friction(way: LinearWay, motion: LinearMotion) -> str:
+def first_friction(way: LinearMotionModel, motion: LinearMotion) -> str:
     """Return a clause, without a full stop, about kinetic friction in motion that begins from rest."""
     acts = f"friction acts {friction_words(way, motion)}"
-    return f"Until {way.who(motion.free[0])} first comes to rest, {acts}" if swings_on(way.setting) else capital(acts)
+    return (
+        f"Until {way.mover_phrase(motion.free[0])} first comes to rest, {acts}"
+        if continues_after_rest(way.setting)
+        else capitalized(acts)
+    )
 
 
-def swing_words(way: LinearWay, held: Harmonic, number: int) -> list[str]:
+def swing_words(way: LinearMotionModel, held: HarmonicOscillation, number: int) -> list[str]:
     """Return sentences about friction and motion in a half-oscillation; the first has `number` 0."""
     motion = held.motion
     assert isinstance(motion, LinearMotion)
-    who, acts = way.who(motion.free[0]), friction_words(way, motion)
+    who, acts = way.mover_phrase(motion.free[0]), friction_words(way, motion)
     half = "half an oscillation, symmetric about the point at which the net force is zero"
     if number:
         begun = way.first(motion.free[0]) and number == 1
@@ -115,26 +119,26 @@ def swing_words(way: LinearWay, held: Harmonic, number: int) -> list[str]:
 
 def _size(motion: LinearMotion) -> str:
     """Return the kinetic friction in LaTeX after a space; empty unless it acts on one body alone."""
-    faces = [face for face, side in motion.laws.rough.items() if side]
+    faces = [face for face, side in motion.laws.slip_directions.items() if side]
     if len(faces) != 1:
         return ""
     return f" ${(motion.laws.coefficient(faces[0]) * motion.normal(faces[0])).factored().latex()}$"
 
 
-LIMIT = 1.0 + 1e-9
+FRICTION_LIMIT_FACTOR = 1.0 + 1e-9
 
 
-class RestChecks:
+class StaticFrictionChecks:
     """A writer of comparisons of forces with the greatest static friction; no result depends on them."""
 
-    def __init__(self, way: LinearWay) -> None:
+    def __init__(self, way: LinearMotionModel) -> None:
         """Take the motion model of an answer, into whose builder comparisons are written."""
         self._way, self._setting, self._book = way, way.setting, way.book
         self._most = ""  # symbol of the greatest static friction on the moving body, once it is written
 
     # ---- of what moves
 
-    def moves_on(self, motion: LinearMotion, number: int, said: str) -> bool:
+    def write_moves(self, motion: LinearMotion, number: int, said: str) -> bool:
         """Write that static friction cannot hold the body at a position, with the consequence `said`.
 
         The position is the start or, if `number` is not zero, that turning point. Return whether the forces are known;
@@ -143,9 +147,9 @@ class RestChecks:
         where = "here" if number else "at the start"
         return self._compare(motion, number, where, ("exceeds", f"so {said}"), moves=True)
 
-    def stays(self, motion: LinearMotion, number: int) -> None:
+    def write_stays(self, motion: LinearMotion, number: int) -> None:
         """Write that static friction holds the body at the turning point with this number."""
-        said = "is less than", f"so {self._way.who(motion.free[0])} stays at rest"
+        said = "is less than", f"so {self._way.mover_phrase(motion.free[0])} stays at rest"
         self._compare(motion, number, "here", said, moves=False)
 
     def hidden(self, motion: LinearMotion) -> bool:
@@ -170,23 +174,27 @@ class RestChecks:
         pull, most = without_friction(motion), self._size(motion.greatest_friction(i))
         forward = book.value(pull) > 0.0
         pull = pull if forward else without_friction(motion, sign=-1.0)
-        if (book.value(pull) * LIMIT < book.value(most)) if moves else (book.value(pull) > LIMIT * book.value(most)):
+        if (
+            (book.value(pull) * FRICTION_LIMIT_FACTOR < book.value(most))
+            if moves
+            else (book.value(pull) > FRICTION_LIMIT_FACTOR * book.value(most))
+        ):
             raise UnsolvedError("friction is not as strong as it should be")
         what = "spring force"
         if motion.steady(i) - friction:
             what = "net force without friction"
         elif len(motion.springs) > 1:
             what = "net force of the springs"
-        step, name = book.open("verify"), book.fresh("F", str(number))
+        step, name = book.begin_step("verify"), book.fresh("F", str(number))
         told, limit = step.verified(name, pull, NEWTONS), f"${self._most}$"
         if not self._most:
             greatest = book.fresh("f", r"\text{max}")
             self._most = greatest.name
             limit = f"the greatest static friction {step.verified(greatest, most, NEWTONS)}"
         if moves:
-            exceeds(book, step, pull, most)
+            record_inequality(book, step, pull, most)
         towards, (than, so) = self._way.towards(i, forward=forward), said
-        step.say(f"The {what} {where} is {told} {towards}; it {than} {limit}, {so}.")
+        step.add_text(f"The {what} {where} is {told} {towards}; it {than} {limit}, {so}.")
         step.close()
 
     def _size(self, held: Polynomial) -> Expression:
@@ -198,7 +206,11 @@ class RestChecks:
     @staticmethod
     def resting(motion: LinearMotion) -> list[tuple[int, int]]:
         """Return the faces on which bodies do not move, each with the coordinate of its body."""
-        sticks = ((face, motion.laws.alone(face)) for face, side in motion.laws.rough.items() if side == 0)
+        sticks = (
+            (face, motion.laws.single_slip_coordinate(face))
+            for face, side in motion.laws.slip_directions.items()
+            if side == 0
+        )
         return [(face, own) for face, own in sticks if own is not None and not motion.ratios[own]]
 
     def others_rest(self, motion: LinearMotion, places: Sequence[Expression], later: float) -> None:
@@ -223,7 +235,7 @@ class RestChecks:
         )
         greatest = max(sizes, key=book.value)
         hidden = book.is_hidden(greatest) or book.is_hidden(most)
-        if book.value(beyond) > LIMIT * book.value(greatest):
+        if book.value(beyond) > FRICTION_LIMIT_FACTOR * book.value(greatest):
             return
         if hidden:
             if not book.in_symbols:
@@ -233,13 +245,13 @@ class RestChecks:
 
     def _tell_resting(self, motion: LinearMotion, face: int, greatest: Expression, most: Expression) -> None:
         book = self._book
-        if book.value(greatest) > LIMIT * book.value(most):
+        if book.value(greatest) > FRICTION_LIMIT_FACTOR * book.value(most):
             raise UnsolvedError("friction could not hold what rests")
         body = motion.mechanism.faces[face].subject
-        step, mark = book.open("verify"), self._setting.mark(body)
-        told = told_friction(book, step, mark, greatest, most)
-        step.say(
-            f"{capital(self._setting.called(body))} stays at rest: the friction required is at most {told[0]}, within "
+        step, mark = book.begin_step("verify"), self._setting.subscript_of(body)
+        told = friction_formulas(book, step, mark, greatest, most)
+        step.add_text(
+            f"{capitalized(self._setting.display_name(body))} stays at rest: the friction required is at most {told[0]}, within "
             f"the limit of static friction, {told[1]}."
         )
         step.close()
@@ -250,9 +262,9 @@ class RestChecks:
         row = laws.newton(own)
         known = {f"q{k}": NIL for k in motion.ratios}
         for n in motion.springs:
-            extension = laws.strain(n) + place.scaled(motion.drawn(n, i))
+            extension = laws.strain(n) + place.scaled(motion.extension_ratio(n, i))
             known[f"S{n}"] = laws.stiffness(n) * extension
-        zero, name = row.zero.put(known), f"f{face}"
+        zero, name = row.zero.substitute(known), f"f{face}"
         others = {other for other in zero.names() - {name} if other[0] in "TNS" and other[1:].isdigit()}
         part = zero.coefficient(name).number
         return None if others or not part else zero.without((name,)).scaled(-1.0 / part)

@@ -6,29 +6,29 @@ from math import atan2, cos, pi, sin, sqrt
 from sim2reason.base.lazy import cached_property
 from sim2reason.solutions.algebra.closed_roots import fraction
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.algebra.fractions import reduced_quotient
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
-from sim2reason.solutions.oscillations.net_force import collected
+from sim2reason.solutions.oscillations.net_force import collect_stiffness
 from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
-from sim2reason.solutions.writing.subscripts import split
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
+from sim2reason.solutions.writing.subscripts import split_name
 from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, KILOGRAMS, METRES, RADIANS, STIFFNESS
 
 HALF = Number(0.5)
-LITTLE = 1e-7  # tolerance relative to the amplitude
+AMPLITUDE_RTOL = 1e-7  # tolerance relative to the amplitude
 
 
 @dataclass
-class Harmonic:
+class HarmonicOscillation:
     """A harmonic oscillation x(t) = x₀ (1 − cos ωt) + (v₀/ω) sin ωt, with `name` the symbol of x."""
 
-    book: Book
+    book: SolutionBuilder
     motion: LinearMotion | RelativeMotion
     name: Symbol
     first: Polynomial  # v₀
-    like: "Harmonic | None" = None  # an earlier one with the same mass and stiffness, already written
+    like: "HarmonicOscillation | None" = None  # an earlier one with the same mass and stiffness, already written
 
     @property
     def _free(self) -> int:
@@ -45,44 +45,46 @@ class Harmonic:
             raise UnsolvedError("there is no restoring force")
         return sqrt(k / m), self.motion.load(self._free).value(at) / k, self.first.value(at)
 
-    def where(self, time: float) -> tuple[float, float]:
+    def state_at(self, time: float) -> tuple[float, float]:
         """Return the displacement, m, and the velocity, m/s, at a time in s."""
         omega, rest, fast = self.numbers
         c, s = cos(omega * time), sin(omega * time)
         return rest * (1.0 - c) + fast / omega * s, rest * omega * s + fast * c
 
     @property
-    def size(self) -> float:
+    def amplitude_value(self) -> float:
         """Return the amplitude, m."""
         omega, rest, fast = self.numbers
         return sqrt(rest**2 + (fast / omega) ** 2)
 
-    def turns(self, time: float) -> bool:
+    def is_turning_point(self, time: float) -> bool:
         """Return whether a time, s, is a turning point."""
         omega, _, _ = self.numbers
-        return abs(self.where(time)[1]) <= LITTLE * omega * self.size
+        return abs(self.state_at(time)[1]) <= AMPLITUDE_RTOL * omega * self.amplitude_value
 
     def instants(self, until: float) -> list[float]:
         """Return the times, s, up to a limit of turning points and passages through equilibrium."""
         omega, rest, fast = self.numbers
         begun = atan2(fast / omega, -rest)
         found = [(begun + n * pi / 2.0) / omega for n in range(-4, int(2.0 * omega * until / pi) + 5)]
-        return [time for time in found if 0.0 < time <= until * (1.0 + LITTLE)]
+        return [time for time in found if 0.0 < time <= until * (1.0 + AMPLITUDE_RTOL)]
 
     # ---- in writing
 
-    def swinging(self, angle: Expression) -> Expression:
+    def displacement_at_phase(self, angle: Expression) -> Expression:
         """Return the formula of the displacement at a phase ωt."""
-        formula: Expression = self.rest - self.rest * Call("cos", angle) if self.rest != ZERO else ZERO
+        formula: Expression = (
+            self.equilibrium - self.equilibrium * Call("cos", angle) if self.equilibrium != ZERO else ZERO
+        )
         if self.begun.negative:
             return formula - (-self.begun) * Call("sin", angle)
         return formula + self.begun * Call("sin", angle) if self.begun != ZERO else formula
 
     def displacement(self, time: Symbol) -> Expression:
         """Return the displacement at a time, in amplitude form if it begins neither at rest nor in equilibrium."""
-        if ZERO in (self.begun, self.rest):
-            return self.swinging(self.rate * time)
-        return self.rest + self.amplitude * Call("cos", self.rate * time - self._first_phase)
+        if ZERO in (self.begun, self.equilibrium):
+            return self.displacement_at_phase(self.angular_frequency * time)
+        return self.equilibrium + self.amplitude * Call("cos", self.angular_frequency * time - self._first_phase)
 
     @cached_property
     def mass(self) -> Expression:
@@ -93,7 +95,7 @@ class Harmonic:
         if len(held.terms) == 1:
             return held.expression()
         said = f"The kinetic energy is that of one body with the displacement ${self.name.name}$ and the effective mass"
-        return self.book.told("inertia", said, self._fresh("M"), held.factored(), KILOGRAMS)
+        return self.book.add_step("inertia", said, self._fresh("M"), held.factored(), KILOGRAMS)
 
     @cached_property
     def stiffness(self) -> Expression:
@@ -104,38 +106,38 @@ class Harmonic:
         if len(held.terms) == 1:
             return held.expression()
         said = "Together the springs act like a single spring of stiffness"
-        return self.book.told("stiffness", said, self._fresh("k"), held.factored(), STIFFNESS)
+        return self.book.add_step("stiffness", said, self._fresh("k"), held.factored(), STIFFNESS)
 
     def _fresh(self, base: str) -> Symbol:
         return self.book.fresh(base, r"\text{eff}")
 
     @cached_property
-    def rate(self) -> Symbol:
+    def angular_frequency(self) -> Symbol:
         """Return the symbol of the angular frequency ω = √(k/M), rad/s."""
         if self.like is not None:
-            return self.like.rate
+            return self.like.angular_frequency
         formula = Root(self.stiffness / self.mass)
         whence = "the point where it is zero" if self._rubs else "equilibrium"
         said = f"The net force is proportional to the displacement from {whence}, so the angular frequency is"
-        return self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
+        return self.book.add_step("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
 
     @cached_property
-    def rest(self) -> Expression:
+    def equilibrium(self) -> Expression:
         """Return the equilibrium displacement x₀, m; zero if the motion begins there."""
         load = self.motion.load(self._free)
         if not load:
             return ZERO
-        base, mark = split(self.name.name)
+        base, mark = split_name(self.name.name)
         name = self.book.fresh(base, rf"\text{{eq}},{mark}" if mark.isdecimal() else "0")
-        step = self.book.open("balance")
+        step = self.book.begin_step("balance")
         held = self.motion.stiffness(self._free, self._free)
-        gathered = collected(load, held)
+        gathered = collect_stiffness(load, held)
         law = step.law(self.stiffness * name, gathered)
         what = "The net force is zero" if self._rubs else "The equilibrium is"
-        step.say(f"{what} at ${name.name}$, where {law},")
-        formula = over(load, held) if len(held.terms) == 1 else load.factored() / self.stiffness
+        step.add_text(f"{what} at ${name.name}$, where {law},")
+        formula = reduced_quotient(load, held) if len(held.terms) == 1 else load.factored() / self.stiffness
         formula = gathered / self.stiffness if gathered != load.expression() else formula
-        step.say(f"so {step.result(name, formula, METRES)}.")
+        step.add_text(f"so {step.result(name, formula, METRES)}.")
         step.close()
         return name
 
@@ -152,58 +154,58 @@ class Harmonic:
     @cached_property
     def begun(self) -> Expression:
         """Return the coefficient v₀/ω, m."""
-        return self.first.expression() / self.rate if self.first else ZERO
+        return self.first.expression() / self.angular_frequency if self.first else ZERO
 
     def speed_at(self, place: Expression) -> Expression:
         """Return the speed, m/s, at a position."""
-        if place == self.rest:
-            return self.rate * self.amplitude
-        return self.rate * Root(Power(self.amplitude, 2) - Power(place - self.rest, 2))
+        if place == self.equilibrium:
+            return self.angular_frequency * self.amplitude
+        return self.angular_frequency * Root(Power(self.amplitude, 2) - Power(place - self.equilibrium, 2))
 
     @cached_property
     def amplitude(self) -> Expression:
         """Return the amplitude, in m, from the position of zero net force."""
-        if ZERO in (self.begun, self.rest):
-            only = self.rest if self.begun == ZERO else self.begun
+        if ZERO in (self.begun, self.equilibrium):
+            only = self.equilibrium if self.begun == ZERO else self.begun
             return only if self.book.value(only) >= 0.0 else -only
-        formula = Root(Power(self.rest, 2) + Power(self.begun, 2))
+        formula = Root(Power(self.equilibrium, 2) + Power(self.begun, 2))
         taken = any(name.endswith("_A") for name in self.book.values)  # A is a body
-        name = self.book.fresh(*((split(self.name.name)[0], r"\text{max}") if taken else ("A",)))
-        return self.book.told("amplitude", "The amplitude is", name, formula, METRES)
+        name = self.book.fresh(*((split_name(self.name.name)[0], r"\text{max}") if taken else ("A",)))
+        return self.book.add_step("amplitude", "The amplitude is", name, formula, METRES)
 
     def turning(self, time: float) -> Expression:
         """Return the position, m, of the turning point at a time, s."""
-        beyond = self.where(time)[0] > self.numbers[1]
-        formula = self.rest + self.amplitude if beyond else self.rest - self.amplitude
+        beyond = self.state_at(time)[0] > self.numbers[1]
+        formula = self.equilibrium + self.amplitude if beyond else self.equilibrium - self.amplitude
         collected = fraction(formula)
         return formula if collected.below else collected.above.expression()
 
     def angle_of_turning(self, time: float) -> Expression:
         """Return the phase ωt of the turning point at a time, s."""
-        if ZERO in (self.begun, self.rest):
+        if ZERO in (self.begun, self.equilibrium):
             formula: Expression = ZERO
             shift = 0.0 if self.begun == ZERO else 0.5
         else:
-            formula, shift = Call("arctan", self.begun / -self.rest), 0.0
+            formula, shift = Call("arctan", self.begun / -self.equilibrium), 0.0
         turns = round(self.numbers[0] * time / pi - shift - (self.book.value(formula) / pi))
         return formula + Number(turns + shift) * PI if turns + shift else formula
 
     def angle_of(self, place: Expression, time: float) -> Expression:
         """Return the phase ωt at which a position is reached near a time, s."""
         omega = self.numbers[0]
-        apart = place - self.rest
-        if self.rest == place == ZERO:
+        apart = place - self.equilibrium
+        if self.equilibrium == place == ZERO:
             return Number(round(omega * time / pi)) * PI
-        if self.rest == ZERO:
+        if self.equilibrium == ZERO:
             base: Expression = ZERO
             plain: Expression = Call("arcsin", self._share(place, self.begun))
             options = [(plain, 0.0, 1.0), (plain, 1.0, -1.0)]
         elif self.begun == ZERO:
-            share = self._share(place, self.rest)
+            share = self._share(place, self.equilibrium)
             base, plain = ZERO, Call("arccos", ONE + -share if share.negative else ONE - share)
             options = [(plain, 0.0, 1.0), (plain, 0.0, -1.0)]
         else:
-            level = abs(self.book.value(apart)) <= LITTLE * self.size
+            level = abs(self.book.value(apart)) <= AMPLITUDE_RTOL * self.amplitude_value
             plain = HALF * PI if level else Call("arccos", apart / self.amplitude)
             base = self._first_phase
             options = [(plain, 0.0, 1.0), (plain, 0.0, -1.0)]
@@ -227,9 +229,9 @@ class Harmonic:
     @cached_property
     def _first_phase(self) -> Symbol:
         """Return the symbol of the phase φ in x = x₀ + A cos(ωt − φ)."""
-        formula: Expression = Call("arctan", self.begun / -self.rest)
+        formula: Expression = Call("arctan", self.begun / -self.equilibrium)
         if self.numbers[1] > 0.0:
             formula = formula + PI
         whence = self.balance if self._rubs else "equilibrium"
         said = f"The displacement from {whence} is ${self.amplitude.latex()} \\cos(\\omega t - \\varphi)$ with"
-        return self.book.told("phase", said, self.book.fresh(r"\varphi"), formula, RADIANS)
+        return self.book.add_step("phase", said, self.book.fresh(r"\varphi"), formula, RADIANS)

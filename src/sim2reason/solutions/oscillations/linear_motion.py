@@ -12,7 +12,7 @@ import numpy as np
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.scenes.dsl.constancy import bending, changing
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact.motion import Segment
@@ -20,17 +20,17 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.laws.newton import Row, symbol
 from sim2reason.solutions.laws.springs import SpringLaws
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.writing.lexicon import UnreadError
 from sim2reason.solutions.writing.steps import UnsolvedError
 
-STILL = 1e-9  # tolerance of ratios and direction components
-SOUND = 1e-7  # relative tolerance of accelerations to the engine's
+RATIO_TOLERANCE = 1e-9  # tolerance of ratios and direction components
+ACCELERATION_RTOL = 1e-7  # relative tolerance of accelerations to the engine's
 
 
-def nonlinear(mechanism: Mechanism) -> str:
+def nonlinear_reason(mechanism: Mechanism) -> str:
     """Return why the equations are not linear with constant coefficients; empty if they are."""
-    frames = start(mechanism)
+    frames = initial_frames(mechanism)
     plain = replace(mechanism, lines=tuple(line for line in mechanism.lines if not isinstance(line.law, Elastic)))
     found = changing(plain, frames)
     if found and not _on_a_ring(mechanism):
@@ -39,7 +39,7 @@ def nonlinear(mechanism: Mechanism) -> str:
     return next((f"{line.name} turns" for line in springs if bending(line, frames)), "")
 
 
-def fewest_free(mechanism: Mechanism) -> int:
+def min_free_coordinates(mechanism: Mechanism) -> int:
     """Return the least number of free coordinates: all strings taut, and no contact slipping."""
     rough = [face for face in mechanism.faces if face.friction]
     return len(mechanism.coordinates) - len(mechanism.constraints) - len(rough)
@@ -47,7 +47,7 @@ def fewest_free(mechanism: Mechanism) -> int:
 
 def _on_a_ring(mechanism: Mechanism) -> bool:
     """Return whether all moving bodies are beads on one level circle, pulled only by springs along it."""
-    level = all(c.kind == "hinge" and abs(c.axis[2]) > 1.0 - STILL for c in mechanism.coordinates)
+    level = all(c.kind == "hinge" and abs(c.axis[2]) > 1.0 - RATIO_TOLERANCE for c in mechanism.coordinates)
     alone = all(len(body.coordinates) == 1 and body.parent is None for body in mechanism.bodies)
     return level and alone and not mechanism.faces and all(line.circle for line in mechanism.lines)
 
@@ -55,9 +55,9 @@ def _on_a_ring(mechanism: Mechanism) -> bool:
 class LinearMotion:
     """The equations of one segment; the coordinates in `wanted` are preferred as free ones, in this order."""
 
-    def __init__(self, setting: Setting, segment: Segment, wanted: Sequence[int]) -> None:
+    def __init__(self, setting: ProblemContext, segment: Segment, wanted: Sequence[int]) -> None:
         """Derive the equations; raise UnsolvedError or UnreadError if they are not linear in the text's numbers."""
-        if reason := nonlinear(setting.mechanism):
+        if reason := nonlinear_reason(setting.mechanism):
             raise UnsolvedError(reason)
         self.setting, self.segment, self.mechanism = setting, segment, setting.mechanism
         self.laws = SpringLaws(setting.lexicon, segment)
@@ -68,12 +68,12 @@ class LinearMotion:
         self._check()
 
     @classmethod
-    def of(cls, setting: Setting, segment: Segment, wanted: tuple[int, ...]) -> "LinearMotion":
+    def of(cls, setting: ProblemContext, segment: Segment, wanted: tuple[int, ...]) -> "LinearMotion":
         """Return the equations of a segment, cached for all questions with the same preferred free coordinates."""
         if setting.scene is not setting.study.scene:
             return cls(setting, segment, wanted)
         key = "linear motion", setting.lexicon, segment.start, wanted
-        found = setting.study.once(key, lambda: _tried(lambda: cls(setting, segment, wanted)))
+        found = setting.study.memoize(key, lambda: _tried(lambda: cls(setting, segment, wanted)))
         if isinstance(found, UnsolvedError | UnreadError):
             raise found.with_traceback(None)
         return found
@@ -92,7 +92,7 @@ class LinearMotion:
         """Return the constraints that tie coordinates together: taut strings and rolling contacts."""
         acting = self.segment.found.mode.acting
         found = [self.laws.string(place) for place in range(len(self.laws.lines)) if acting[place]]
-        return found + [self.laws.rolling(face) for face, side in self.laws.rough.items() if side == 0]
+        return found + [self.laws.rolling(face) for face, side in self.laws.slip_directions.items() if side == 0]
 
     def _matrix(self) -> Array:
         """Return the constraint matrix, (rows, coordinates); UnsolvedError unless its entries are plain numbers."""
@@ -112,7 +112,7 @@ class LinearMotion:
         order = [*dict.fromkeys(self._wanted), *(k for k in range(size) if k not in self._wanted)]
         pivots: dict[int, int] = {}
         for k in reversed(order):  # the least wanted coordinates depend on the others
-            left = [n for n in range(len(matrix)) if n not in pivots.values() and abs(matrix[n, k]) > STILL]
+            left = [n for n in range(len(matrix)) if n not in pivots.values() and abs(matrix[n, k]) > RATIO_TOLERANCE]
             if not left:
                 continue
             n = max(left, key=lambda n, k=k: abs(matrix[n, k]))
@@ -124,7 +124,7 @@ class LinearMotion:
         free = [k for k in order if k not in pivots]
         self.ratios: dict[int, dict[int, float]] = {k: {k: 1.0} for k in free}
         for k, n in pivots.items():
-            self.ratios[k] = {i: -float(matrix[n, i]) for i in free if abs(matrix[n, i]) > STILL}
+            self.ratios[k] = {i: -float(matrix[n, i]) for i in free if abs(matrix[n, i]) > RATIO_TOLERANCE}
         return free
 
     def ratio(self, k: int, i: int) -> float:
@@ -144,11 +144,11 @@ class LinearMotion:
         """Return force and inertia along each free coordinate: Newton's laws weighted so that tensions cancel."""
         bound, found = self._bound(), list[tuple[Polynomial, Polynomial]]()
         laws = {k: self.laws.newton(k) for k in self.ratios if self.ratios[k]}
-        normal = {f"N{face}": self.normal(face) for face, side in self.laws.rough.items() if side}
+        normal = {f"N{face}": self.normal(face) for face, side in self.laws.slip_directions.items() if side}
         for i in self.free:
             parts = [(row, self.ratio(k, i)) for k, row in laws.items() if self.ratio(k, i)]
-            forces = total(row.forces.put(normal).scaled(part) for row, part in parts)
-            inertia = total(row.inertia.put(bound).scaled(part) for row, part in parts)
+            forces = total(row.forces.substitute(normal).scaled(part) for row, part in parts)
+            inertia = total(row.inertia.substitute(bound).scaled(part) for row, part in parts)
             if any(name[0] in "Tf" and name[1:].isdigit() for name in forces.names()):
                 raise UnsolvedError("a tension does not cancel")
             found.append((forces, inertia))
@@ -169,9 +169,9 @@ class LinearMotion:
     @cached_property
     def springs(self) -> list[int]:
         """Return the indices of the springs that the motion stretches."""
-        return [n for n in self.laws.springs if any(self.drawn(n, i) for i in self.free)]
+        return [n for n in self.laws.springs if any(self.extension_ratio(n, i) for i in self.free)]
 
-    def drawn(self, number: int, i: int) -> float:
+    def extension_ratio(self, number: int, i: int) -> float:
         """Return the rate of a line's length per rate of a free coordinate; UnsolvedError if it is not a number."""
         found = 0.0
         for k in self.ratios:
@@ -181,7 +181,7 @@ class LinearMotion:
                 if plain is None:
                     raise UnsolvedError("a spring is stretched at a ratio that is no plain number")
                 found += part * plain
-        return found if abs(found) > STILL else 0.0
+        return found if abs(found) > RATIO_TOLERANCE else 0.0
 
     def stiffness(self, i: int, j: int) -> Polynomial:
         """Return the entry of the stiffness matrix K for two free coordinates."""
@@ -193,7 +193,7 @@ class LinearMotion:
 
     def _matched(self, what: str, i: int, j: int) -> Polynomial:
         of = {"stiffness": self.laws.stiffness, "damping": self.laws.damping}[what]
-        pairs = [(n, self.drawn(n, i) * self.drawn(n, j)) for n in self.springs]
+        pairs = [(n, self.extension_ratio(n, i) * self.extension_ratio(n, j)) for n in self.springs]
         return total(of(n).scaled(part) for n, part in pairs if part)
 
     def steady(self, i: int) -> Polynomial:
@@ -210,7 +210,7 @@ class LinearMotion:
 
     def _rubbed(self, i: int, coefficient: Callable[[int], Polynomial]) -> Polynomial:
         found = NIL
-        for face, side in self.laws.rough.items():
+        for face, side in self.laws.slip_directions.items():
             along = total(part.scaled(self.ratio(k, i)) for k, part in self.laws.slip(face).items())
             if side and along:
                 found = found + (coefficient(face) * self.normal(face) * along).scaled(float(-side))
@@ -218,7 +218,7 @@ class LinearMotion:
 
     def load(self, i: int) -> Polynomial:
         """Return Q, the net force along a free coordinate at its origin, by default the start."""
-        pulls = [(n, self.drawn(n, i)) for n in self.springs]
+        pulls = [(n, self.extension_ratio(n, i)) for n in self.springs]
         found = self.steady(i) - total(self.laws.stiffness(n) * self.laws.strain(n).scaled(p) for n, p in pulls if p)
         return found - self.stiffness(i, i) * self.begin if self.begin else found
 
@@ -239,13 +239,13 @@ class LinearMotion:
         if not self.free:
             return
         mass, load = self.matrix("mass"), np.array([self.load(i).value(self.givens) for i in self.free])
-        if np.linalg.cond(mass) > 1.0 / STILL:
+        if np.linalg.cond(mass) > 1.0 / RATIO_TOLERANCE:
             raise UnsolvedError("something without mass moves by itself")
         scale = self.laws.scale
         q, v = (np.array([part[i] * scale[i].here for i in self.free]) for part in (self.segment.q, self.segment.v))
         a = np.linalg.solve(mass, load - self.matrix("stiffness") @ q - self.matrix("damping") @ v)
         there = np.array([self.segment.a[i] * scale[i].here for i in self.free])
-        if np.abs(a - there).max() > SOUND * max(1.0, float(np.abs(there).max())):
+        if np.abs(a - there).max() > ACCELERATION_RTOL * max(1.0, float(np.abs(there).max())):
             raise UnsolvedError("the equations are not those of the motion")
 
 

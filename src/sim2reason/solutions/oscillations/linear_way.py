@@ -3,30 +3,30 @@
 from abc import abstractmethod
 
 from sim2reason.base.lazy import cached_property
-from sim2reason.scenes.dsl.vectors import Vector, product
+from sim2reason.scenes.dsl.vectors import Vector, dot
 from sim2reason.simulation.engines.exact.motion import Segment
-from sim2reason.solutions.algebra.elimination import solved
+from sim2reason.solutions.algebra.elimination import solve_linear
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.goals import Components
 from sim2reason.solutions.laws.newton import Newton, Row
 from sim2reason.solutions.laws.rolling_words import rim_inertia_words
-from sim2reason.solutions.laws.straight_way import STILL, Way
+from sim2reason.solutions.laws.straight_way import COMPONENT_ATOL, StraightMotion
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
 from sim2reason.solutions.oscillations.net_force import greatest_target, time_of_greatest
 from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
-from sim2reason.solutions.oscillations.tension_work import tension_work
-from sim2reason.solutions.setting import Setting, capital, joined
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.oscillations.tension_work import write_tension_work
+from sim2reason.solutions.setting import ProblemContext, capitalized, join_words
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import IMPULSE, NEWTONS
 
 TIMES = {0.5: "half as far as", 2.0: "twice as far as", 1.0: "as far as"}
 
 
-class LinearWay(Way):
+class LinearMotionModel(StraightMotion):
     """A motion model that expresses all quantities by the values and rates of the free coordinates."""
 
-    def __init__(self, setting: Setting, book: Book) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
         """Take a question; `greatest` is the quantity whose greatest value it asks for, if any."""
         super().__init__(setting, book)
         self.greatest = greatest_target(setting)
@@ -87,8 +87,8 @@ class LinearWay(Way):
 
     def introduce(self, names: dict[int, Symbol], origin: str = "") -> None:
         """Write the names of the free coordinates, their `origin`, and the ratios of other displacements."""
-        step = self.book.open("names")
-        step.say(f"Let {joined(self._moved(names))}{origin}.")
+        step = self.book.begin_step("names")
+        step.add_text(f"Let {join_words(self._moved(names))}{origin}.")
         bound: list[str] = []
         for k, parts in self.motion.ratios.items():
             if k in names or len(parts) != 1 or self.mechanism.coordinates[k].body not in self.setting.words.mentions:
@@ -96,13 +96,13 @@ class LinearWay(Way):
             (i, part), *_ = parts.items()
             body = self.mechanism.coordinates[k].body
             if self._turns_by_itself(k) and self.moving([body]):
-                bound.append(f"{self.setting.called(body)} rolls without slipping")
+                bound.append(f"{self.setting.display_name(body)} rolls without slipping")
                 continue
             size = TIMES.get(abs(part), f"{abs(part):g} times as far as")
-            bound.append(f"{self.who(k)} moves {size} {self.who(i)}")
-        step.say(f"{capital(joined(bound))}." if bound else "")
+            bound.append(f"{self.mover_phrase(k)} moves {size} {self.mover_phrase(i)}")
+        step.add_text(f"{capitalized(join_words(bound))}." if bound else "")
         turning = [k for k, parts in self.motion.ratios.items() if parts and self._turns_by_itself(k)]
-        step.say(*(rim_inertia_words(self.newton, self.setting, k) for k in turning))
+        step.add_text(*(rim_inertia_words(self.newton, self.setting, k) for k in turning))
         step.close()
 
     def _moved(self, names: dict[int, Symbol]) -> list[str]:
@@ -113,9 +113,9 @@ class LinearWay(Way):
         said: list[str] = []
         for (way, _), held in ways.items():
             who = [self.mechanism.coordinates[i].body for i in held]
-            called = self.setting.listed(who) if len(held) > 1 else self.who(held[0])
+            called = self.setting.bodies_phrase(who) if len(held) > 1 else self.mover_phrase(held[0])
             noun = "displacements" if len(held) > 1 else "displacement"
-            said.append(f"{joined([f'${names[i].name}$' for i in held])} be the {noun} of {called} {way}")
+            said.append(f"{join_words([f'${names[i].name}$' for i in held])} be the {noun} of {called} {way}")
         return said
 
     def _turns_by_itself(self, k: int) -> bool:
@@ -123,9 +123,9 @@ class LinearWay(Way):
         own = self.mechanism.coordinates[k]
         return own.kind == "hinge" and not self.moving([own.body]).count(k)
 
-    def who(self, k: int) -> str:
+    def mover_phrase(self, k: int) -> str:
         """Return the phrase for the body, or its rim, that moves with a coordinate."""
-        called = self.setting.called(self.mechanism.coordinates[k].body)
+        called = self.setting.display_name(self.mechanism.coordinates[k].body)
         return f"the rim of {called}" if self._turns_by_itself(k) else called
 
     def towards(self, k: int, *, forward: bool = True) -> str:
@@ -133,9 +133,9 @@ class LinearWay(Way):
         held = self.mechanism.coordinates[k]
         if held.kind == "hinge":
             turning = "anticlockwise" if forward else "clockwise"
-            return turning if held.axis[2] > STILL else "round its axis"
+            return turning if held.axis[2] > COMPONENT_ATOL else "round its axis"
         parent, (x, y, z) = self.mechanism.body[held.body].parent, held.axis
-        return self.setting.towards(held.axis if forward else (-x, -y, -z), on=parent)
+        return self.setting.direction_words(held.axis if forward else (-x, -y, -z), on=parent)
 
     # ---- bodies on a ring
 
@@ -150,7 +150,7 @@ class LinearWay(Way):
         """Return the components of a vector; on a ring along it, for an acceleration also towards its centre."""
         k = self._ring(body)
         if k is None:
-            return Way.vector(self, kind, body)
+            return StraightMotion.vector(self, kind, body)
         along = self.first_speeds.get(k, NIL) if kind == "u" else self.rate(kind, k)
         if kind == "a":
             return along, self._inward(k), NIL
@@ -172,7 +172,7 @@ class LinearWay(Way):
         """Return the component of a vector along a direction; UnsolvedError on a ring."""
         if self._ring(body) is not None:
             raise UnsolvedError("a component on a ring")
-        return Way.component(self, kind, body, way)
+        return StraightMotion.component(self, kind, body, way)
 
     # ---- springs
 
@@ -183,7 +183,7 @@ class LinearWay(Way):
         """Return the increase of a line's length, or its rate."""
         number = self._number(line)
         of = {"v": self.speed, "s": self.place}[kind]
-        parts = [(i, self.motion.drawn(number, i)) for i in self.motion.free]
+        parts = [(i, self.motion.extension_ratio(number, i)) for i in self.motion.free]
         return total(of(i).scaled(part) for i, part in parts if part)
 
     def spring(self, what: str, line: str) -> Polynomial:
@@ -195,7 +195,7 @@ class LinearWay(Way):
         """Return the coordinates on which the length of a line depends."""
         gradient = set[int]()
         for piece in self._start.pieces(self.mechanism.line[line]):
-            gradient |= {k for k, part in piece.along.items() if abs(float(part)) > STILL}
+            gradient |= {k for k, part in piece.along.items() if abs(float(part)) > COMPONENT_ATOL}
         wheels = [self.mechanism.number[wheel.coordinate] for wheel in self.mechanism.line[line].wheels]
         return sorted({*gradient, *wheels})
 
@@ -244,15 +244,15 @@ class LinearWay(Way):
             raise UnsolvedError("no law of a single body gives the impulse")
         asked = goal.force(target, self.setting)
         gained = {f"q{k}": self.rate("v", k) - self.first_speeds.get(k, NIL) for k in self.gaining}
-        weight = row.forces.put({asked: NIL})
+        weight = row.forces.substitute({asked: NIL})
         found = Polynomial.of(self.book.fresh("J"))
-        pushed = (row.forces - weight).put({asked: found}) + weight * Polynomial.of(self.clock())
-        step, gain = self.book.open("impulse"), row.inertia.put(gained)
-        who = self.setting.called(self.mechanism.coordinates[row.number].body)
+        pushed = (row.forces - weight).substitute({asked: found}) + weight * Polynomial.of(self.clock())
+        step, gain = self.book.begin_step("impulse"), row.inertia.substitute(gained)
+        who = self.setting.display_name(self.mechanism.coordinates[row.number].body)
         law = step.law(pushed.expression(), gain.expression())
         assert found.symbol is not None
-        formula = solved(pushed - gain, found.symbol.name)
-        step.say(
+        formula = solve_linear(pushed - gain, found.symbol.name)
+        step.add_text(
             f"The impulse on {who} is its change in momentum: {law}, so {step.result(found.symbol, formula, IMPULSE)}."
         )
         step.close()
@@ -261,7 +261,7 @@ class LinearWay(Way):
     def work(self, line: str, body: str) -> Symbol | None:
         """Write the work of a tension from the change in kinetic energy of a body, and return its symbol."""
         del line
-        return tension_work(self, self.motion.laws.springs, body)
+        return write_tension_work(self, self.motion.laws.springs, body)
 
     def clock(self) -> Symbol:
         """Return the time of the moment; by default raise UnsolvedError."""
@@ -275,23 +275,23 @@ class LinearWay(Way):
             known[f"S{n}"] = self.spring("stiffness", line) * extension
             if damping := self.spring("damping", line):
                 known[f"S{n}"] = known[f"S{n}"] + damping * self.growth("v", line)
-        found = self.book.fresh(kind, self.setting.mark(name) if name in self.mechanism.body else "")
-        bound = (row.forces - row.inertia).put(known)
-        turned = kind == "f" and self.book.value(solved(bound, asked)) < 0.0
+        found = self.book.fresh(kind, self.setting.subscript_of(name) if name in self.mechanism.body else "")
+        bound = (row.forces - row.inertia).substitute(known)
+        turned = kind == "f" and self.book.value(solve_linear(bound, asked)) < 0.0
         named = {asked: Polynomial.of(found).scaled(-1.0 if turned else 1.0)}
-        forces, inertia = row.forces.put(known).put(named), row.inertia.put(known)
-        step = self.book.open("newton")
-        who = self.setting.called(self.mechanism.coordinates[row.number].body) if row.kind == "newton" else "it"
+        forces, inertia = row.forces.substitute(known).substitute(named), row.inertia.substitute(known)
+        step = self.book.begin_step("newton")
+        who = self.setting.display_name(self.mechanism.coordinates[row.number].body) if row.kind == "newton" else "it"
         where = "" if row.kind == "newton" else "Perpendicular to the surface: "
         law = step.law(forces.expression(), inertia.expression())
-        formula = solved(forces - inertia, found.name)
+        formula = solve_linear(forces - inertia, found.name)
         m = self.mechanism
-        noun = f"the tension in {self.setting.lines[name]}" if kind == "T" else ""
-        step.say(f"Let ${found.latex()}$ be {noun}." if noun and name in (line.name for line in m.lines) else "")
-        step.say(f"{where}{capital(who)}: {law}, so {step.result(found, formula, NEWTONS)}.")
+        noun = f"the tension in {self.setting.string_phrases[name]}" if kind == "T" else ""
+        step.add_text(f"Let ${found.latex()}$ be {noun}." if noun and name in (line.name for line in m.lines) else "")
+        step.add_text(f"{where}{capitalized(who)}: {law}, so {step.result(found, formula, NEWTONS)}.")
         step.close()
         return found
 
 
 def _radius(way: Vector) -> float:
-    return float(product(way, way)) ** 0.5
+    return float(dot(way, way)) ** 0.5

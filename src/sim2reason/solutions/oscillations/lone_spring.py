@@ -7,25 +7,25 @@ from math import hypot
 from sim2reason.base.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.strings import MostCompressed, MostStretched, NaturalLength
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
 from sim2reason.scenes.dsl.vectors import minus
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.functions import Power, length_of
+from sim2reason.solutions.algebra.functions import Power, vector_length
 from sim2reason.solutions.oscillations.net_force import greatest_target
-from sim2reason.solutions.setting import LEVEL, Setting
+from sim2reason.solutions.setting import DIRECTION_TOLERANCE, ProblemContext
 from sim2reason.solutions.swings.angle import Way
-from sim2reason.solutions.writing.comparing import exceeds, verify_assumed
-from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
-from sim2reason.solutions.writing.unit_latex import JOULES, LETTERS, METRES, of_magnitude
+from sim2reason.solutions.writing.comparing import record_inequality, verify_assumed
+from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import JOULES, METRES, QUANTITY_SYMBOLS, magnitude_words
 
 PARTS = "stiffness", "length"
 
 
-def lone_spring(m: Mechanism) -> Elastic | None:
+def single_spring_law(m: Mechanism) -> Elastic | None:
     """Return the law of the only spring, from a fixed point to the only body; None for other mechanisms."""
     other = m.faces or m.forces or m.attractions or m.burns or m.meetings or m.feet
-    slides = all(c.kind == "slide" and abs(c.axis[2]) < LEVEL for c in m.coordinates)
+    slides = all(c.kind == "slide" and abs(c.axis[2]) < DIRECTION_TOLERANCE for c in m.coordinates)
     if len(m.lines) != 1 or len(m.bodies) != 1 or len(m.coordinates) != 2 or other or not slides:
         return None
     law, ends = m.lines[0].law, [m.site[site].body for site in m.lines[0].through]
@@ -35,7 +35,7 @@ def lone_spring(m: Mechanism) -> Elastic | None:
 
 def ends(m: Mechanism) -> tuple[float, float]:
     """Return the vector, m, from the fixed end of the spring to the body at the start, along the coordinates."""
-    frames, through = start(m), m.lines[0].through
+    frames, through = initial_frames(m), m.lines[0].through
     fixed, free = sorted(through, key=lambda site: m.site[site].body is not None)
     apart = minus(frames.site(free).place, frames.site(fixed).place)
     x, y = (sum(a * b for a, b in zip(apart, c.axis, strict=True)) for c in m.coordinates)
@@ -47,16 +47,16 @@ def length(m: Mechanism) -> float:
     return hypot(*ends(m))
 
 
-def quantity_of(setting: Setting) -> str:
+def quantity_of(setting: ProblemContext) -> str:
     """Return the quantity that is asked for, or whose greatest value is; empty for a time."""
     target = greatest_target(setting) if isinstance(setting.query, StretchQuery) else setting.query.target
     return target.quantity if target is not None else ""
 
 
-class LoneSpring:
+class SingleSpringBody:
     """The parameters of a body on a single spring, in the symbols of the text."""
 
-    def __init__(self, setting: Setting, book: Book) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
         """Read the parameters; raise UnreadError if one is not a simple function of the numbers in the text."""
         self.setting, self.book = setting, book
         self.apart = [self.read(lambda m, n=n: ends(m)[n]) for n in (0, 1)]
@@ -71,7 +71,7 @@ class LoneSpring:
     def length(self) -> Symbol:
         """Write the initial length of the spring, m, and return its symbol."""
         said, name = "The initial length of the spring is", self.book.fresh(r"\ell", "1")
-        return self.book.told("length", said, name, length_of(self.apart), METRES)
+        return self.book.add_step("length", said, name, vector_length(self.apart), METRES)
 
     def answer(self, way: Way, turned: Callable[[Expression], Expression]) -> Symbol:
         """Write the answer and return its symbol; `turned` gives its formula the sign or component asked for."""
@@ -81,9 +81,9 @@ class LoneSpring:
         if isinstance(formula, Symbol):
             return formula
         if formula == -along:
-            said = of_magnitude(said, quantity)
-        name = self.book.fresh(LETTERS[quantity])
-        return self.book.told("answer", said, name, formula, self.setting.unit)
+            said = magnitude_words(said, quantity)
+        name = self.book.fresh(QUANTITY_SYMBOLS[quantity])
+        return self.book.add_step("answer", said, name, formula, self.setting.unit)
 
 
 HALF = Number(0.5)
@@ -96,12 +96,12 @@ class Launch:
     `kept` returns the energy, in J, and the angular momentum per unit of mass, in m²/s.
     """
 
-    body: LoneSpring
+    body: SingleSpringBody
     velocity: Sequence[Expression]
     kept: Callable[[], tuple[Symbol, Expression]]
 
 
-def passed_words(launch: Launch, step: Writing) -> str:
+def passed_words(launch: Launch, step: StepBuilder) -> str:
     """Return a sentence that the speed is greatest at the natural length, and why that is passed.
 
     Raises:
@@ -115,7 +115,7 @@ def passed_words(launch: Launch, step: Writing) -> str:
     return f"The {what} is greatest where the spring stores no energy, at its natural length.{passed}"
 
 
-def _why_passed(launch: Launch, step: Writing, query: StretchQuery) -> str:
+def _why_passed(launch: Launch, step: StepBuilder, query: StretchQuery) -> str:
     """Return why the spring passes its natural length before its greatest extension or compression."""
     body, (u, v) = launch.body, launch.velocity
     book, (x, y) = body.book, body.apart
@@ -139,21 +139,26 @@ def _why_passed(launch: Launch, step: Writing, query: StretchQuery) -> str:
             raise UnsolvedError("nothing shows that it passes its natural length")
     if known or lengthens == stretched or book.is_hidden(outward):
         return said
-    exceeds(book, step, *((outward, ZERO) if lengthens else (ZERO, outward)))
+    record_inequality(book, step, *((outward, ZERO) if lengthens else (ZERO, outward)))
     state, way = ("compressed", "shortens") if stretched else ("stretched", "lengthens")
     less = f"${outward.latex()} {'>' if lengthens else '<'} 0$"
     return f"{said} If it were {state} at first, it would be fastest at the start, as it {way} then, {less}."
 
 
 def _passes(
-    book: Book, step: Writing, sides: tuple[Expression, Expression], relation: str, begins: str, ends: str
+    book: SolutionBuilder,
+    step: StepBuilder,
+    sides: tuple[Expression, Expression],
+    relation: str,
+    begins: str,
+    ends: str,
 ) -> str:
     """Return a sentence that the spring passes its natural length, from its initial and final states.
 
     A `relation` in LaTeX states that the first of two `sides` is larger, which gives the initial state.
     """
     if not any(map(book.is_hidden, sides)):
-        exceeds(book, step, *sides)
+        record_inequality(book, step, *sides)
         return f"The spring passes that length, as it {begins}, ${relation}$, {ends}."
     book.afterwards.append(lambda: verify_assumed(book, *sides, relation))
     return f"Assume that ${relation}$. Then the spring passes that length, as it {begins} {ends}."
@@ -164,9 +169,9 @@ def _verify_reached(launch: Launch) -> None:
     body, (energy, swirl) = launch.body, launch.kept()
     book = body.book
     across, name = HALF * body.mass * Power(swirl / body.natural, 2), book.fresh("K", "0")
-    step = book.open("verify")
-    exceeds(book, step, energy, across)
-    step.say(
+    step = book.begin_step("verify")
+    record_inequality(book, step, energy, across)
+    step.add_text(
         "The energy at a turning point of the length, where the velocity is perpendicular to the spring, is a convex "
         f"function of that length. It is less than ${energy.latex()}$ for ${body.length.latex()}$, where the spring "
         f"shortens, and for ${body.natural.latex()}$, where it is {step.verified(name, across, JOULES)}; so the spring "

@@ -9,29 +9,35 @@ import numpy as np
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.solutions.algebra.evaluated import QuadraticRoot, Worked
+from sim2reason.solutions.algebra.evaluated import NumericFormula, QuadraticRoot
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.fractions import over, signed_permutations
+from sim2reason.solutions.algebra.fractions import reduced_quotient, signed_permutations
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
 from sim2reason.solutions.oscillations.mode import Mode
-from sim2reason.solutions.setting import joined
-from sim2reason.solutions.writing.numeric_roots import told_root
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.setting import join_words
+from sim2reason.solutions.writing.numeric_roots import root_sentence
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import PER_SECOND_SQUARED
 
-NONE = 1e-9  # relative to the largest λ: a smaller one means no restoring force
-LONG = 160  # maximum length of the LaTeX of coefficients that are written as formulas
+ZERO_MODE_RTOL = 1e-9  # relative to the largest λ: a smaller one means no restoring force
+MAX_COEFFICIENT_LENGTH = 160  # maximum length of the LaTeX of coefficients that are written as formulas
 PAIR = 2  # number of free coordinates with which a mode shape has one unknown share
-FAINT = 1e-10  # relative to the largest part: below it the start does not excite a mode
+EXCITATION_RTOL = 1e-10  # relative to the largest part: below it the start does not excite a mode
 
 
 class ModeLaws:
     """The normal modes of a linear motion from Newton's laws, with their frequencies."""
 
     def __init__(
-        self, book: Book, motion: LinearMotion, first: Sequence[Polynomial], names: Sequence[Symbol], *, loaded: bool
+        self,
+        book: SolutionBuilder,
+        motion: LinearMotion,
+        first: Sequence[Polynomial],
+        names: Sequence[Symbol],
+        *,
+        loaded: bool,
     ) -> None:
         """Take the initial rates and the names of the free coordinates, and write the equations of motion.
 
@@ -46,7 +52,7 @@ class ModeLaws:
         found = np.linalg.eigh(half @ self.stiffness @ half.T)
         self.squares: Array = np.asarray(found[0], dtype=np.float64)
         self.shapes: Array = half.T @ np.asarray(found[1], dtype=np.float64)
-        if self.squares[0] < -NONE * self.squares[-1]:
+        if self.squares[0] < -ZERO_MODE_RTOL * self.squares[-1]:
             raise UnsolvedError("something is driven away")
         self.load: Array = np.array([motion.load(i).value(motion.givens) for i in motion.free])
         self.begun: Array = np.array([held.value(motion.givens) for held in first])
@@ -55,7 +61,7 @@ class ModeLaws:
     @property
     def zeros(self) -> int:
         """Return the number of modes without a restoring force."""
-        return int((self.squares < NONE * self.squares[-1]).sum())
+        return int((self.squares < ZERO_MODE_RTOL * self.squares[-1]).sum())
 
     # ---- frequencies
 
@@ -72,8 +78,10 @@ class ModeLaws:
             pull = total(stiff * Polynomial.of(name) for stiff, _, name in held)
             forces = (self.motion.load(number) if loaded else NIL) - pull
             said.append(f"${inertia.expression().latex()} = {forces.expression().latex()}$")
-        step = self.book.open("equations of motion")
-        step.say(f"The {'equations of motion are' if len(said) > 1 else 'equation of motion is'} {joined(said)}.")
+        step = self.book.begin_step("equations of motion")
+        step.add_text(
+            f"The {'equations of motion are' if len(said) > 1 else 'equation of motion is'} {join_words(said)}."
+        )
         step.close()
 
     @cached_property
@@ -108,7 +116,7 @@ class ModeLaws:
     def _only(self, powers: Sequence[Polynomial]) -> Mode:
         """Write the root of a linear characteristic equation and return its mode."""
         mode = self._named(self.zeros)
-        self._root(mode, powers, over(powers[0].scaled(-1.0), powers[1]))
+        self._root(mode, powers, reduced_quotient(powers[0].scaled(-1.0), powers[1]))
         return mode
 
     def _two(self, powers: Sequence[Polynomial]) -> list[Mode]:
@@ -142,12 +150,12 @@ class ModeLaws:
     def _vanishing(self, powers: Sequence[Polynomial], square: Symbol) -> Expression:
         """Return the characteristic polynomial, in numbers if its coefficients are long and known."""
         held: Expression = ZERO
-        long = sum(len(part.expression().latex()) for part in powers) > LONG
+        long = sum(len(part.expression().latex()) for part in powers) > MAX_COEFFICIENT_LENGTH
         for power, part in reversed([*enumerate(powers)]):
             size = part.expression()
             value = self.book.value(size)
             if long and not self.book.is_hidden(size):
-                size = Worked(size if value > 0.0 else part.scaled(-1.0).expression(), abs(value))
+                size = NumericFormula(size if value > 0.0 else part.scaled(-1.0).expression(), abs(value))
             elif value < 0.0:
                 size = part.scaled(-1.0).expression()
             term = size if power == 0 else size * (square if power == 1 else Power(square, power))
@@ -173,20 +181,22 @@ class ModeLaws:
         driven = mode.square != ZERO
         if isinstance(mode.square, Symbol):
             self.book.observed[mode.square.name] = float(self.squares[mode.number])
-        step = self.book.open("mode laws")
+        step = self.book.begin_step("mode laws")
         step.label(f"mode {mode.number}")
         rate = f"$-{mode.square.latex()}$"
         if names:
             accelerations = f"each acceleration is {rate} times the deviation"
             held = accelerations if driven else "the forces of the springs do not change"
-            step.say(f"In normal mode {mode.number + 1} {self._shares(mode)}, and {held}:")
+            step.add_text(f"In normal mode {mode.number + 1} {self._shares(mode)}, and {held}:")
         else:
-            step.say(f"The acceleration is {f'{rate} times the displacement from equilibrium' if driven else 'zero'}:")
+            step.add_text(
+                f"The acceleration is {f'{rate} times the displacement from equilibrium' if driven else 'zero'}:"
+            )
         said: list[str] = []
         for i in range(self.size) if driven else unknown:
             pulls, inertia = self.row(mode, i)
             said.append(step.law(pulls.expression(), inertia.expression()))
-        step.say(f"{joined(said)}.")
+        step.add_text(f"{join_words(said)}.")
         step.close()
 
     def row(self, mode: Mode, i: int) -> tuple[Polynomial, Polynomial]:
@@ -197,27 +207,27 @@ class ModeLaws:
 
     def _root(self, mode: Mode, powers: Sequence[Polynomial], formula: Expression | None) -> None:
         assert isinstance(mode.square, Symbol)
-        step, again = self.book.open("modes"), self._repeats(mode)
+        step, again = self.book.begin_step("modes"), self._repeats(mode)
         step.rest_on(f"mode {mode.number}")
         if len(powers) == 2 and formula is not None:
-            step.say(f"Together they give {step.result(mode.square, formula, PER_SECOND_SQUARED)}.")
+            step.add_text(f"Together they give {step.result(mode.square, formula, PER_SECOND_SQUARED)}.")
             step.close()
             return
         held = self._vanishing(powers, mode.square)
         if not again:
             said = "They hold only if the determinant of the coefficients of the displacements is zero"
             said += "; apart from the root 0," if self.zeros else ","
-            step.say(f"{said} {step.derived(held, ZERO)}.")
+            step.add_text(f"{said} {step.derived(held, ZERO)}.")
         count, of = len(powers) - 1, " of the same equation" if again else ""
         which = f"{self._order(mode.number - self.zeros, count)} root{of}"
         if formula is not None:
             told = step.result(mode.square, formula, PER_SECOND_SQUARED)
             implicit = isinstance(formula, QuadraticRoot)
-            step.say(f"Here ${mode.square.latex()}$ is the {which}." if implicit else f"The {which} is {told}.")
+            step.add_text(f"Here ${mode.square.latex()}$ is the {which}." if implicit else f"The {which} is {told}.")
         else:
             near = float(self.squares[mode.number])
             said = f"By numerical solution, the {which} is"
-            step.say(told_root(self.book, step, mode.square, held, near, PER_SECOND_SQUARED, said))
+            step.add_text(root_sentence(self.book, step, mode.square, held, near, PER_SECOND_SQUARED, said))
         step.close()
 
     @staticmethod
@@ -242,7 +252,7 @@ class ModeLaws:
     def _shares(self, mode: Mode) -> str:
         """Return the mode shape as a ratio of displacements, in words."""
         ratio = " : ".join(part.latex() for part in mode.shape)
-        who = joined([f"${name.latex()}$" for name in self.names])
+        who = join_words([f"${name.latex()}$" for name in self.names])
         what = f"the deviations of {who} from equilibrium" if mode.square != ZERO else f"the displacements {who}"
         return f"{what} are in the ratio ${ratio}$"
 

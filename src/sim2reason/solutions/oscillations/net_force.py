@@ -10,16 +10,16 @@ from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Power
-from sim2reason.solutions.algebra.polynomials import Polynomial, common
+from sim2reason.solutions.algebra.polynomials import Polynomial, common_monomial
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
 from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
-from sim2reason.solutions.setting import Setting, capital, joined
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.setting import ProblemContext, capitalized, join_words
+from sim2reason.solutions.writing.steps import SolutionBuilder
 
-FINE, LEVELS = 64, 4  # intervals of a search for a greatest value, and number of refinements
+SEARCH_INTERVALS, LEVELS = 64, 4  # intervals of a search for a greatest value, and number of refinements
 
 
-def greatest_target(setting: Setting) -> Target | None:
+def greatest_target(setting: ProblemContext) -> Target | None:
     """Return the quantity whose greatest value is asked for; None for other questions."""
     query = setting.query
     if not isinstance(query, StretchQuery):
@@ -28,35 +28,35 @@ def greatest_target(setting: Setting) -> Target | None:
     return Target(held.quantity.name, query.name, held.sense) if isinstance(held, Extreme) else None
 
 
-def time_of_greatest(setting: Setting) -> float:
+def time_of_greatest(setting: ProblemContext) -> float:
     """Return the time, s, of the greatest value asked for, accurate enough to start Newton's method."""
     query, trace, low, high = setting.query, setting.study.trace, 0.0, setting.time
     assert isinstance(query, StretchQuery)
     functional, best = FUNCTIONALS[query.functional], high
     assert isinstance(functional, Extreme)
     for level in range(LEVELS):
-        times = np.linspace(low, high, FINE * (8 if level == 0 else 1) + 1)
+        times = np.linspace(low, high, SEARCH_INTERVALS * (8 if level == 0 else 1) + 1)
         best = float(times[int(np.argmax(functional.height(trace.sample(times), query.name)))])
         width = 2.0 * (times[1] - times[0])
         low, high = max(0.0, best - width), min(setting.time, best + width)
     return best
 
 
-def is_slow_at_greatest(setting: Setting, body: str) -> bool:
+def is_slow_at_greatest(setting: ProblemContext, body: str) -> bool:
     """Return whether a body is slower than half its greatest speed at the time of the greatest value."""
-    times = np.append(np.linspace(0.0, setting.time, FINE * LEVELS), time_of_greatest(setting))
+    times = np.append(np.linspace(0.0, setting.time, SEARCH_INTERVALS * LEVELS), time_of_greatest(setting))
     *speeds, then = np.linalg.norm(Velocity.evaluate(setting.study.trace.sample(times), body), axis=1)
     return bool(then < 0.5 * max(speeds))
 
 
 HALF = Number(0.5)
-PLAIN = 1e-9  # tolerance of a ratio of 1
+UNIT_RATIO_TOLERANCE = 1e-9  # tolerance of a ratio of 1
 LINEAR = frozenset({"tension", "acceleration", "net force", "spring force"})  # linear in the position
 
 
 def extension(motion: LinearMotion | RelativeMotion, number: int, place: Expression) -> Expression:
     """Return the extension of a spring, m, at a value of the free coordinate."""
-    strain, part = motion.laws.strain(number), motion.drawn(number, motion.free[0])
+    strain, part = motion.laws.strain(number), motion.extension_ratio(number, motion.free[0])
     return strain.expression() + (place if part == 1.0 else -place if part == -1.0 else Number(part) * place)
 
 
@@ -65,7 +65,7 @@ def net_force(motion: LinearMotion | RelativeMotion, place: Expression) -> Expre
     (i,) = motion.free
     found = motion.steady(i).factored() if motion.steady(i) else ZERO
     for n in motion.springs:
-        stretched, part = extension(motion, n, place), -motion.drawn(n, i)
+        stretched, part = extension(motion, n, place), -motion.extension_ratio(n, i)
         if stretched.negative:
             stretched, part = -stretched, -part
         pull = motion.laws.stiffness(n).expression() * stretched
@@ -73,7 +73,7 @@ def net_force(motion: LinearMotion | RelativeMotion, place: Expression) -> Expre
     return found
 
 
-def collected(held: Polynomial, stiffness: Polynomial) -> Expression:
+def collect_stiffness(held: Polynomial, stiffness: Polynomial) -> Expression:
     """Return a sum of forces with the stiffness of each spring factored out."""
     return held.collected([n for n in sorted(stiffness.names()) if len(held.coefficient(n).terms) > 1])
 
@@ -82,12 +82,12 @@ def without_friction(motion: LinearMotion, *, sign: float = 1.0) -> Expression:
     """Return the net force along the free coordinate at its origin, without friction, times `sign`."""
     (i,) = motion.free
     whole = (motion.load(i) - motion.friction(i)).scaled(sign)
-    if common([*whole.terms]):
+    if common_monomial([*whole.terms]):
         return whole.factored()
     steady = (motion.steady(i) - motion.friction(i)).scaled(sign)
     found = steady.factored() if steady else ZERO
     for n in motion.springs:
-        drawn = motion.drawn(n, i)
+        drawn = motion.extension_ratio(n, i)
         stretched, part = motion.laws.strain(n) + motion.begin.scaled(drawn), -sign * drawn
         if not stretched:
             continue
@@ -145,25 +145,25 @@ def _as_one(mechanism: Mechanism, motion: LinearMotion) -> bool:
     parts = {k: part for k, held in motion.ratios.items() for part in held.values()}
     held = [mechanism.coordinates[k] for k in parts]
     straight = all(c.kind == "slide" and mechanism.body[c.body].parent is None for c in held)
-    return len(held) > 1 and straight and all(abs(abs(part) - 1.0) < PLAIN for part in parts.values())
+    return len(held) > 1 and straight and all(abs(abs(part) - 1.0) < UNIT_RATIO_TOLERANCE for part in parts.values())
 
 
-def tell_extreme_end(setting: Setting, book: Book, place: Symbol, mover: str) -> None:
+def tell_extreme_end(setting: ProblemContext, book: SolutionBuilder, place: Symbol, mover: str) -> None:
     """Write why a quantity that is linear in the position is extreme at a turning point."""
     target, query = greatest_target(setting), setting.query
     if target is None or not isinstance(query, StretchQuery) or target.quantity not in LINEAR:
         return
-    step, noun = book.open("extreme"), target.quantity
+    step, noun = book.begin_step("extreme"), target.quantity
     superlative = query.functional.partition(" ")[0]
     linear = f"is a linear function of ${place.name}$"
-    step.say(f"The net force, and with it the acceleration, {linear}.")
-    step.say(f"So is the {noun}." if noun not in ("acceleration", "net force") else "")
+    step.add_text(f"The net force, and with it the acceleration, {linear}.")
+    step.add_text(f"So is the {noun}." if noun not in ("acceleration", "net force") else "")
     end = f"at one end of the motion; a comparison of both shows that it is where {mover} turns back"
-    step.say(f"The {noun} is therefore {superlative} {end}.")
+    step.add_text(f"The {noun} is therefore {superlative} {end}.")
     step.close()
 
 
-def told_extensions(motion: LinearMotion | RelativeMotion, place: Expression, setting: Setting) -> str:
+def told_extensions(motion: LinearMotion | RelativeMotion, place: Expression, setting: ProblemContext) -> str:
     """Return a sentence with the extensions or compressions of springs at a position; empty for none."""
     said: list[str] = []
     for n in motion.springs:
@@ -171,5 +171,5 @@ def told_extensions(motion: LinearMotion | RelativeMotion, place: Expression, se
         if place == ZERO or not motion.laws.strain(n):
             continue  # the text says by how much, or the displacement does
         size, what = (-stretched, "compression") if stretched.negative else (stretched, "extension")
-        said.append(f"the {what} of {setting.springs[setting.mechanism.lines[n].name]} is ${size.latex()}$")
-    return f"{capital(joined(said))}." if said else ""
+        said.append(f"the {what} of {setting.spring_phrases[setting.mechanism.lines[n].name]} is ${size.latex()}$")
+    return f"{capitalized(join_words(said))}." if said else ""

@@ -9,16 +9,16 @@ import numpy as np
 from sim2reason.base.lazy import cached_property
 from sim2reason.questions.period_words import SPEEDS, PeriodQuery
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.solutions.algebra.elimination import solved
+from sim2reason.solutions.algebra.elimination import solve_linear
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.fractions import cramer
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.oscillations.mode import Mode, place
 from sim2reason.solutions.oscillations.mode_laws import PAIR, ModeLaws, dotted
-from sim2reason.solutions.setting import joined
-from sim2reason.solutions.writing.comparing import exceeds
-from sim2reason.solutions.writing.steps import UnsolvedError, Writing
+from sim2reason.solutions.setting import join_words
+from sim2reason.solutions.writing.comparing import record_inequality
+from sim2reason.solutions.writing.steps import StepBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import (
     ACCELERATION,
     ANGULAR_SPEED,
@@ -43,7 +43,7 @@ def natural_frequency(held: ModeLaws, query: PeriodQuery) -> Symbol:
         if held.size - held.zeros == PAIR and held.book.is_hidden(mode.square) and not held.book.in_symbols:
             held.book.afterwards.append(lambda: _tell_other_root(held, mode, query))
     name = held.book.fresh(r"\omega")
-    return held.book.told("rate", said, name, Root(mode.square), ANGULAR_SPEED)
+    return held.book.add_step("rate", said, name, Root(mode.square), ANGULAR_SPEED)
 
 
 def _tell_other_root(held: ModeLaws, mode: Mode, query: PeriodQuery) -> None:
@@ -51,18 +51,18 @@ def _tell_other_root(held: ModeLaws, mode: Mode, query: PeriodQuery) -> None:
     book, slower, square = held.book, query.rank == 0, mode.square
     rest, _, leading = held.powers[held.zeros :]
     formula = rest.expression() / (leading.expression() * square)
-    step, name = book.open("verify"), book.fresh(r"\lambda", r"\text{other}")
-    exceeds(book, step, *((formula, square) if slower else (square, formula)))
+    step, name = book.begin_step("verify"), book.fresh(r"\lambda", r"\text{other}")
+    record_inequality(book, step, *((formula, square) if slower else (square, formula)))
     product = (
         f"The product of both roots is the constant term divided by the coefficient of ${Power(square, 2).latex()}$"
     )
-    step.say(f"{product}, so the other root is {step.verified(name, formula, PER_SECOND_SQUARED)}.")
+    step.add_text(f"{product}, so the other root is {step.verified(name, formula, PER_SECOND_SQUARED)}.")
     size, which = ("greater", "slower") if slower else ("smaller", "faster")
-    step.say(f"It is {size}, so the given {query.measure} is that of the {which} mode.")
+    step.add_text(f"It is {size}, so the given {query.measure} is that of the {which} mode.")
     step.close()
 
 
-FAINT = 1e-10  # relative to the largest part: below it the start does not excite a mode
+EXCITATION_RTOL = 1e-10  # relative to the largest part: below it the start does not excite a mode
 ACCELERATED = 2  # order of the time derivative that is an acceleration
 Form = tuple[Array, int]
 """A linear combination of displacements: a weight per free coordinate, (n,), and the order of a time derivative."""
@@ -71,7 +71,7 @@ RESTS = (
     "The total momentum is zero, and no external force changes it, so the centre of mass stays at rest and this mode "
     "is not excited."
 )
-LONG = 160  # maximum length of the LaTeX of a formula that is not replaced by its number
+MAX_FORMULA_LENGTH = 160  # maximum length of the LaTeX of a formula that is not replaced by its number
 
 
 class NormalModes(ModeLaws):
@@ -84,7 +84,7 @@ class NormalModes(ModeLaws):
         shape = self.shapes[:, n] / np.abs(self.shapes[:, n]).max()
         last = self._last(n)
         held = (parts for parts, order in forms if order <= last)
-        return any(abs(float(parts @ shape)) > FAINT * float(np.abs(parts).max()) for parts in held)
+        return any(abs(float(parts @ shape)) > EXCITATION_RTOL * float(np.abs(parts).max()) for parts in held)
 
     def _last(self, n: int) -> float:
         """Return the order of the highest derivative to which an excited mode contributes.
@@ -98,7 +98,7 @@ class NormalModes(ModeLaws):
     def _pushed(self, n: int) -> bool:
         """Return whether constant forces accelerate a mode from its initial position."""
         shape = self.shapes[:, n]
-        return abs(float(shape @ self.load)) > FAINT * float(np.abs(shape * self.load).max())
+        return abs(float(shape @ self.load)) > EXCITATION_RTOL * float(np.abs(shape * self.load).max())
 
     def shown(self, forms: Sequence[Form]) -> list[int]:
         """Return the indices of the modes that `excited` returns, without writing anything."""
@@ -114,7 +114,7 @@ class NormalModes(ModeLaws):
             rise, swing = float(shape @ self.load) / heavy, float(shape @ self.mass @ self.begun) / heavy
             square = self.squares[n] if n >= self.zeros else 1.0
             sizes.append(max(abs(rise) / square, abs(swing) / square**0.5) * float(np.abs(shape).max()))
-        return [n for n in range(self.size) if sizes[n] > FAINT * max(sizes)]
+        return [n for n in range(self.size) if sizes[n] > EXCITATION_RTOL * max(sizes)]
 
     def excited(self, forms: Sequence[Form]) -> list[Mode]:
         """Write the modes that the initial state excites, with their shapes and amplitudes, and return them.
@@ -125,8 +125,8 @@ class NormalModes(ModeLaws):
         self.told = frozenset(shown)
         found = [mode for mode in self.modes if mode.number in shown]
         if any(mode.square == ZERO for mode in self.modes) and all(mode.square != ZERO for mode in found):
-            step = self.book.open("modes")
-            step.say(f"Mode 1 is the common motion of all bodies. {self._why_apart}")
+            step = self.book.begin_step("modes")
+            step.add_text(f"Mode 1 is the common motion of all bodies. {self._why_apart}")
             step.close()
         for mode in found:
             self._shaped(mode)
@@ -140,7 +140,7 @@ class NormalModes(ModeLaws):
         """Return why the common motion is left out: it is not excited, or does not affect the answer."""
         shape = self.shapes[:, 0]
         terms = (shape * self.load, shape * (self.mass @ self.begun))
-        driven, moves = (abs(float(part.sum())) > FAINT * float(np.abs(part).max()) for part in terms)
+        driven, moves = (abs(float(part.sum())) > EXCITATION_RTOL * float(np.abs(part).max()) for part in terms)
         if not driven and not moves:
             return RESTS
         kept = "the distances between them" if driven else "distances between them or, as it is uniform, accelerations"
@@ -152,16 +152,16 @@ class NormalModes(ModeLaws):
             return
         for mode in found:
             mode.name = self.book.fresh("q", str(mode.number + 1))
-        step = self.book.open("projection")
+        step = self.book.begin_step("projection")
         names = [f"${mode.name.latex()}$ {'' if n else 'be '}" for n, mode in enumerate(found)]
         first, *others = [f"the coordinate of mode {mode.number + 1}" for mode in found]
         others = [other.replace("the coordinate", "that") for other in others]
-        told = joined([f"{name}{of}" for name, of in zip(names, [first, *others], strict=True)])
-        step.say(f"Let {told}{self._sums(found)}.")
+        told = join_words([f"{name}{of}" for name, of in zip(names, [first, *others], strict=True)])
+        step.add_text(f"Let {told}{self._sums(found)}.")
         rest = "Normal modes are orthogonal"
         if len(found) == self.size == PAIR:
             rest = f"{rest}, {step.derived(self._product(*found), ZERO)}"
-        step.say(
+        step.add_text(
             f"{rest}, so the equations of motion, each multiplied by the share of its displacement in one mode, add up "
             "to an equation for the coordinate of this mode alone.",
         )
@@ -178,7 +178,7 @@ class NormalModes(ModeLaws):
         hidden = np.abs(self.shapes[:, [n for n in others if n >= self.zeros]]).max(axis=1, initial=0.0)
         told: list[str] = []
         for i, name in enumerate(self.names):
-            if hidden[i] <= FAINT * float(hidden.max()):
+            if hidden[i] <= EXCITATION_RTOL * float(hidden.max()):
                 whole: Expression = ZERO
                 for mode in found:
                     whole = whole + mode.shape[i] * mode.name
@@ -187,7 +187,7 @@ class NormalModes(ModeLaws):
             return ""
         apart = " apart from the common motion" if self.common else " from the start"
         what = f"the displacements{apart} are" if len(told) > 1 else f"the displacement{apart} is"
-        return f", so that {what} {joined(told)}"
+        return f", so that {what} {join_words(told)}"
 
     def _product(self, one: Mode, other: Mode) -> Expression:
         """Return the mass matrix between two mode shapes, aᵀM b."""
@@ -207,14 +207,14 @@ class NormalModes(ModeLaws):
         if not names:
             return
         rows = [self.row(mode, i) for i in range(self.size) if i != mode.first]
-        step = self.book.open("shape")
+        step = self.book.begin_step("shape")
         step.rest_on(f"mode {mode.number}")
         said = self._solve(step, [pulls - inertia for pulls, inertia in rows], names)
         of = f"With ${mode.square.latex()}$," if mode.square != ZERO else "So"
-        step.say(f"{of} {joined(said)}.")
+        step.add_text(f"{of} {join_words(said)}.")
         step.close()
 
-    def _solve(self, step: Writing, rows: list[Polynomial], names: list[str]) -> list[str]:
+    def _solve(self, step: StepBuilder, rows: list[Polynomial], names: list[str]) -> list[str]:
         """Record the solution of linear equations for some names and return each in LaTeX."""
         left, said = [*names], list[str]()
         waiting = [*rows]
@@ -224,17 +224,17 @@ class NormalModes(ModeLaws):
                 return said + self._together(step, waiting, left)
             waiting.remove(row)
             (name,) = row.names() & {*left}
-            said.append(step.result(Symbol(name), solved(row, name), ""))
+            said.append(step.result(Symbol(name), solve_linear(row, name), ""))
             left.remove(name)
         return said
 
-    def _together(self, step: Writing, rows: list[Polynomial], left: list[str]) -> list[str]:
+    def _together(self, step: StepBuilder, rows: list[Polynomial], left: list[str]) -> list[str]:
         """Record the simultaneous solution of linear equations by Cramer's rule and return each in LaTeX."""
         said: list[str] = []
         coefficients = [[row.coefficient(name) for name in left] for row in rows[: len(left)]]
         rest = [row.without(left).scaled(-1.0) for row in rows[: len(left)]]
         for name, formula in zip(left, cramer(coefficients, rest), strict=True):
-            written = formula if len(formula.latex()) <= LONG else self.book.worked(formula)
+            written = formula if len(formula.latex()) <= MAX_FORMULA_LENGTH else self.book.worked(formula)
             said.append(step.result(Symbol(name), written, ""))
         return said
 
@@ -257,17 +257,17 @@ class NormalModes(ModeLaws):
         if mode.square != ZERO:
             mode.rate = self.book.fresh(r"\omega", str(n))
             said = "Its angular frequency is" if alone else f"The angular frequency of mode {n} is"
-            self.book.told("rate", said, mode.rate, Root(mode.square), ANGULAR_SPEED)
+            self.book.add_step("rate", said, mode.rate, Root(mode.square), ANGULAR_SPEED)
         shape = self.shapes[:, mode.number]
         carry = shape * (self.mass @ self.begun)
-        moves = momentum != ZERO and abs(float(carry.sum())) > FAINT * float(np.abs(carry).max())
+        moves = momentum != ZERO and abs(float(carry.sum())) > EXCITATION_RTOL * float(np.abs(carry).max())
         self._tell_course(mode, own, push if self._pushed(mode.number) else ZERO, momentum if moves else ZERO)
 
     def _tell_course(self, mode: Mode, own: Expression, push: Expression, momentum: Expression) -> None:
         """Write the coordinate of a mode as a function of time, with its coefficients."""
         if push == ZERO and momentum == ZERO:
             return
-        step, mark, said = self.book.open("start"), str(mode.number + 1), list[str]()
+        step, mark, said = self.book.begin_step("start"), str(mode.number + 1), list[str]()
         driven = mode.square != ZERO
         if push != ZERO:
             mode.rise = self.book.fresh("b", mark)
@@ -279,7 +279,7 @@ class NormalModes(ModeLaws):
             below = own * mode.rate if mode.rate is not None else own
             result = step.result(mode.swing, momentum / below, METRES if driven else SPEED, law=True)
             said.append(f"{result} (from the initial velocities)")
-        step.say(self._motion(mode, own, push, momentum), f"Here {joined(said)}.")
+        step.add_text(self._motion(mode, own, push, momentum), f"Here {join_words(said)}.")
         step.close()
 
     def _motion(self, mode: Mode, own: Expression, push: Expression, momentum: Expression) -> str:
@@ -305,4 +305,6 @@ class NormalModes(ModeLaws):
         if not named:
             return found
         name = self.book.fresh(r"\mu", str(mode.number + 1))
-        return self.book.told("modal mass", f"The effective mass of mode {mode.number + 1} is", name, found, KILOGRAMS)
+        return self.book.add_step(
+            "modal mass", f"The effective mass of mode {mode.number + 1} is", name, found, KILOGRAMS
+        )

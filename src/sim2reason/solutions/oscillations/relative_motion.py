@@ -9,13 +9,13 @@ from sim2reason.base.lazy import cached_property
 from sim2reason.scenes.bodies.planes import Track
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.expressions import Number, Symbol
-from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.algebra.fractions import reduced_quotient
 from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.laws.springs import SpringLaws
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
-from sim2reason.solutions.setting import LEVEL, Setting
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.setting import DIRECTION_TOLERANCE, ProblemContext
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import KILOGRAMS
 
 
@@ -36,12 +36,12 @@ class MomentumWords:
         return f"{self.zero}{self.rests}"
 
     @classmethod
-    def of(cls, setting: Setting) -> Self:
+    def of(cls, setting: ProblemContext) -> Self:
         """Return the sentences for the scene of a setting."""
         coordinates = setting.mechanism.coordinates
         if all(coordinate.kind == "hinge" for coordinate in coordinates):  # beads on a level ring
             return cls._angular()
-        level = all(abs(c.axis[2]) < LEVEL for c in coordinates if c.kind == "slide")
+        level = all(abs(c.axis[2]) < DIRECTION_TOLERANCE for c in coordinates if c.kind == "slide")
         if level and any(isinstance(body, Track) for body in setting.scene.bodies.values()):
             return cls._along_a_track()
         return cls(
@@ -83,7 +83,7 @@ DIRECTIONS = ((1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (1.0, -1.0))
 class RelativeMotion:
     """A linear motion with one free coordinate: the displacement of one body relative to another."""
 
-    def __init__(self, motion: LinearMotion, book: Book) -> None:
+    def __init__(self, motion: LinearMotion, book: SolutionBuilder) -> None:
         """Take the motion of two bodies; UnsolvedError unless two coordinates are free and a momentum is conserved."""
         self.whole, self.book = motion, book
         self.laws: SpringLaws = motion.laws
@@ -120,7 +120,9 @@ class RelativeMotion:
         pairs = [*zip(self.whole.free, way, strict=True)]
         if total(self.whole.load(i).scaled(part) for i, part in pairs if part):
             return False
-        return not any(abs(sum(self.whole.drawn(n, i) * part for i, part in pairs)) > 0.0 for n in self.whole.springs)
+        return not any(
+            abs(sum(self.whole.extension_ratio(n, i) * part for i, part in pairs)) > 0.0 for n in self.whole.springs
+        )
 
     def ratio(self, k: int, i: int) -> float:
         """Return the rate of a coordinate relative to that of the shared or the relative coordinate."""
@@ -131,9 +133,9 @@ class RelativeMotion:
         """Return the indices of the springs that the relative motion stretches."""
         return self.whole.springs
 
-    def drawn(self, number: int, i: int) -> float:
+    def extension_ratio(self, number: int, i: int) -> float:
         """Return the rate of a line's length per rate of a coordinate; zero for the shared coordinate."""
-        return self.whole.drawn(number, i) if i == self.free[0] else 0.0
+        return self.whole.extension_ratio(number, i) if i == self.free[0] else 0.0
 
     # ---- inertia
 
@@ -152,20 +154,22 @@ class RelativeMotion:
         name, square = self.book.fresh(r"\mu"), Power(both.factored(), 2)
         if both == own:
             said = f"{self.words.conserved}, so the relative motion has the reduced mass"
-            return self.book.told("inertia", said, name, over(own * shared - both * both, shared), KILOGRAMS)
-        step, rate = self.book.open("inertia"), Symbol(rf"\dot{{{self.called}}}")
+            return self.book.add_step(
+                "inertia", said, name, reduced_quotient(own * shared - both * both, shared), KILOGRAMS
+            )
+        step, rate = self.book.begin_step("inertia"), Symbol(rf"\dot{{{self.called}}}")
         negative = both.value(self.givens) < 0.0
         share = (both.scaled(-1.0) if negative else both).factored() / shared.expression()
         recoil, moving = share * rate if negative else -(share * rate), self.book.fresh("V")
-        step.say(f"{self.recoils} ${recoil.latex()}$.")
+        step.add_text(f"{self.recoils} ${recoil.latex()}$.")
         whole = HALF * shared.expression() * Power(moving, 2) + HALF * own.expression() * Power(rate, 2)
         mixed = both.scaled(-1.0 if negative else 1.0).factored() * moving * rate
         whole = whole - mixed if negative else whole + mixed
-        step.say(f"With ${moving.name}$ for this velocity, the total kinetic energy is ${whole.latex()}$.")
-        step.say(f"In terms of ${rate.name}$, it is")
+        step.add_text(f"With ${moving.name}$ for this velocity, the total kinetic energy is ${whole.latex()}$.")
+        step.add_text(f"In terms of ${rate.name}$, it is")
         formula = own.expression() - square / shared.expression()
         energy = (HALF * name * Power(rate, 2)).latex()
-        step.say(f"${energy}$ with the effective mass {step.result(name, formula, KILOGRAMS, law=True)}.")
+        step.add_text(f"${energy}$ with the effective mass {step.result(name, formula, KILOGRAMS, law=True)}.")
         step.close()
         return name
 

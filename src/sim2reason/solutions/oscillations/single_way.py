@@ -8,13 +8,13 @@ from sim2reason.base.lazy import cached_property
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.solutions.algebra.elimination import solved
+from sim2reason.solutions.algebra.elimination import solve_linear
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
-from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.algebra.fractions import reduced_quotient
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
-from sim2reason.solutions.oscillations.linear_way import LinearWay
+from sim2reason.solutions.oscillations.linear_way import LinearMotionModel
 from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
-from sim2reason.solutions.setting import capital
+from sim2reason.solutions.setting import capitalized
 from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, SPEED
 
@@ -24,7 +24,7 @@ def signed(held: Expression) -> Polynomial:
     return NIL if held == ZERO else Polynomial.of(-held).scaled(-1.0) if held.negative else Polynomial.of(held)
 
 
-class SingleWay(LinearWay):
+class OneCoordinateModel(LinearMotionModel):
     """A motion model that expresses all quantities by the only free coordinate."""
 
     _given_distance = ""  # symbol of the distance that a moment states
@@ -37,7 +37,7 @@ class SingleWay(LinearWay):
     @property
     def mover(self) -> str:
         """Return the phrase for the body that moves with the only free coordinate."""
-        return self.who(self.motion.free[0])
+        return self.mover_phrase(self.motion.free[0])
 
     @property
     def at_rest(self) -> str:
@@ -51,7 +51,7 @@ class SingleWay(LinearWay):
     @property
     def standing(self) -> str:
         """Return the beginning of a sentence about a turning point."""
-        return f"{capital(self.mover)} turns back"
+        return f"{capitalized(self.mover)} turns back"
 
     @abstractmethod
     def along(self, kind: str) -> Polynomial:
@@ -82,14 +82,14 @@ class SingleWay(LinearWay):
         share, name = self.share(k), self.book.fresh("d")
         if share is None:
             raise UnsolvedError("the moment is not about the relative motion")
-        self.book.say_given(name.name, moment.value, METRES)
+        self.book.state_given(name.name, moment.value, METRES)
         self._given_distance = name.name
         there = self.setting.motion.state(np.array([self.setting.time])).q[0, k]
-        return over(share[1] * Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0), share[0])
+        return reduced_quotient(share[1] * Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0), share[0])
 
     def relaxed_place(self, spring: str) -> Expression:
         """Return the value of the free coordinate at which a spring has its natural length, m."""
-        part = self.motion.drawn(self._number(spring), self.motion.free[0])
+        part = self.motion.extension_ratio(self._number(spring), self.motion.free[0])
         return self.spring("strain", spring).scaled(-1.0 / part).expression()
 
     def stops_alone(self) -> None:
@@ -104,7 +104,7 @@ class SingleWay(LinearWay):
         return self.newton.scale[i].here * float(row[i])
 
 
-class PairWay(SingleWay):
+class TwoBodyModel(OneCoordinateModel):
     """A motion model of two bodies: the relative motion, and the shared motion from conserved momentum."""
 
     @property
@@ -148,7 +148,7 @@ class PairWay(SingleWay):
         if {*self._relative.ratios[self.moving([moment.name])[0]]} == {*self._relative.free}:
             return formula
         said = f"{self._relative.words.still}. The relative displacement is then"
-        return self.book.told("momentum", said, self.name, formula, METRES)
+        return self.book.add_step("momentum", said, self.name, formula, METRES)
 
     def first(self, i: int) -> Polynomial:
         """Return the initial rate of the relative motion, or of the shared motion."""
@@ -166,11 +166,11 @@ class PairWay(SingleWay):
 
     def introduce(self, names: dict[int, Symbol], origin: str = "") -> None:
         """Write the name of the relative displacement."""
-        held, step = self._relative, self.book.open("names")
+        held, step = self._relative, self.book.begin_step("names")
         ((i, name),) = names.items()
-        who, other = (self.setting.called(self.mechanism.coordinates[k].body) for k in (i, held.other))
+        who, other = (self.setting.display_name(self.mechanism.coordinates[k].body) for k in (i, held.other))
         apart = f" relative to {other}" if held.shared or self.mechanism.coordinates[i].body else ""
-        step.say(f"Let ${name.name}$ be the displacement of {who} {self.towards(i)}{apart}{origin}.")
+        step.add_text(f"Let ${name.name}$ be the displacement of {who} {self.towards(i)}{apart}{origin}.")
         step.close()
         frame = held.words.frame if self.kept else f"{held.words.zero}, so"
         held.called = name.name
@@ -189,13 +189,13 @@ class PairWay(SingleWay):
         if kind in self._told:
             return self._told[kind]
         shared, both, _ = self._relative.masses
-        mark = self.setting.mark(self.mechanism.coordinates[self._relative.other].body)
-        step, name = self.book.open("momentum"), self.book.fresh(kind, mark)
+        mark = self.setting.subscript_of(self.mechanism.coordinates[self._relative.other].body)
+        step, name = self.book.begin_step("momentum"), self.book.fresh(kind, mark)
         left = shared * Polynomial.of(name) + both * self.along(kind)
         law = step.law(left.collected([name.name]), total.expression())
-        found = step.result(name, solved(left - total, name.name), unit)
+        found = step.result(name, solve_linear(left - total, name.name), unit)
         whose = f"of {self._partner()} {self.towards(self._relative.other)}"
-        step.say(f"{said} ${name.latex()}$ {whose}: {law}, so {found}.")
+        step.add_text(f"{said} ${name.latex()}$ {whose}: {law}, so {found}.")
         step.close()
         self._told[kind] = Polynomial.of(name)
         return self._told[kind]
@@ -205,7 +205,7 @@ class PairWay(SingleWay):
         return {}
 
     def _partner(self) -> str:
-        return self.setting.called(self.mechanism.coordinates[self._relative.other].body)
+        return self.setting.display_name(self.mechanism.coordinates[self._relative.other].body)
 
     def place(self, i: int) -> Polynomial:
         """Return the displacement of a coordinate, m: the relative one, or the shared one from momentum."""

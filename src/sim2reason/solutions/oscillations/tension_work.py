@@ -3,16 +3,16 @@
 from collections.abc import Collection
 
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
-from sim2reason.solutions.algebra.functions import Power, squares, summed
+from sim2reason.solutions.algebra.functions import Power, sum_of_squares, summed
 from sim2reason.solutions.algebra.polynomials import NIL
-from sim2reason.solutions.laws.straight_way import Way
+from sim2reason.solutions.laws.straight_way import StraightMotion
 from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import JOULES
 
 HALF = Number(0.5)
 
 
-def tension_work(way: Way, springs: Collection[int], body: str) -> Symbol:
+def write_tension_work(way: StraightMotion, springs: Collection[int], body: str) -> Symbol:
     """Write the work of a tension on a body and return its symbol; UnsolvedError if other forces vary.
 
     `springs` are the indices of all lines that are springs; their work and that of the weight are known.
@@ -29,21 +29,21 @@ def tension_work(way: Way, springs: Collection[int], body: str) -> Symbol:
     found, speed, before = way.book.fresh("W"), way.rate("v", k), way.first_speeds.get(k, NIL)
     gained = (row.inertia.coefficient(f"q{k}") * (speed * speed - before * before)).scaled(0.5).expression()
     rest = (steady * way.rate("s", k)).expression() + summed(_given_off(way, n) for n in pulling)
-    step, who = way.book.open("work"), way.setting.called(body)
+    step, who = way.book.begin_step("work"), way.setting.display_name(body)
     law = step.law(found + rest, gained)
     said = f"The work of all forces on {who} is its kinetic energy: {law}, so"
-    step.say(f"{said} {step.result(found, gained - rest, JOULES)}.")
+    step.add_text(f"{said} {step.result(found, gained - rest, JOULES)}.")
     step.close()
     return found
 
 
-def _is_fixed(way: Way, number: int) -> bool:
+def _is_fixed(way: StraightMotion, number: int) -> bool:
     """Return whether a spring is fixed at one end."""
     return any(way.mechanism.site[site].body is None for site in way.mechanism.lines[number].through)
 
 
-def _given_off(way: Way, number: int) -> Expression:
+def _given_off(way: StraightMotion, number: int) -> Expression:
     """Return the energy that a spring has given off, J."""
     line = way.mechanism.lines[number].name
     strain, growth = way.spring("strain", line).expression(), way.growth("s", line).expression()
-    return HALF * way.spring("stiffness", line).expression() * (squares([strain]) - Power(strain + growth, 2))
+    return HALF * way.spring("stiffness", line).expression() * (sum_of_squares([strain]) - Power(strain + growth, 2))

@@ -9,121 +9,127 @@ import numpy as np
 
 from sim2reason.simulation.trace import Trace
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.fractions import over
+from sim2reason.solutions.algebra.fractions import reduced_quotient
 from sim2reason.solutions.algebra.functions import PI, Call, Power, summed
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
-from sim2reason.solutions.goals import Stretch
+from sim2reason.solutions.goals import MotionPart
 from sim2reason.solutions.laws.turning_back import later_words
-from sim2reason.solutions.oscillations.harmonic import Harmonic
+from sim2reason.solutions.oscillations.harmonic import HarmonicOscillation
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
-from sim2reason.solutions.oscillations.linear_way import LinearWay
+from sim2reason.solutions.oscillations.linear_way import LinearMotionModel
 from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
-from sim2reason.solutions.setting import Setting, capital
-from sim2reason.solutions.writing.comparing import exceeds
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.setting import ProblemContext, capitalized
+from sim2reason.solutions.writing.comparing import record_inequality
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, NEWTONS, SECONDS
 
 
-def tell_first_move(way: LinearWay, motion: LinearMotion | RelativeMotion) -> None:
+def tell_first_move(way: LinearMotionModel, motion: LinearMotion | RelativeMotion) -> None:
     """Write the initial direction of a frictionless motion from rest, from the net force at the start."""
     (i,), book = motion.free, way.book
-    if isinstance(motion, RelativeMotion) or any(motion.laws.rough.values()) or way.first(i):
+    if isinstance(motion, RelativeMotion) or any(motion.laws.slip_directions.values()) or way.first(i):
         return
-    load, who = motion.load(i), way.who(i)
+    load, who = motion.load(i), way.mover_phrase(i)
     forward = load.value(motion.givens) > 0.0
     size, towards = (load if forward else load.scaled(-1.0)).factored(), way.towards(i, forward=forward)
-    step = book.open("verify")
+    step = book.begin_step("verify")
     if book.is_hidden(size):
-        step.say(f"{capital(who)} first moves {towards}.")
+        step.add_text(f"{capitalized(who)} first moves {towards}.")
     else:
         net = book.fresh("F", "0")
-        book.know(net.name, book.value(size))
+        book.set_value(net.name, book.value(size))
         told = step.verified(net, size, NEWTONS)
-        step.say(f"The net force along the motion at the start, {told}, sets {who} in motion {towards}.")
+        step.add_text(f"The net force along the motion at the start, {told}, sets {who} in motion {towards}.")
     step.close()
 
 
-def told_first_rest(way: LinearWay, held: Harmonic, span: float, name: Symbol) -> Symbol:
+def told_first_rest(way: LinearMotionModel, held: HarmonicOscillation, span: float, name: Symbol) -> Symbol:
     """Write when the velocity is first zero, `span` seconds after the start; return the `name` of that time."""
-    book, rate, begun, rest = way.book, held.rate, held.begun, held.rest
-    step, phase = book.open("time"), rate * name
+    book, rate, begun, rest = way.book, held.angular_frequency, held.begun, held.equilibrium
+    step, phase = book.begin_step("time"), rate * name
     velocity = rest * rate * Call("sin", phase) + held.first.expression() * Call("cos", phase)
-    who, law = way.who(held.motion.free[0]), step.law(velocity, ZERO)
-    step.say(f"{capital(who)} first comes to rest when its velocity, the derivative of the displacement")
-    step.say(f"${held.swinging(phase).latex()}$, is zero: {law}, so {step.derived(Call('tan', phase), begun / -rest)}.")
+    who, law = way.mover_phrase(held.motion.free[0]), step.law(velocity, ZERO)
+    step.add_text(f"{capitalized(who)} first comes to rest when its velocity, the derivative of the displacement")
+    step.add_text(
+        f"${held.displacement_at_phase(phase).latex()}$, is zero: {law}, so {step.derived(Call('tan', phase), begun / -rest)}."
+    )
     early = held.numbers[0] * span < 0.5 * pi
     sign = f"{rest.latex()} {'<' if book.value(rest) < 0.0 else '>'} 0"
     between = f"${phase.latex()}$ is {'less' if early else 'greater'} than ${(Number(0.5) * PI).latex()}$"
     formula = held.angle_of_turning(span) / rate
     found = step.result(name, formula, SECONDS)
     if not book.is_hidden(rest):
-        step.say(f"As ${sign}$, {between}, and {found}.")
+        step.add_text(f"As ${sign}$, {between}, and {found}.")
     elif book.in_symbols:
         plain = "-" not in book.formulas.get(rest.latex(), rest).latex().removeprefix("-")  # all terms of one sign
         lead = "As" if plain else "For"
-        step.say(f"{lead} ${sign}$, {between}, and {found}.")
+        step.add_text(f"{lead} ${sign}$, {between}, and {found}.")
     else:
-        step.say(f"Assume that ${sign}$; then {between}, and {found}.")
+        step.add_text(f"Assume that ${sign}$; then {between}, and {found}.")
         book.afterwards.append(lambda: _tell_sign(way, rest, sign, (phase, early)))
     step.close()
     return name
 
 
-def tell_beyond(way: LinearWay, held: Harmonic, turning: Expression, place: Expression, *, later: bool) -> None:
+def tell_beyond(
+    way: LinearMotionModel, held: HarmonicOscillation, turning: Expression, place: Expression, *, later: bool
+) -> None:
     """Write that a body would come to rest only beyond a position, so that friction stays constant.
 
     In symbols, this is assumed. With `later`, the body has come to rest before.
     """
-    book, step, who = way.book, way.book.open("verify"), way.who(held.motion.free[0])
+    book, step, who = way.book, way.book.begin_step("verify"), way.mover_phrase(held.motion.free[0])
     there = held.name.latex() if place == held.name else f"{held.name.latex()} = {place.latex()}"
     when = "next" if later else "first"
     if book.in_symbols:
-        step.say(f"Assume that {who} gets to ${there}$ before it {when} comes to rest.")
+        step.add_text(f"Assume that {who} gets to ${there}$ before it {when} comes to rest.")
         step.close()
         return
     name = book.fresh("s", r"\text{turn}") if later else book.fresh("x", "1")
     far, near = (-part if book.value(part) < 0.0 else part for part in (turning, place))
-    exceeds(book, step, far, near)
+    record_inequality(book, step, far, near)
     told = step.verified(name, turning, METRES)
-    step.say(f"{capital(who)} would {when} come to rest at {told}, beyond ${there}$,")
-    step.say("so friction is constant until then.")
+    step.add_text(f"{capitalized(who)} would {when} come to rest at {told}, beyond ${there}$,")
+    step.add_text("so friction is constant until then.")
     step.close()
 
 
-def _tell_sign(way: LinearWay, rest: Expression, sign: str, reached: tuple[Expression, bool]) -> None:
+def _tell_sign(way: LinearMotionModel, rest: Expression, sign: str, reached: tuple[Expression, bool]) -> None:
     """Write that the net force is zero on the assumed side, as the phase `reached` requires."""
-    step, (phase, early), right = way.book.open("verify"), reached, Number(0.5) * PI
+    step, (phase, early), right = way.book.begin_step("verify"), reached, Number(0.5) * PI
     greater, less = (ZERO, rest) if way.book.value(rest) < 0.0 else (rest, ZERO)
-    exceeds(way.book, step, greater, less)
-    exceeds(way.book, step, *((right, phase) if early else (phase, right)))
+    record_inequality(way.book, step, greater, less)
+    record_inequality(way.book, step, *((right, phase) if early else (phase, right)))
     wrong = f"${phase.latex()}$ would be {'greater' if early else 'less'} than ${right.latex()}$"
-    step.say(f"Indeed ${sign}$, as was assumed; on the other side of ${rest.latex()} = 0$, {wrong}.")
+    step.add_text(f"Indeed ${sign}$, as was assumed; on the other side of ${rest.latex()} = 0$, {wrong}.")
     step.close()
 
 
-def tell_rest_only_later(book: Book, formula: Expression, left: Symbol, half: Symbol | None, *, again: bool) -> None:
+def tell_rest_only_later(
+    book: SolutionBuilder, formula: Expression, left: Symbol, half: Symbol | None, *, again: bool
+) -> None:
     """Write that a half-oscillation, by its `formula` or symbol `half`, takes longer than a time `left`."""
     if book.in_symbols:
         return
     if book.is_hidden(formula) or book.is_hidden(left):
         book.afterwards.append(lambda: tell_rest_only_later(book, formula, left, half, again=again))
         return
-    step = book.open("verify")
-    exceeds(book, step, left, ZERO)
+    step = book.begin_step("verify")
+    record_inequality(book, step, left, ZERO)
     if half is not None:
-        exceeds(book, step, half, left)
+        record_inequality(book, step, half, left)
         step.rest_on(half.name)
-        step.say(
+        step.add_text(
             f"As ${left.name} < {half.name}$, it does not come to rest{' again' if again else ''} within this time."
         )
     else:
         rest = "next" if again else "first"
-        step.say(f"It would {rest} come to rest {later_words(book, step, formula, left)}.")
+        step.add_text(f"It would {rest} come to rest {later_words(book, step, formula, left)}.")
     step.close()
 
 
 @dataclass(frozen=True)
-class _Held:
+class _HangingBody:
     """A body that a string holds against its weight, with its coordinate, line, mass and free acceleration."""
 
     k: int
@@ -132,27 +138,27 @@ class _Held:
     falling: Expression  # its acceleration without the string, m/s²
 
 
-def verify_taut(setting: Setting, book: Book, held: Harmonic) -> None:
+def verify_taut(setting: ProblemContext, book: SolutionBuilder, held: HarmonicOscillation) -> None:
     """Schedule the verification that no body hanging on a string ever falls freely, if numbers show it."""
-    held = max(_with_earlier(held), key=lambda swing: swing.size)
+    held = max(_with_earlier(held), key=lambda swing: swing.amplitude_value)
     motion = held.motion
     if book.in_symbols or not isinstance(motion, LinearMotion):
         return
     for body in _hanging(motion):
         ratio = abs(motion.ratio(body.k, motion.free[0]))
-        if 0.0 < ratio * held.numbers[0] ** 2 * held.size < body.falling.value(motion.givens).real:
+        if 0.0 < ratio * held.numbers[0] ** 2 * held.amplitude_value < body.falling.value(motion.givens).real:
             book.afterwards.append(lambda body=body, r=ratio: _write(setting, book, held, body, r))
 
 
-def _with_earlier(held: Harmonic) -> Iterator[Harmonic]:
+def _with_earlier(held: HarmonicOscillation) -> Iterator[HarmonicOscillation]:
     """Yield a half-oscillation and all earlier ones, whose amplitudes are larger if there is friction."""
-    earlier: Harmonic | None = held
+    earlier: HarmonicOscillation | None = held
     while earlier is not None:
         yield earlier
         earlier = earlier.like
 
 
-def _hanging(motion: LinearMotion) -> Iterator[_Held]:
+def _hanging(motion: LinearMotion) -> Iterator[_HangingBody]:
     """Yield the bodies on which only one string and, against it, their weight act."""
     for k in motion.ratios:
         row = motion.laws.newton(k)
@@ -162,24 +168,26 @@ def _hanging(motion: LinearMotion) -> Iterator[_Held]:
         pull, mass = row.forces.without(names), row.inertia.coefficient(f"q{k}")
         along, weight = row.forces.coefficient(names[0]).number or 0.0, pull.value(motion.givens)
         if mass and not row.inertia.without((f"q{k}",)) and along * weight < 0.0:
-            falling = over(pull if weight > 0.0 else pull.scaled(-1.0), mass)
-            yield _Held(k, int(names[0][1:]), mass.factored(), falling)
+            falling = reduced_quotient(pull if weight > 0.0 else pull.scaled(-1.0), mass)
+            yield _HangingBody(k, int(names[0][1:]), mass.factored(), falling)
 
 
-def _write(setting: Setting, book: Book, held: Harmonic, body: _Held, ratio: float) -> None:
-    greatest = Power(held.rate, 2) * held.amplitude
+def _write(
+    setting: ProblemContext, book: SolutionBuilder, held: HarmonicOscillation, body: _HangingBody, ratio: float
+) -> None:
+    greatest = Power(held.angular_frequency, 2) * held.amplitude
     formula = greatest if ratio == 1.0 else Number(ratio) * greatest
-    step, name, least = book.open("verify"), book.fresh("a", r"\text{max}"), book.fresh("T", r"\text{min}")
-    exceeds(book, step, body.falling, formula)
-    who = setting.called(setting.mechanism.coordinates[body.k].body)
-    string = setting.lines[held.motion.laws.lines[body.line].name]
-    step.say(f"The acceleration of {who} is at most {step.verified(name, formula, ACCELERATION)},")
-    step.say(f"less than ${body.falling.latex()}$, so {string} stays taut. Its tension is at least")
-    step.say(f"{step.verified(least, body.mass * (body.falling - name), NEWTONS)}.")
+    step, name, least = book.begin_step("verify"), book.fresh("a", r"\text{max}"), book.fresh("T", r"\text{min}")
+    record_inequality(book, step, body.falling, formula)
+    who = setting.display_name(setting.mechanism.coordinates[body.k].body)
+    string = setting.string_phrases[held.motion.laws.lines[body.line].name]
+    step.add_text(f"The acceleration of {who} is at most {step.verified(name, formula, ACCELERATION)},")
+    step.add_text(f"less than ${body.falling.latex()}$, so {string} stays taut. Its tension is at least")
+    step.add_text(f"{step.verified(least, body.mass * (body.falling - name), NEWTONS)}.")
     step.close()
 
 
-EARLY = 1e-6  # relative to the greatest speed: below it the body counts as at rest
+REST_SPEED_RTOL = 1e-6  # relative to the greatest speed: below it the body counts as at rest
 SCAN = 2001
 
 
@@ -187,7 +195,7 @@ def turning_times(trace: Trace, coordinate: int, until: float) -> list[float]:
     """Return the times, s, up to `until` at which a coordinate turns back, by the engine."""
     times = np.linspace(0.0, until, SCAN)
     speeds = trace.sample(times).v[:, coordinate]
-    moving = np.flatnonzero(np.abs(speeds) > EARLY * float(np.abs(speeds).max()))
+    moving = np.flatnonzero(np.abs(speeds) > REST_SPEED_RTOL * float(np.abs(speeds).max()))
     times, speeds = times[moving], speeds[moving]
     found: list[float] = []
     for n in np.flatnonzero(speeds[:-1] * speeds[1:] < 0.0):
@@ -197,10 +205,10 @@ def turning_times(trace: Trace, coordinate: int, until: float) -> list[float]:
 
 
 @dataclass(frozen=True, slots=True)
-class Travelled(Stretch):
+class BackAndForthTravel(MotionPart):
     """A motion back and forth between successive values of a free coordinate."""
 
-    way: LinearWay
+    way: LinearMotionModel
     places: Sequence[Expression]
 
     def path(self, body: str) -> Expression:
@@ -220,7 +228,7 @@ class Travelled(Stretch):
         return found
 
 
-class Rubbing(Travelled):
+class FrictionTravel(BackAndForthTravel):
     """Half-oscillations with kinetic friction of constant magnitude."""
 
     def force(self, kind: str, name: str) -> Polynomial:
@@ -230,7 +238,9 @@ class Rubbing(Travelled):
         newton = self.way.newton
         number = next(n for n, face in enumerate(self.way.mechanism.faces) if face.subject == name)
         row = newton.normal(number)
-        found = (row.inertia - row.forces.without((f"N{number}",))).put({f"q{k}": NIL for k in self.way.motion.ratios})
+        found = (row.inertia - row.forces.without((f"N{number}",))).substitute(
+            {f"q{k}": NIL for k in self.way.motion.ratios}
+        )
         return newton.coefficient(number) * found
 
     def slipped(self, body: str) -> Polynomial:

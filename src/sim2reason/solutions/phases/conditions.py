@@ -10,26 +10,26 @@ from sim2reason.questions.moments.distances import Away, Closest, Farthest, Move
 from sim2reason.questions.moments.strings import MostCompressed, MostStretched, NaturalLength
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint, Stopped
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.vectors import Number as Quantity
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.quantities.subjects.pairs import members
 from sim2reason.simulation.trace import Event
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
-from sim2reason.solutions.algebra.functions import Absolute, Call, Root, squares, values
+from sim2reason.solutions.algebra.functions import Absolute, Call, Root, array_values, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.phases.coordinates import DEFLECTION
 from sim2reason.solutions.phases.equations import PhaseEquations
-from sim2reason.solutions.setting import joined
+from sim2reason.solutions.setting import join_words
 from sim2reason.solutions.solution import Condition
-from sim2reason.solutions.writing.lexicon import Both
+from sim2reason.solutions.writing.lexicon import DualValue
 from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import DEGREES, METRES, SECONDS
 
 SAMPLES = 2000  # instants of a phase at which a condition is evaluated
 NOTHING = 1e-12  # in SI units: tolerance of zero
-ZERO_WITHIN = 1e-6  # tolerance at the end of a phase, relative to the largest value of a condition
-EDGE = 1e-4  # fraction of a phase at both ends in which sign changes are ignored
+ZERO_RTOL = 1e-6  # tolerance at the end of a phase, relative to the largest value of a condition
+EDGE_FRACTION = 1e-4  # fraction of a phase at both ends in which sign changes are ignored
 
 # ---- events of the engine
 
@@ -50,8 +50,8 @@ def _collision(equations: PhaseEquations, event: Event) -> tuple[Expression, str
     m = equations.mechanism
     number = next(n for n, held in enumerate(m.meetings) if set(held.names) == set(event.subjects))
     gap = equations.motion.both(lambda a: a.separation(a.mechanism.meetings[number]).gap)
-    called = [equations.setting.called(name) for name in event.subjects]
-    return gap.expression(), f"{joined(called)} collide" if len(called) > 1 else f"{called[0]} hits the surface"
+    called = [equations.setting.display_name(name) for name in event.subjects]
+    return gap.expression(), f"{join_words(called)} collide" if len(called) > 1 else f"{called[0]} hits the surface"
 
 
 def _row(kind: str, said: str, *, force: bool) -> Callable[[PhaseEquations, Event], tuple[Expression, str]]:
@@ -59,7 +59,9 @@ def _row(kind: str, said: str, *, force: bool) -> Callable[[PhaseEquations, Even
         row = next(
             n for n, held in enumerate(equations.segment.kinds) if held.name == event.subjects[0] and held.kind in kind
         )
-        line = equations.setting.lines.get(event.subjects[0], equations.setting.called(event.subjects[0]))
+        line = equations.setting.string_phrases.get(
+            event.subjects[0], equations.setting.display_name(event.subjects[0])
+        )
         if force:
             return equations.force("row", row).expression(), f"{line} {said}"
         return _spare(equations, row).expression(), f"{line} {said}"
@@ -76,17 +78,17 @@ def _spare(equations: PhaseEquations, row: int) -> Polynomial:
 
 
 def _length_at_start(m: object, line: str) -> float:
-    frames = start(m)  # type: ignore[arg-type]
+    frames = initial_frames(m)  # type: ignore[arg-type]
     return float(sum((run.value for run in frames.pieces(m.line[line])), 0.0))  # type: ignore[attr-defined,arg-type]
 
 
 def _stick(equations: PhaseEquations, event: Event) -> tuple[Expression, str]:
     face = equations.mechanism.face_number[event.subjects[0]]
-    return equations.slip(face).expression(), f"{equations.setting.called(event.subjects[0])} stops sliding"
+    return equations.slip(face).expression(), f"{equations.setting.display_name(event.subjects[0])} stops sliding"
 
 
 def _slip(equations: PhaseEquations, event: Event) -> tuple[Expression, str]:
-    face, who = equations.mechanism.face_number[event.subjects[0]], equations.setting.called(event.subjects[0])
+    face, who = equations.mechanism.face_number[event.subjects[0]], equations.setting.display_name(event.subjects[0])
     if equations.rough.get(face, 0):
         return equations.slip(face).expression(), f"{who} reverses its sliding"
     friction = Absolute(equations.force("friction", face).expression())
@@ -105,7 +107,7 @@ def _border(said: str) -> Callable[[PhaseEquations, Event], tuple[Expression, st
                 sizes.append((abs(equations.book.value(margin.expression())), margin))
         return min(sizes, key=lambda each: each[0])[
             1
-        ].expression(), f"{equations.setting.called(body)} {said} the field"
+        ].expression(), f"{equations.setting.display_name(body)} {said} the field"
 
     return condition
 
@@ -119,8 +121,8 @@ def _margins(assembly: Assembly, number: int) -> tuple[Quantity, ...]:
 def _burnt(equations: PhaseEquations, event: Event) -> tuple[Expression, str]:
     del event
     here, there = equations.lexicon.mechanism.burns[0], equations.lexicon.twin.burns[0]
-    rate = equations.motion.number(Both(here.rate, there.rate))
-    fuel = equations.motion.number(Both(here.rate * here.until, there.rate * there.until))
+    rate = equations.motion.number(DualValue(here.rate, there.rate))
+    fuel = equations.motion.number(DualValue(here.rate * here.until, there.rate * there.until))
     return (rate * Polynomial.of(equations.names.time) - fuel).expression(), "the fuel is used up"
 
 
@@ -152,17 +154,17 @@ def moment_conditions(equations: PhaseEquations, moment: Moment | None) -> list[
 
 
 def _at_time(equations: PhaseEquations, moment: AtTime) -> Expression:
-    name = said(equations, "t", moment.after, SECONDS)
+    name = given_symbol(equations, "t", moment.after, SECONDS)
     return equations.names.time - name
 
 
 def _distance(equations: PhaseEquations, moment: Moved | Away) -> Expression:
-    name = said(equations, "d", moment.value, METRES)
-    return size(equations.displacement(moment.name)) - name
+    name = given_symbol(equations, "d", moment.value, METRES)
+    return vector_magnitude(equations.displacement(moment.name)) - name
 
 
 def _still(equations: PhaseEquations, moment: Stopped) -> list[Expression]:
-    velocity = equations.triple("velocity", moment.name)
+    velocity = equations.kinematic_vector("velocity", moment.name)
     moving = [rate for rate in equations.names.rates if any(rate.name in part.names() for part in velocity)]
     return [*(moving if len(moving) == 1 else []), signed(velocity)]
 
@@ -170,7 +172,7 @@ def _still(equations: PhaseEquations, moment: Stopped) -> list[Expression]:
 def _vertical(equations: PhaseEquations, moment: HighestPoint | LowestPoint) -> list[Expression]:
     """Return the vertical velocity; for rotation about one axle, preceded by its angle and angular velocity."""
     names = equations.names
-    velocity = equations.triple("velocity", moment.name)[2]
+    velocity = equations.kinematic_vector("velocity", moment.name)[2]
     turning = [k for k, rate in enumerate(names.rates) if rate.name in velocity.names()]
     simple: list[Expression] = []
     if len(turning) == 1 and equations.mechanism.coordinates[turning[0]].kind == "hinge":
@@ -181,9 +183,17 @@ def _vertical(equations: PhaseEquations, moment: HighestPoint | LowestPoint) -> 
 
 def _apsis(equations: PhaseEquations, moment: Closest | Farthest) -> Expression:
     one, other = members(moment.name)
-    apart = [b - a for a, b in zip(equations.triple("place", one), equations.triple("place", other), strict=True)]
+    apart = [
+        b - a
+        for a, b in zip(
+            equations.kinematic_vector("place", one), equations.kinematic_vector("place", other), strict=True
+        )
+    ]
     parting = [
-        b - a for a, b in zip(equations.triple("velocity", one), equations.triple("velocity", other), strict=True)
+        b - a
+        for a, b in zip(
+            equations.kinematic_vector("velocity", one), equations.kinematic_vector("velocity", other), strict=True
+        )
     ]
     return total(r * v for r, v in zip(apart, parting, strict=True)).expression()
 
@@ -197,12 +207,12 @@ def _natural(equations: PhaseEquations, moment: NaturalLength) -> Expression:
 
 
 def _turned(equations: PhaseEquations, moment: TurnedThrough) -> Expression:
-    name = said(equations, r"\beta", np.radians(moment.value), DEGREES)
+    name = given_symbol(equations, r"\beta", np.radians(moment.value), DEGREES)
     return Absolute(equations.names.place(equations.hinge(moment.name)).expression()) - name
 
 
 def _deflected(equations: PhaseEquations, moment: Deflected) -> Expression:
-    name = said(equations, r"\beta", np.radians(moment.value), DEGREES)
+    name = given_symbol(equations, r"\beta", np.radians(moment.value), DEGREES)
     hinges = [k for k, c in enumerate(equations.mechanism.coordinates) if c.kind == "hinge"]
     if len(hinges) != 1 or not equations.names.places[hinges[0]].name.startswith(DEFLECTION):
         raise UnsolvedError("its deflection is no coordinate")
@@ -226,10 +236,10 @@ MOMENTS: Mapping[type[Moment], Callable[..., Expression | list[Expression]]] = {
 }
 
 
-def said(equations: PhaseEquations, base: str, value: float, unit: str) -> Symbol:
+def given_symbol(equations: PhaseEquations, base: str, value: float, unit: str) -> Symbol:
     """Return the symbol of a number that the question itself states, with its value recorded."""
     name = equations.book.fresh(base)
-    equations.book.know(name.name, value, unit)
+    equations.book.set_value(name.name, value, unit)
     equations.stated.append((name.name, value, unit))
     return name
 
@@ -237,21 +247,21 @@ def said(equations: PhaseEquations, base: str, value: float, unit: str) -> Symbo
 def signed(parts: tuple[Polynomial, ...]) -> Expression:
     """Return the only component of a vector that has a single one, otherwise its magnitude."""
     kept = [part for part in parts if part]
-    return kept[0].factored() if len(kept) == 1 else size(parts)
+    return kept[0].factored() if len(kept) == 1 else vector_magnitude(parts)
 
 
-def size(parts: tuple[Polynomial, ...]) -> Expression:
+def vector_magnitude(parts: tuple[Polynomial, ...]) -> Expression:
     """Return the magnitude of a vector."""
     kept = [part for part in parts if part]
     if len(kept) == 1:
         return Absolute(kept[0].factored())
-    return Root(squares(part.expression() for part in kept))
+    return Root(sum_of_squares(part.expression() for part in kept))
 
 
 # ---- which of its zeros
 
 
-def located(equations: PhaseEquations, formulas: Sequence[Expression], begin: float, end: float) -> Condition:
+def locate_condition(equations: PhaseEquations, formulas: Sequence[Expression], begin: float, end: float) -> Condition:
     """Return the condition of the first formula that is zero at the end of a phase, with direction and count.
 
     Raises:
@@ -261,11 +271,11 @@ def located(equations: PhaseEquations, formulas: Sequence[Expression], begin: fl
     times = np.append(inner, begin + (1.0 - 1e-9) * (end - begin))
     known = equations.sampled(times)
     for formula in formulas:
-        found = values(formula, known)
+        found = array_values(formula, known)
         last, before = float(found[-1]), found[:-1]
-        if np.isfinite(found).all() and abs(last) <= max(ZERO_WITHIN * float(np.abs(before).max()), NOTHING):
+        if np.isfinite(found).all() and abs(last) <= max(ZERO_RTOL * float(np.abs(before).max()), NOTHING):
             rises = 1 if before[-1] < 0.0 else -1
-            edge = max(2, int(EDGE * SAMPLES))
+            edge = max(2, int(EDGE_FRACTION * SAMPLES))
             signs = np.sign(before[edge:-edge])
             changes = np.flatnonzero(np.diff(signs) != 0)
             return Condition(formula, rises, 1 + sum(1 for n in changes if signs[n + 1] == rises))

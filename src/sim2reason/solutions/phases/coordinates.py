@@ -4,17 +4,17 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from math import atan2, pi
 
-from sim2reason.scenes.dsl.frames import Frames, start
+from sim2reason.scenes.dsl.frames import Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import Coordinate, Mechanism
 from sim2reason.scenes.dsl.units import parse_unit
-from sim2reason.scenes.dsl.vectors import inner, minus, product
+from sim2reason.scenes.dsl.vectors import dot, inner, minus
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.laws.equations_of_motion import Names
-from sim2reason.solutions.setting import LEVEL, Setting, joined
-from sim2reason.solutions.writing.lexicon import Both, Lexicon, UnreadError
-from sim2reason.solutions.writing.steps import Book
-from sim2reason.solutions.writing.subscripts import marked, split
+from sim2reason.solutions.setting import DIRECTION_TOLERANCE, ProblemContext, join_words
+from sim2reason.solutions.writing.lexicon import DualValue, Lexicon, UnreadError
+from sim2reason.solutions.writing.steps import SolutionBuilder
+from sim2reason.solutions.writing.subscripts import split_name, with_subscript
 from sim2reason.solutions.writing.unit_latex import (
     ACCELERATION,
     ANGULAR_ACCELERATION,
@@ -71,13 +71,13 @@ class ChosenCoordinates:
             derived += [f"${v.name} = {_dotted(q)}$"] if rated else []
             after = _dotted(v) if rated else _dotted(q, r"\ddot")
             derived += [f"${a.name} = {after}$"] if a.name in stems else []
-        followed = f", and let {joined(derived)}" if derived else ""
-        let = f"Let {joined(said)}{followed}."
-        phases = {number for name in names if (number := split(name)[1].rpartition(",")[2]).isdigit()}
+        followed = f", and let {join_words(derived)}" if derived else ""
+        let = f"Let {join_words(said)}{followed}."
+        phases = {number for name in names if (number := split_name(name)[1].rpartition(",")[2]).isdigit()}
         return f"{let} {COUNTED}" if len(phases) > 1 else let
 
 
-def choose(setting: Setting, book: Book) -> ChosenCoordinates:
+def choose(setting: ProblemContext, book: SolutionBuilder) -> ChosenCoordinates:
     """Name the coordinates of the mechanism, their derivatives and the time.
 
     A position or an angle that the text gives becomes a coordinate itself; every other coordinate is the displacement
@@ -98,9 +98,9 @@ def choose(setting: Setting, book: Book) -> ChosenCoordinates:
     return ChosenCoordinates(names, _introduction(names, choices), tuple(choice.description for choice in choices))
 
 
-def _velocity(setting: Setting, marks: str) -> str:
+def _velocity(setting: ProblemContext, marks: str) -> str:
     """Return a letter for velocities, u if the text uses v for a number."""
-    return "u" if setting.is_given(marked("v", marks)) else "v"
+    return "u" if setting.is_given(with_subscript("v", marks)) else "v"
 
 
 def _introduction(names: Names, choices: list[_Choice]) -> str:
@@ -108,26 +108,26 @@ def _introduction(names: Names, choices: list[_Choice]) -> str:
     pairs = zip(names.places, names.rates, names.accelerations, strict=True)
     derived = [f"${v.name} = {_dotted(q)}$, ${a.name} = {_dotted(v)}$" for q, v, a in pairs]
     whose = "its derivatives are" if len(said) == 1 else "their derivatives are"
-    return f"Let {joined(said)}; {whose} {', '.join(derived)}."
+    return f"Let {join_words(said)}; {whose} {', '.join(derived)}."
 
 
 def _dotted(symbol: Symbol, dots: str = r"\dot") -> str:
-    base, mark = split(symbol.name)
+    base, mark = split_name(symbol.name)
     return rf"{dots}{{{base}}}" + (f"_{{{mark}}}" if mark else "")
 
 
 def _without_phase(name: str) -> str:
     """Return a name without the last part of its subscript, the number of a phase."""
-    base, mark = split(name)
-    return marked(base, ",".join(mark.split(",")[:-1]))
+    base, mark = split_name(name)
+    return with_subscript(base, ",".join(mark.split(",")[:-1]))
 
 
-def _slide(setting: Setting, k: int) -> _Choice:
+def _slide(setting: ProblemContext, k: int) -> _Choice:
     """Choose a position along an axis of the text if its initial value is given, otherwise a displacement."""
     mechanism, coordinate = setting.mechanism, setting.mechanism.coordinates[k]
     body = mechanism.body[coordinate.body]
-    mark = setting.mark(coordinate.body)
-    axis = next((n for n in range(3) if abs(coordinate.axis[n]) > 1.0 - LEVEL), None)
+    mark = setting.subscript_of(coordinate.body)
+    axis = next((n for n in range(3) if abs(coordinate.axis[n]) > 1.0 - DIRECTION_TOLERANCE), None)
     several = len(body.coordinates) > 1
     if axis is not None and body.parent is None and several:
         sense = 1.0 if coordinate.axis[axis] > 0.0 else -1.0
@@ -136,9 +136,9 @@ def _slide(setting: Setting, k: int) -> _Choice:
         if origin is not None and description:
             letter = coordinate.label if len(coordinate.label) == 1 else AXES[axis]
             return _Choice(letter, origin, sense, description, mark)
-    plane = several and not any(abs(held.axis[2]) > 1.0 - LEVEL for held in body.coordinates)
+    plane = several and not any(abs(held.axis[2]) > 1.0 - DIRECTION_TOLERANCE for held in body.coordinates)
     if plane and coordinate.label in AXES.values():  # of the text
-        description = f"the displacement of {setting.called(coordinate.body)} along {coordinate.label}"
+        description = f"the displacement of {setting.display_name(coordinate.body)} along {coordinate.label}"
         return _Choice(coordinate.label, NIL, 1.0, description, mark)
     backwards = coordinate.speed < 0.0
     sense = -1.0 if backwards else 1.0
@@ -147,10 +147,10 @@ def _slide(setting: Setting, k: int) -> _Choice:
     return _Choice(letter, NIL, sense, _moved(setting, coordinate, way), mark)
 
 
-def _position(setting: Setting, body: str, axis: str) -> str:
+def _position(setting: ProblemContext, body: str, axis: str) -> str:
     """Return the description of a position coordinate that the text or a suspension defines; else empty."""
-    who = setting.called(body)
-    if any(split(given.symbol)[0] in AXES.values() for given in setting.lexicon.givens.values()):
+    who = setting.display_name(body)
+    if any(split_name(given.symbol)[0] in AXES.values() for given in setting.lexicon.givens.values()):
         return f"the {axis} coordinate of {who}"
     if any(line.law.row for line in setting.mechanism.lines):
         way = {"x": "horizontal", "y": "horizontal", "z": "vertical"}[axis]
@@ -158,14 +158,14 @@ def _position(setting: Setting, body: str, axis: str) -> str:
     return ""
 
 
-def _moved(setting: Setting, coordinate: Coordinate, way: tuple[float, float, float]) -> str:
-    mechanism, who = setting.mechanism, setting.called(coordinate.body)
+def _moved(setting: ProblemContext, coordinate: Coordinate, way: tuple[float, float, float]) -> str:
+    mechanism, who = setting.mechanism, setting.display_name(coordinate.body)
     if any(burn.body == coordinate.body for burn in mechanism.burns):
         return f"the distance that {who} has moved from its starting point"
     parent = mechanism.body[coordinate.body].parent
-    off = any(abs(inner(foot.normal, coordinate.axis)) > 1.0 - LEVEL for foot in mechanism.feet)
-    where = "off the plane" if off else setting.towards(way, on=parent)
-    relative = f" relative to {setting.called(parent)}" if parent is not None else ""
+    off = any(abs(inner(foot.normal, coordinate.axis)) > 1.0 - DIRECTION_TOLERANCE for foot in mechanism.feet)
+    where = "off the plane" if off else setting.direction_words(way, on=parent)
+    relative = f" relative to {setting.display_name(parent)}" if parent is not None else ""
     return f"the displacement of {who} {where}{relative}"
 
 
@@ -177,8 +177,8 @@ def _given_place(lexicon: Lexicon, k: int, sense: float) -> Polynomial | None:
     """
     begun, fixed = _along(lexicon.mechanism, k, sense), _along(lexicon.twin, k, sense)
     try:
-        apart = [lexicon.read(Both(a - begun[0], b - fixed[0])) for a, b in zip(begun[1:], fixed[1:], strict=True)]
-        own = lexicon.read(Both(begun[0], fixed[0]))
+        apart = [lexicon.read(DualValue(a - begun[0], b - fixed[0])) for a, b in zip(begun[1:], fixed[1:], strict=True)]
+        own = lexicon.read(DualValue(begun[0], fixed[0]))
     except UnreadError:
         return None
     metre = parse_unit("m")
@@ -197,7 +197,7 @@ def _simple(place: Polynomial) -> bool:
 
 def _along(m: Mechanism, k: int, sense: float) -> list[float]:
     """Return the positions, m, along a coordinate's axis: its body, other bodies, fixed ends of its lines."""
-    coordinate, frames = m.coordinates[k], start(m)
+    coordinate, frames = m.coordinates[k], initial_frames(m)
     sites = [
         site
         for line in m.lines
@@ -207,13 +207,13 @@ def _along(m: Mechanism, k: int, sense: float) -> list[float]:
     ]
     others = [body.name for body in m.bodies if body.name != coordinate.body]
     points = [frames.center(name) for name in (coordinate.body, *others)] + [frames.site(site) for site in sites]
-    return [sense * float(product(point.place, coordinate.axis)) for point in points]
+    return [sense * float(dot(point.place, coordinate.axis)) for point in points]
 
 
-def _hinge(setting: Setting, k: int) -> _Choice:
+def _hinge(setting: ProblemContext, k: int) -> _Choice:
     """Choose the angle with the downward vertical if its initial value is given, otherwise the angle turned."""
     coordinate = setting.mechanism.coordinates[k]
-    who, mark = setting.called(coordinate.body), setting.mark(coordinate.body)
+    who, mark = setting.display_name(coordinate.body), setting.subscript_of(coordinate.body)
     one, other = _deflection(setting.lexicon.mechanism, k), _deflection(setting.lexicon.twin, k)
     if one is None or other is None or setting.mechanism.forces:
         return _turned(setting, coordinate)
@@ -221,25 +221,25 @@ def _hinge(setting: Setting, k: int) -> _Choice:
     side = 1.0 if here >= 0.0 else -1.0
     description = f"the angle from the downward vertical through the axle to {_line(who)}"
     try:
-        origin = setting.lexicon.read(Both(abs(here), abs(there)))
+        origin = setting.lexicon.read(DualValue(abs(here), abs(there)))
     except UnreadError:
         origin = NIL
     if origin.symbol is not None and origin == Polynomial.of(origin.symbol):
         return _Choice(DEFLECTION, origin, side * turn, description, mark)
-    if abs(here) < LEVEL and abs(there) < LEVEL:
+    if abs(here) < DIRECTION_TOLERANCE and abs(there) < DIRECTION_TOLERANCE:
         sense = -1.0 if coordinate.speed * turn < 0.0 else 1.0
         return _Choice(DEFLECTION, NIL, sense * turn, description, mark)
     return _turned(setting, coordinate)
 
 
-def _turned(setting: Setting, coordinate: Coordinate) -> _Choice:
+def _turned(setting: ProblemContext, coordinate: Coordinate) -> _Choice:
     """Choose the angle turned, positive in the direction of the initial rotation."""
     speeds = [c.speed for c in setting.mechanism.coordinates if c.kind == "hinge"]
     sense = -1.0 if max(speeds, key=abs) < 0.0 else 1.0  # one sense for all
-    description = f"the angle through which {setting.called(coordinate.body)} has turned"
-    if abs(coordinate.axis[1]) > 1.0 - LEVEL:
+    description = f"the angle through which {setting.display_name(coordinate.body)} has turned"
+    if abs(coordinate.axis[1]) > 1.0 - DIRECTION_TOLERANCE:
         description += f" {'clockwise' if sense * coordinate.axis[1] > 0.0 else 'counter-clockwise'}"
-    return _Choice(r"\psi", NIL, sense, description, setting.mark(coordinate.body))
+    return _Choice(r"\psi", NIL, sense, description, setting.subscript_of(coordinate.body))
 
 
 def _line(who: str) -> str:
@@ -252,8 +252,8 @@ def _deflection(m: Mechanism, k: int) -> tuple[float, float] | None:
     The angle counts towards the right in radians; the sense is 1 if it grows with the coordinate, -1 if it falls. None
     if the hinge is not horizontal, moves with something that turns, or carries its centre of mass on its axis.
     """
-    frames: Frames = start(m)
-    if abs(m.coordinates[k].axis[1]) < 1.0 - LEVEL:
+    frames: Frames = initial_frames(m)
+    if abs(m.coordinates[k].axis[1]) < 1.0 - DIRECTION_TOLERANCE:
         return None
     held = [body for body in m.bodies if body.mass and (steps := frames[body.name].steps) and steps[-1].number == k]
     if not held or any(len(frames[body.name].hinges) != 1 for body in held):
@@ -263,8 +263,8 @@ def _deflection(m: Mechanism, k: int) -> tuple[float, float] | None:
     mass = sum(body.mass for body in held)
     offsets = [(body.mass / mass, minus(frames.center(body.name).place, pivot)) for body in held]
     x, z = (sum(share * float(offset[n]) for share, offset in offsets) for n in (0, 2))
-    if x * x + z * z < LEVEL * LEVEL:
+    if x * x + z * z < DIRECTION_TOLERANCE * DIRECTION_TOLERANCE:
         return None
     beta = atan2(x, -z)
-    beta = beta if abs(abs(beta) - pi) > LEVEL else abs(beta)
+    beta = beta if abs(abs(beta) - pi) > DIRECTION_TOLERANCE else abs(beta)
     return beta, -m.coordinates[k].axis[1]

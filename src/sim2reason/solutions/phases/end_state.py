@@ -5,29 +5,29 @@ from dataclasses import replace
 
 from sim2reason.questions import Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.simulation.quantities.positions import Height, HeightAboveStart, height_at_start
 from sim2reason.simulation.quantities.subjects.pairs import members
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, multiplied
-from sim2reason.solutions.algebra.functions import Absolute, squares
+from sim2reason.solutions.algebra.functions import Absolute, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
-from sim2reason.solutions.goals import GOALS, Components, VectorName, finish
+from sim2reason.solutions.goals import GOALS, Components, VectorName, write_answer
 from sim2reason.solutions.laws.newton import Newton
-from sim2reason.solutions.laws.straight_way import ROOM, STILL, Way
-from sim2reason.solutions.phases.conditions import size
+from sim2reason.solutions.laws.straight_way import COMPONENT_ATOL, WORLD_AXES, StraightMotion
+from sim2reason.solutions.phases.conditions import vector_magnitude
 from sim2reason.solutions.phases.equations import PhaseEquations
 from sim2reason.solutions.phases.extremes import quantity_of
-from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.writing.lexicon import Both
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.setting import ProblemContext
+from sim2reason.solutions.writing.lexicon import DualValue
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES
 
 
-class EndState(Way):
+class EndState(StraightMotion):
     """The state at the end of the last phase, in the symbols of its equations."""
 
-    def __init__(self, setting: Setting, book: Book, equations: PhaseEquations) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder, equations: PhaseEquations) -> None:
         """Take the equations whose symbols have the values at the end."""
         super().__init__(setting, book)
         self._equations = equations
@@ -42,13 +42,13 @@ class EndState(Way):
         m, twin = self.setting.lexicon.mechanism, self.setting.lexicon.twin
         if m.burns:
             raise UnsolvedError("its mass changes")
-        return self.setting.lexicon.read(Both(m.body[body].mass, twin.body[body].mass))
+        return self.setting.lexicon.read(DualValue(m.body[body].mass, twin.body[body].mass))
 
     @property
     def gravity(self) -> Polynomial:
         """Return the acceleration of free fall, m/s²."""
         m, twin = self.setting.lexicon.mechanism, self.setting.lexicon.twin
-        return self.setting.lexicon.read(Both(-m.gravity[2], -twin.gravity[2]))
+        return self.setting.lexicon.read(DualValue(-m.gravity[2], -twin.gravity[2]))
 
     def rate(self, kind: str, k: int) -> Polynomial:
         """Return the acceleration, velocity or displacement along a coordinate."""
@@ -62,17 +62,19 @@ class EndState(Way):
             return super().vector(kind, body)
         equations = self._equations
         if kind == "v":
-            return equations.triple("velocity", body)
+            return equations.kinematic_vector("velocity", body)
         return equations.acceleration(body) if kind == "a" else equations.displacement(body)
 
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:
         """Return the component along a direction of the world frame, or along the body's only line of motion."""
-        if kind == "u" or way not in (*ROOM, *((-x, -y, -z) for x, y, z in ROOM)):
+        if kind == "u" or way not in (*WORLD_AXES, *((-x, -y, -z) for x, y, z in WORLD_AXES)):
             return super().component(kind, body, way)
         own = self._own(body)
         if own:
             return super().component(kind, body, way)
-        return total(part.scaled(w) for part, w in zip(self.vector(kind, body), way, strict=True) if abs(w) > STILL)
+        return total(
+            part.scaled(w) for part, w in zip(self.vector(kind, body), way, strict=True) if abs(w) > COMPONENT_ATOL
+        )
 
     def lone(self, kind: str, body: str) -> Polynomial | None:
         """Return the component along the only straight line on which a body moves; None if there is none."""
@@ -82,7 +84,7 @@ class EndState(Way):
 
     def apart(self, one: str, other: str) -> Components:
         """Return the vector from one body to another at the end, by component."""
-        places = self._equations.triple("place", one), self._equations.triple("place", other)
+        places = self._equations.kinematic_vector("place", one), self._equations.kinematic_vector("place", other)
         x, y, z = (b - a for a, b in zip(*places, strict=True))
         return x, y, z
 
@@ -102,7 +104,7 @@ class EndState(Way):
 
     def rim(self, kind: str, body: str) -> Polynomial:
         """Return the angle, angular velocity or angular acceleration of a body, for a rim of radius one."""
-        turns = bool(start(self.mechanism)[body].hinges)
+        turns = bool(initial_frames(self.mechanism)[body].hinges)
         return self.rate(kind, self._equations.hinge(body)) if turns else NIL
 
     def radius(self, body: str) -> Polynomial:
@@ -117,7 +119,7 @@ class EndState(Way):
         if hinge.body != body or any(m.body[body].center):
             raise UnsolvedError("it does not turn about its centre of mass")
         axis = max(range(3), key=lambda n: abs(hinge.axis[n]))
-        return self.setting.lexicon.read(Both(m.body[body].inertia[axis], twin.body[body].inertia[axis]))
+        return self.setting.lexicon.read(DualValue(m.body[body].inertia[axis], twin.body[body].inertia[axis]))
 
     def tell_arcs(self, body: str) -> None:
         """Write nothing, since the angle itself is a coordinate."""
@@ -154,18 +156,18 @@ def formula_of(equations: PhaseEquations, target: Target) -> Expression:
 
 def _vector(parts: Components, target: Target) -> Expression:
     if target.sense is None:
-        return size(parts)
+        return vector_magnitude(parts)
     pairs = zip(parts, target.sense.vector, strict=True)
     return total(part.scaled(w) for part, w in pairs if part and w).factored()
 
 
 def _kinetic(equations: PhaseEquations, target: Target) -> Expression:
     body, lexicon = target.subject, equations.lexicon
-    if any(lexicon.mechanism.body[body].inertia) and start(lexicon.mechanism)[body].hinges:
+    if any(lexicon.mechanism.body[body].inertia) and initial_frames(lexicon.mechanism)[body].hinges:
         raise UnsolvedError("its kinetic energy has a part of rotation")
-    mass = lexicon.read(Both(lexicon.mechanism.body[body].mass, lexicon.twin.body[body].mass))
-    parts = [part.expression() for part in equations.triple("velocity", body) if part]
-    return multiplied(HALF, multiplied(mass.expression(), squares(parts)))
+    mass = lexicon.read(DualValue(lexicon.mechanism.body[body].mass, lexicon.twin.body[body].mass))
+    parts = [part.expression() for part in equations.kinematic_vector("velocity", body) if part]
+    return multiplied(HALF, multiplied(mass.expression(), sum_of_squares(parts)))
 
 
 def _extension(equations: PhaseEquations, target: Target) -> Expression:
@@ -191,21 +193,23 @@ def _turned(equations: PhaseEquations, target: Target) -> Expression:
 
 def _distance(equations: PhaseEquations, target: Target) -> Expression:
     one, other = members(target.subject)
-    pairs = zip(equations.triple("place", one), equations.triple("place", other), strict=True)
+    pairs = zip(equations.kinematic_vector("place", one), equations.kinematic_vector("place", other), strict=True)
     x, y, z = (b - a for a, b in pairs)
-    return size((x, y, z))
+    return vector_magnitude((x, y, z))
 
 
 def _height(equations: PhaseEquations, target: Target) -> Expression:
     first = NIL
     if target.quantity == Height.name:
         lexicon = equations.lexicon
-        first = lexicon.read(Both(*(height_at_start(m, target.subject) for m in (lexicon.mechanism, lexicon.twin))))
+        first = lexicon.read(
+            DualValue(*(height_at_start(m, target.subject) for m in (lexicon.mechanism, lexicon.twin)))
+        )
     return Absolute((first + equations.displacement(target.subject)[2]).factored())
 
 
 VALUES: Mapping[str, Callable[[PhaseEquations, Target], Expression]] = {
-    "velocity": lambda equations, target: _vector(equations.triple("velocity", target.subject), target),
+    "velocity": lambda equations, target: _vector(equations.kinematic_vector("velocity", target.subject), target),
     "displacement": lambda equations, target: _vector(equations.displacement(target.subject), target),
     "acceleration": lambda equations, target: _vector(equations.acceleration(target.subject), target),
     "kinetic energy": _kinetic,
@@ -219,7 +223,7 @@ VALUES: Mapping[str, Callable[[PhaseEquations, Target], Expression]] = {
 }
 
 
-def write_quantity(setting: Setting, book: Book, end: PhaseEquations) -> Symbol:
+def write_quantity(setting: ProblemContext, book: SolutionBuilder, end: PhaseEquations) -> Symbol:
     """Write the quantity asked for from the last state, and return its symbol.
 
     Raises:
@@ -229,11 +233,13 @@ def write_quantity(setting: Setting, book: Book, end: PhaseEquations) -> Symbol:
     if query.kind == "extremum" and isinstance(query, StretchQuery):
         if query.functional == "greatest height":
             height = end.displacement(query.name)[2].factored()
-            return finish(state, height, VectorName("h", METRES, "height"), "", "the height above the starting point")
+            return write_answer(
+                state, height, VectorName("h", METRES, "height"), "", "the height above the starting point"
+            )
         target = replace(target, quantity=quantity_of(query.functional)) if target is not None else None
     if target is None:
         raise UnsolvedError("the question asks for no quantity")
     if target.quantity in GOALS:
         return GOALS[target.quantity].write(target, state)
     formula, noun = formula_of(end, target), VectorName.of(target.quantity)
-    return finish(state, formula, noun, "", f"the {target.quantity}")
+    return write_answer(state, formula, noun, "", f"the {target.quantity}")

@@ -5,20 +5,20 @@ from collections.abc import Mapping
 import numpy as np
 
 from sim2reason.base.lazy import cached_property
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.engines.exact.lengths import RowKind
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
-from sim2reason.solutions.algebra.polynomials import Polynomial, common, divided, total
+from sim2reason.solutions.algebra.polynomials import Polynomial, common_monomial, divide_by_term, total
 from sim2reason.solutions.goals import Components
 from sim2reason.solutions.laws.equations_of_motion import EquationsOfMotion, Names, phase_at
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.solution import Relation
-from sim2reason.solutions.writing.lexicon import Both
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.lexicon import DualValue
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 
-STILL = 1e-12  # relative to the largest acceleration: below it an acceleration counts as zero
+ACCELERATION_RTOL = 1e-12  # relative to the largest acceleration: below it an acceleration counts as zero
 LETTERS = {"foot": "N", "hold": "f", "stuck": "F", "prop": "N"}  # for constraint forces; others are tensions
 
 
@@ -26,7 +26,12 @@ class PhaseEquations:
     """The equations of motion of a segment in given symbols, and the kinematics of bodies and lines."""
 
     def __init__(
-        self, setting: Setting, book: Book, segment: Segment, names: Names, forces: Mapping[str, Symbol]
+        self,
+        setting: ProblemContext,
+        book: SolutionBuilder,
+        segment: Segment,
+        names: Names,
+        forces: Mapping[str, Symbol],
     ) -> None:
         """Derive the equations; `forces` has the symbols of forces, by ``row`` or ``face`` and number.
 
@@ -97,14 +102,14 @@ class PhaseEquations:
 
     def is_still(self, k: int) -> bool:
         """Return whether the acceleration of a coordinate is zero throughout the segment."""
-        return self.steady and abs(self.segment.found.a[k]) <= STILL * max(map(abs, self.segment.found.a))
+        return self.steady and abs(self.segment.found.a[k]) <= ACCELERATION_RTOL * max(map(abs, self.segment.found.a))
 
     def _reduced(self, left: Polynomial, right: Polynomial) -> tuple[Polynomial, Polynomial]:
         """Return both sides of an equation divided by their common given factors and sign."""
-        shared = common([*left.terms, *right.terms])
+        shared = common_monomial([*left.terms, *right.terms])
         kept = tuple((atom, power) for atom, power in shared if isinstance(atom, Symbol) and self._is_fixed(atom.name))
         sign = -1.0 if left.terms and all(part < 0.0 for part in left.terms.values()) else 1.0
-        divided_sides = divided(left, kept, sign), divided(right, kept, sign)
+        divided_sides = divide_by_term(left, kept, sign), divide_by_term(right, kept, sign)
         if divided_sides[0] is None or divided_sides[1] is None:
             return left, right
         return divided_sides[0], divided_sides[1]
@@ -158,7 +163,7 @@ class PhaseEquations:
 
     def _coefficient(self, face: int) -> Polynomial:
         faces = self.lexicon.mechanism.faces[face], self.lexicon.twin.faces[face]
-        return self.motion.number(Both(faces[0].friction, faces[1].friction))
+        return self.motion.number(DualValue(faces[0].friction, faces[1].friction))
 
     def kinetic_friction(self, face: int) -> Polynomial:
         """Return the coefficient of kinetic friction times the normal force."""
@@ -167,11 +172,11 @@ class PhaseEquations:
     def friction_bound(self, face: int) -> Polynomial:
         """Return the coefficient of static friction times the normal force."""
         faces = self.lexicon.mechanism.faces[face], self.lexicon.twin.faces[face]
-        return self.motion.number(Both(faces[0].static_friction, faces[1].static_friction)) * self.pressing(face)
+        return self.motion.number(DualValue(faces[0].static_friction, faces[1].static_friction)) * self.pressing(face)
 
     def _slip(self, face: int, place: int) -> Polynomial:
         faces = self.lexicon.mechanism.faces[face], self.lexicon.twin.faces[face]
-        return self.motion.number(Both(faces[0].slip[place][1], faces[1].slip[place][1]))
+        return self.motion.number(DualValue(faces[0].slip[place][1], faces[1].slip[place][1]))
 
     def sampled(self, times: Array) -> dict[str, Array]:
         """Return the values of all symbols, each (m,), at instants of the phase in the engine's motion."""
@@ -201,12 +206,12 @@ class PhaseEquations:
 
     def hinge(self, body: str) -> int:
         """Return the index of the coordinate that rotates a body; UnsolvedError unless there is exactly one."""
-        hinges = start(self.mechanism)[body].hinges
+        hinges = initial_frames(self.mechanism)[body].hinges
         if len(hinges) != 1:
             raise UnsolvedError("it does not turn about a single axle")
         return hinges[0].number
 
-    def triple(self, part: str, body: str) -> Components:
+    def kinematic_vector(self, part: str, body: str) -> Components:
         """Return the ``place`` or ``velocity`` of a body's centre of mass, by component in the world frame."""
         here, there = (getattr(a.frames.center(body), part) for a in self.motion.assemblies)
         x, y, z = (self.motion.read(one, other) for one, other in zip(here, there, strict=True))
@@ -214,7 +219,7 @@ class PhaseEquations:
 
     def acceleration(self, body: str) -> Components:
         """Return the acceleration of the centre of mass of a body, by component."""
-        found = list(self.triple("bias", body))
+        found = list(self.kinematic_vector("bias", body))
         here, there = (a.frames.center(body).gradient for a in self.motion.assemblies)
         for k, ways in ((k, (here[k], there[k])) for k in here):
             for n in range(3):
@@ -223,9 +228,9 @@ class PhaseEquations:
 
     def displacement(self, body: str) -> Components:
         """Return the displacement of the centre of mass of a body since the start, by component."""
-        here, there = (start(m).center(body).place for m in (self.lexicon.mechanism, self.lexicon.twin))
-        begun = [self.motion.number(Both(float(a), float(b))) for a, b in zip(here, there, strict=True)]  # type: ignore[arg-type]
-        x, y, z = (now - then for now, then in zip(self.triple("place", body), begun, strict=True))
+        here, there = (initial_frames(m).center(body).place for m in (self.lexicon.mechanism, self.lexicon.twin))
+        begun = [self.motion.number(DualValue(float(a), float(b))) for a, b in zip(here, there, strict=True)]  # type: ignore[arg-type]
+        x, y, z = (now - then for now, then in zip(self.kinematic_vector("place", body), begun, strict=True))
         return x, y, z
 
     def length(self, line: str, part: str = "value") -> Polynomial:
@@ -244,10 +249,10 @@ class PhaseEquations:
         number = self.mechanism.lines.index(self.mechanism.line[line])
         laws = (m.lines[number].law for m in (self.lexicon.mechanism, self.lexicon.twin))
         here, there = (float(getattr(law, part)) for law in laws)
-        return self.motion.number(Both(here, there))
+        return self.motion.number(DualValue(here, there))
 
 
-def amid(setting: Setting, segment: Segment) -> State:
+def amid(setting: ProblemContext, segment: Segment) -> State:
     """Return the state in the middle of a segment, since its ends may lie on the border of a region."""
     motion, begins = setting.motion, segment.start
     ends = min((held.start for held in motion.segments if held.start > begins), default=motion.end)

@@ -20,11 +20,11 @@ from sim2reason.solutions.algebra.expressions import Expression, Number, Sum, Sy
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.goals import Components
-from sim2reason.solutions.phases.conditions import size
+from sim2reason.solutions.phases.conditions import vector_magnitude
 from sim2reason.solutions.phases.equations import PhaseEquations
-from sim2reason.solutions.setting import Setting, joined
+from sim2reason.solutions.setting import ProblemContext, join_words
 from sim2reason.solutions.solution import Integration, with_unit
-from sim2reason.solutions.writing.steps import STATE_DIGITS, Book, UnsolvedError, Writing
+from sim2reason.solutions.writing.steps import STATE_DIGITS, SolutionBuilder, StepBuilder, UnsolvedError
 
 HALF = Number(0.5)
 
@@ -54,7 +54,7 @@ def rate_of(functional: str, name: str, equations: PhaseEquations) -> Expression
 
 
 def _path(equations: PhaseEquations, name: str) -> Expression:
-    return size(equations.triple("velocity", name))
+    return vector_magnitude(equations.kinematic_vector("velocity", name))
 
 
 def _tension(equations: PhaseEquations, name: str) -> Expression:
@@ -93,10 +93,10 @@ ACCUMULATION_RATES: Mapping[str, Callable[[PhaseEquations, str], Expression]] = 
 
 
 SAMPLES = 4000  # instants at which the quantity is evaluated
-ROUNDS = 60  # bisections of an interval with the zero of a rate
+BISECTIONS = 60  # bisections of an interval with the zero of a rate
 
 
-def top(motion: Motion, functional: str, name: str, end: float) -> float:
+def extreme_time(motion: Motion, functional: str, name: str, end: float) -> float:
     """Return the approximate time, s, of an extreme functional's value in the motion up to `end`."""
     found = FUNCTIONALS[functional]
     if not isinstance(found, Extreme):
@@ -138,7 +138,7 @@ def refined(equations: PhaseEquations, formula: Expression, near: float, width: 
     below, above = at(low), at(high)
     if not below * above < 0.0:
         raise UnsolvedError("the extreme value is no zero of the rate")
-    for _ in range(ROUNDS):
+    for _ in range(BISECTIONS):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if at(middle) * below > 0.0 else (low, middle)
     return 0.5 * (low + high)
@@ -149,21 +149,21 @@ def _inner(one: Components, other: Components) -> Polynomial:
 
 
 def _speed(equations: PhaseEquations, name: str) -> list[Expression]:
-    velocity, acceleration = equations.triple("velocity", name), equations.acceleration(name)
+    velocity, acceleration = equations.kinematic_vector("velocity", name), equations.acceleration(name)
     moving = [(v, a) for v, a in zip(velocity, acceleration, strict=True) if v or a]
     simple = [moving[0][1].factored()] if len(moving) == 1 else []
     return [*simple, _inner(velocity, acceleration).expression()]
 
 
 def _displacement(equations: PhaseEquations, name: str) -> list[Expression]:
-    displacement, velocity = equations.displacement(name), equations.triple("velocity", name)
+    displacement, velocity = equations.displacement(name), equations.kinematic_vector("velocity", name)
     moving = [v for v in velocity if v]
     simple = [moving[0].factored()] if len(moving) == 1 else []
     return [*simple, _inner(displacement, velocity).expression()]
 
 
 def _height(equations: PhaseEquations, name: str) -> list[Expression]:
-    return [equations.triple("velocity", name)[2].factored()]
+    return [equations.kinematic_vector("velocity", name)[2].factored()]
 
 
 def _extension(equations: PhaseEquations, name: str) -> list[Expression]:
@@ -185,31 +185,33 @@ EXTREME_RATES: Mapping[str, Callable[[PhaseEquations, str], list[Expression]]] =
 }
 
 
-LONG = 900  # maximum length of the LaTeX of an equation that is written out
+MAX_EQUATION_LENGTH = 900  # maximum length of the LaTeX of an equation that is written out
 ORDINALS = ("", "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
 
 
-def tell_problem(book: Book, step: Writing, integration: Integration, *, first: bool, letter: str) -> None:
+def tell_problem(
+    book: SolutionBuilder, step: StepBuilder, integration: Integration, *, first: bool, letter: str
+) -> None:
     """Write the equations and initial values of a phase; roots that occur several times get a symbol."""
     sides = [side for law in integration.equations for side in (law.left, law.right)]
     count = Counter(root for side in sides for root in _roots(side))
     named = {root: book.fresh(letter) for root, times in count.items() if times > 1}
     laws = [f"${_with(law.left, named).latex()} = {_with(law.right, named).latex()}$" for law in integration.equations]
-    if any(len(law) > LONG for law in laws):
+    if any(len(law) > MAX_EQUATION_LENGTH for law in laws):
         raise UnsolvedError("the equations of motion are too long to be written")
     where = [f"${name.name} = {root.latex()}$" for root, name in named.items()]
     equations = "equations of motion are" if len(laws) > 1 else "equation of motion is"
-    step.say(f"The {equations} {joined(laws)}{f', where {joined(where)}' if where else ''}.")
+    step.add_text(f"The {equations} {join_words(laws)}{f', where {join_words(where)}' if where else ''}.")
     begun = [f"${c.place} = {c.initial_place.latex()}$" for c in integration.coordinates]
     begun += [f"${c.rate} = {c.initial_rate.latex()}$" for c in integration.coordinates]
-    step.say(f"{'Initially' if first else 'The phase begins with'} {joined(begun)}.")
+    step.add_text(f"{'Initially' if first else 'The phase begins with'} {join_words(begun)}.")
     if integration.accumulated:
         (held,) = integration.accumulated
         rate, begun = held.rate.latex(), held.initial.latex()
-        step.say(rf"Along with them, $\dot{{{held.name}}} = {rate}$ from ${begun}$ is integrated.")
+        step.add_text(rf"Along with them, $\dot{{{held.name}}} = {rate}$ from ${begun}$ is integrated.")
 
 
-def tell_end(book: Book, integration: Integration, said: str, used: frozenset[str]) -> str:
+def tell_end(book: SolutionBuilder, integration: Integration, said: str, used: frozenset[str]) -> str:
     """Return the sentence about the end of a phase, with the values that later steps use."""
     condition = integration.until
     kept = [name for _, name in integration.ends if name in used]
@@ -222,7 +224,7 @@ def tell_end(book: Book, integration: Integration, said: str, used: frozenset[st
     which = f" for the {ORDINALS[condition.occurrence]} time" if later else ""
     when = f"{said}, that is, until {_equation(condition.expression)}" if said else _equation(condition.expression)
     first = " for the first time" if not said and condition.occurrence == 1 and not condition.direction else ""
-    return f"Numerical integration until {when}{which or first}{',' if said else ''} gives {joined(values)}."
+    return f"Numerical integration until {when}{which or first}{',' if said else ''} gives {join_words(values)}."
 
 
 def _equation(formula: Expression) -> str:
@@ -246,12 +248,12 @@ def _with(formula: Expression, named: dict[Root, Symbol]) -> Expression:
     return formula.built_of([_with(part, named) for part in formula.parts]) if formula.parts else formula
 
 
-MOST_PHASES = 8  # largest number of phases of a solution that is still readable
-SAME_TIME = 1e-9  # relative tolerance of the time of an event at the moment of the question
+MAX_PHASES = 8  # largest number of phases of a solution that is still readable
+EVENT_TIME_RTOL = 1e-9  # relative tolerance of the time of an event at the moment of the question
 
 
 @dataclass(frozen=True, slots=True)
-class Stretch:
+class PhaseInterval:
     """A segment of the motion with its end time, s, and the events that end it."""
 
     segment: Segment
@@ -259,15 +261,15 @@ class Stretch:
     events: tuple[Event, ...]
 
 
-def asked_time(setting: Setting) -> float:
+def asked_time(setting: ProblemContext) -> float:
     """Return the time, s, of the moment that decides the answer; approximate for an extreme value."""
     query = setting.query
     if query.kind == "extremum" and isinstance(query, StretchQuery):
-        return top(setting.motion, query.functional, query.name, setting.time)
-    return query.moment.side(setting.time) if query.moment is not None else setting.time
+        return extreme_time(setting.motion, query.functional, query.name, setting.time)
+    return query.moment.evaluation_time(setting.time) if query.moment is not None else setting.time
 
 
-def stretches(setting: Setting, time: float) -> list[Stretch]:
+def phase_intervals(setting: ProblemContext, time: float) -> list[PhaseInterval]:
     """Return the phases of the motion up to a time, s, each with its end time and events.
 
     Raises:
@@ -276,22 +278,22 @@ def stretches(setting: Setting, time: float) -> list[Stretch]:
     motion, moment = setting.motion, setting.query.moment
     segments = [s for s in motion.segments if s.start < time or s.start == 0.0]
     ends_at_event = moment is not None and moment.event and setting.query.kind != "extremum"
-    found: list[Stretch] = []
+    found: list[PhaseInterval] = []
     for segment, following in zip(segments, [*segments[1:], None], strict=True):
         ends = following.start if following is not None else time
-        near = SAME_TIME * max(ends, SAME_TIME)
+        near = EVENT_TIME_RTOL * max(ends, EVENT_TIME_RTOL)
         events = tuple(e for e in motion.events if e.changes_motion and abs(e.time - ends) <= near)
         if following is None and not ends_at_event:
             events = ()
         if following is not None and not events:
             raise UnsolvedError("the equations change where no event is recorded")
-        found.append(Stretch(segment, ends, events))
-    if not found or len(found) > MOST_PHASES:
+        found.append(PhaseInterval(segment, ends, events))
+    if not found or len(found) > MAX_PHASES:
         raise UnsolvedError(f"the motion has {len(found)} phases")
     return found
 
 
-def moment_words(setting: Setting) -> str:
+def moment_words(setting: ProblemContext) -> str:
     """Return the event at the moment of the question as a statement; empty if the moment is no event."""
     moment = setting.query.moment
     if setting.query.kind == "extremum" or not isinstance(moment, Happening):

@@ -9,18 +9,18 @@ from sim2reason.simulation.trace import Event
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.phases.equations import LETTERS, PhaseEquations
-from sim2reason.solutions.setting import Setting, joined
+from sim2reason.solutions.setting import ProblemContext, join_words
 from sim2reason.solutions.solution import Relation
-from sim2reason.solutions.writing.lexicon import Both, Lexicon, UnreadError
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
-from sim2reason.solutions.writing.subscripts import split
+from sim2reason.solutions.writing.lexicon import DualValue, Lexicon, UnreadError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
+from sim2reason.solutions.writing.subscripts import split_name
 from sim2reason.solutions.writing.unit_latex import IMPULSE
 
 
 class ForceSymbols:
     """The symbols of the forces used so far, with their descriptions."""
 
-    def __init__(self, setting: Setting, book: Book) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
         """Start without symbols."""
         self._setting, self._book = setting, book
         self._symbols: dict[str, Symbol] = {}
@@ -40,7 +40,7 @@ class ForceSymbols:
         for face, side in zip(rough, segment.found.mode.rubbing, strict=True):
             letter, of = ("N", "normal") if side else ("f", "friction")
             subject = faces[face].subject
-            found[f"{of}{face}"] = self._symbol(of, subject, letter, self._setting.mark(subject))
+            found[f"{of}{face}"] = self._symbol(of, subject, letter, self._setting.subscript_of(subject))
         return found
 
     def introductions(self) -> list[str]:
@@ -59,17 +59,17 @@ class ForceSymbols:
         setting = self._setting
         if kind in ("normal", "friction"):
             force = "the normal force on" if kind == "normal" else "the static friction on"
-            return f"{force} {setting.called(name)}"
+            return f"{force} {setting.display_name(name)}"
         if kind == "foot":
             return "the force with which the plane presses on the edge"
         if kind == "hold":
             return "the static friction at the edge"
         if kind == "stuck":
-            return f"the force between {' and '.join(setting.called(part) for part in name.split(' and '))}"
+            return f"the force between {' and '.join(setting.display_name(part) for part in name.split(' and '))}"
         return (
-            f"the force in {setting.lines.get(name, 'the rod')}"
+            f"the force in {setting.string_phrases.get(name, 'the rod')}"
             if kind != "string"
-            else f"the tension in {setting.lines[name]}"
+            else f"the tension in {setting.string_phrases[name]}"
         )
 
 
@@ -80,10 +80,10 @@ def initial_rates(lexicon: Lexicon, senses: Sequence[float]) -> list[Expression]
         UnsolvedError: a rate is not a simple function of the numbers in the text.
     """
     pairs = zip(lexicon.mechanism.coordinates, lexicon.twin.coordinates, senses, strict=True)
-    return [_speed(lexicon, Both(sense * a.speed, sense * b.speed)) for a, b, sense in pairs]
+    return [_speed(lexicon, DualValue(sense * a.speed, sense * b.speed)) for a, b, sense in pairs]
 
 
-def _speed(lexicon: Lexicon, speed: Both) -> Expression:
+def _speed(lexicon: Lexicon, speed: DualValue) -> Expression:
     """Return an initial rate in the numbers of the text; an angular one may be a speed divided by a length."""
     for length in (None, *lexicon.lengths):
         try:
@@ -95,15 +95,15 @@ def _speed(lexicon: Lexicon, speed: Both) -> Expression:
     raise UnsolvedError(f"the initial rate {speed.here:.6g} is no simple function of the numbers in the text")
 
 
-AGREES = 1e-8  # relative tolerance of the velocities after an impact to those of the engine
-CONTINUOUS = 1e-9  # relative: a velocity that changes by less at an event is continuous
+IMPACT_VELOCITY_RTOL = 1e-8  # relative tolerance of the velocities after an impact to those of the engine
+VELOCITY_CHANGE_RTOL = 1e-9  # relative: a velocity that changes by less at an event is continuous
 
 
 class Jump:
     """The relations between the velocities just before and just after an event."""
 
     def __init__(self, before: PhaseEquations, after: Sequence[Symbol], events: Sequence[Event]) -> None:
-        """Take the equations `before` the event at its instant, and the symbols of the rates `after` it."""
+        """Take the equations `before` the event at its instant, and the symbols of the rates `name_after_impact` it."""
         self._before, self._after, self._events = before, after, events
 
     def relations(self, rows: Sequence[int], impulses: Sequence[Symbol]) -> list[Relation]:
@@ -148,7 +148,7 @@ class Jump:
 
     def _restitution(self, number: int) -> Polynomial:
         lexicon = self._before.lexicon
-        pair = Both(lexicon.mechanism.meetings[number].restitution, lexicon.twin.meetings[number].restitution)
+        pair = DualValue(lexicon.mechanism.meetings[number].restitution, lexicon.twin.meetings[number].restitution)
         return self._before.motion.number(pair)
 
 
@@ -164,7 +164,7 @@ def write_jump(
     old = [book.values[rate.name] for rate in names.rates]
     new = [sense * v for sense, v in zip(names.senses, following.v, strict=True)]
     largest = max(map(abs, (*old, *new)), default=0.0)
-    if all(abs(a - b) <= CONTINUOUS * largest for a, b in zip(old, new, strict=True)):
+    if all(abs(a - b) <= VELOCITY_CHANGE_RTOL * largest for a, b in zip(old, new, strict=True)):
         return None
     after = tuple(_fresh(book, rate, value) for rate, value in zip(names.rates, new, strict=True))
     jump = Jump(before, after, events)
@@ -173,30 +173,30 @@ def write_jump(
     relations = jump.relations(rows, impulses)
     found = _impulses(relations, [impulse.name for impulse in impulses], dict(book.values))
     for name, value in found.items():
-        book.know(name, value, book.unit_in_text(IMPULSE))
-    step = book.open("event")
-    step.say(_said(jump, impulses))
+        book.set_value(name, value, book.unit_in_text(IMPULSE))
+    step = book.begin_step("event")
+    step.add_text(_said(jump, impulses))
     laws = [step.law(relation.left, relation.right) for relation in relations]
-    step.say(f"{joined(laws)}.")
+    step.add_text(f"{join_words(laws)}.")
     for symbol in after:
         step.label(symbol.name)
-    step.say(f"Just after it, {joined([step.stated(symbol, book.units[symbol.name]) for symbol in after])}.")
+    step.add_text(f"Just after it, {join_words([step.stated(symbol, book.units[symbol.name]) for symbol in after])}.")
     step.close()
     return after
 
 
 def _said(jump: Jump, impulses: Sequence[Symbol]) -> str:
-    names = joined([f"${impulse.name}$" for impulse in impulses])
+    names = join_words([f"${impulse.name}$" for impulse in impulses])
     whose = f"impulse{'s' if len(impulses) > 1 else ''} {names}"
     if jump.pairs:
         return f"In the collision, with the {whose}, momentum and the coefficient of restitution require"
     return f"The string becomes taut with a jerk, whose {whose} takes away the velocity along it:"
 
 
-def _fresh(book: Book, rate: Symbol, value: float) -> Symbol:
-    base, mark = split(rate.name)
-    name = book.after(base, mark)
-    book.know(name.name, value, book.units[rate.name])
+def _fresh(book: SolutionBuilder, rate: Symbol, value: float) -> Symbol:
+    base, mark = split_name(rate.name)
+    name = book.name_after_impact(base, mark)
+    book.set_value(name.name, value, book.units[rate.name])
     return name
 
 
@@ -218,6 +218,8 @@ def _impulses(relations: Sequence[Relation], unknowns: Sequence[str], values: di
     base = np.array(excess(zero))
     matrix = np.array([np.array(excess(zero | {name: 1.0})) - base for name in unknowns]).T
     found, _, rank, _ = np.linalg.lstsq(matrix, -base, rcond=1e-12)
-    if rank < len(unknowns) or np.abs(matrix @ found + base).max() > AGREES * max(1.0, np.abs(base).max()):
+    if rank < len(unknowns) or np.abs(matrix @ found + base).max() > IMPACT_VELOCITY_RTOL * max(
+        1.0, np.abs(base).max()
+    ):
         raise UnsolvedError("the laws of the impact do not lead to the velocities after it")
     return dict(zip(unknowns, map(float, found), strict=True))

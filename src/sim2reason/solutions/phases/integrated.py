@@ -15,29 +15,29 @@ from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.laws.common_rates import gravitational_constant
 from sim2reason.solutions.laws.equations_of_motion import UNREAD, Names
-from sim2reason.solutions.phases.conditions import event_condition, located, moment_conditions, said
+from sim2reason.solutions.phases.conditions import event_condition, given_symbol, locate_condition, moment_conditions
 from sim2reason.solutions.phases.coordinates import HINGE_UNITS, SLIDE_UNITS, choose
 from sim2reason.solutions.phases.end_state import formula_of, write_quantity
 from sim2reason.solutions.phases.equations import PhaseEquations, amid
 from sim2reason.solutions.phases.extremes import (
     ACCUMULATION_RATES,
-    Stretch,
+    PhaseInterval,
     asked_time,
     moment_words,
+    phase_intervals,
     rate_formulas,
     rate_of,
     refined,
-    stretches,
     tell_end,
     tell_problem,
     value_of,
 )
 from sim2reason.solutions.phases.forces import ForceSymbols, initial_rates, write_jump
-from sim2reason.solutions.phases.steady import SteadyPhase, pruned, with_used_contacts
-from sim2reason.solutions.setting import Setting, joined
+from sim2reason.solutions.phases.steady import SteadyPhase, prune_steps, with_used_contacts
+from sim2reason.solutions.setting import ProblemContext, join_words
 from sim2reason.solutions.solution import Accumulated, Condition, Coordinate, Integration, Phase
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
-from sim2reason.solutions.writing.subscripts import split
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
+from sim2reason.solutions.writing.subscripts import split_name
 from sim2reason.solutions.writing.unit_latex import DEGREES, NEWTONS, SECONDS, latex, unit_of_quantity
 
 NOTHING = 1e-12  # in SI units: tolerance of zero
@@ -53,13 +53,13 @@ def _excess(inner: PhaseEquations, target: Target, given: StatedResult) -> Expre
     """Return by how much a quantity exceeds a stated value, which becomes a given."""
     unit = unit_of_quantity(target.quantity)
     value = radians(given.value) if unit == DEGREES else given.value
-    return formula_of(inner, target) - said(inner, "c", value, unit)
+    return formula_of(inner, target) - given_symbol(inner, "c", value, unit)
 
 
 class IntegratedPhases:
     """The solution of a problem phase by phase: closed form at constant acceleration, else integrated."""
 
-    def __init__(self, setting: Setting, book: Book, *, integrates: bool = True) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder, *, integrates: bool = True) -> None:
         """Choose coordinates; unless `integrates`, accelerations must be constant in each phase."""
         self._integrates = integrates
         self.setting, self.book, self.mechanism = setting, book, setting.mechanism
@@ -76,7 +76,7 @@ class IntegratedPhases:
 
     def write(self) -> str:
         """Write all steps and return the symbol of the answer; UnsolvedError if an equation cannot be written."""
-        found = stretches(self.setting, self.time)
+        found = phase_intervals(self.setting, self.time)
         self._introduce()
         end: PhaseEquations | None = None
         for number, stretch in enumerate(found):
@@ -104,36 +104,38 @@ class IntegratedPhases:
         book, constant = self.book, self.setting.lexicon.constant
         if constant is not None:
             gravitational_constant(book, constant)
-        step = book.open("names")
-        step.say(self._chosen.sentence)
+        step = book.begin_step("names")
+        step.add_text(self._chosen.sentence)
         if self.setting.unknown:
             name, stated = Symbol(book.sought), self.setting.stated
             given = f", {stated.digits} {stated.unit}".rstrip() if stated is not None else ""
             book.hidden.discard(name.name)
-            step.say(f"The equations hold for any ${name.name}$; it is varied until the result is that given{given},")
-            step.say(f"which leads to {step.trial(name)}. With this value:")
+            step.add_text(
+                f"The equations hold for any ${name.name}$; it is varied until the result is that given{given},"
+            )
+            step.add_text(f"which leads to {step.trial(name)}. With this value:")
         step.close()
         self._introduced = self.book.steps[-1].id
 
     # ---- one phase
 
-    def _phase(self, stretch: Stretch, *, last: bool, several: bool) -> PhaseEquations:
+    def _phase(self, stretch: PhaseInterval, *, last: bool, several: bool) -> PhaseEquations:
         """Write one phase and the event at its end; return its equations in the symbols of that instant."""
         inner = self._inner(stretch.segment)
         if stretch.events:
             conditions = [event_condition(inner, event) for event in stretch.events]
-            formulas, happens = [formula for formula, _ in conditions], joined([said for _, said in conditions])
+            formulas, happens = [formula for formula, _ in conditions], join_words([said for _, said in conditions])
         else:
             formulas, happens = self._moment_formulas(inner), moment_words(self.setting)
         sides = [side for law in inner.laws for side in (law.left, law.right)]
         self._refuse_unread(name for formula in (*formulas, *sides) for name in formula.symbols())
         for name, value, unit in inner.stated:
             self.book.reserve(name)
-            self.book.say_given(name, value, unit)
+            self.book.state_given(name, value, unit)
         if self.setting.query.kind == "extremum" and last:
             self.time = refined(inner, formulas[-1], self.time, WIDTH * self.setting.time)
             stretch = replace(stretch, ends=self.time)
-        until = located(inner, formulas, stretch.segment.start, stretch.ends)
+        until = locate_condition(inner, formulas, stretch.segment.start, stretch.ends)
         names, forces = self._ended(inner, stretch)
         if several:
             self._announce(happens)
@@ -152,11 +154,11 @@ class IntegratedPhases:
         """Write the heading of a phase."""
         phases, number = self.book.phases, self.book.phase
         phases.append(Phase(phases[-1].ends if phases else "the start", happens or ASKED))
-        step = self.book.open("phase")
-        step.say(f"Phase {number + 1}, until {phases[-1].ends}.")
+        step = self.book.begin_step("phase")
+        step.add_text(f"Phase {number + 1}, until {phases[-1].ends}.")
         step.close()
 
-    def _handed_on(self, outer: PhaseEquations, stretch: Stretch) -> PhaseEquations:
+    def _handed_on(self, outer: PhaseEquations, stretch: PhaseInterval) -> PhaseEquations:
         """Write the velocity changes at the event that ends a phase, unless the moment is just before it.
 
         Return the equations in the symbols of the instant of the question, if it is this one.
@@ -182,7 +184,7 @@ class IntegratedPhases:
         found = PhaseEquations(self.setting, draft, segment, self.names, self._forces.of(segment))
         for name, values in found.sampled(amid(self.setting, segment).times).items():
             if name not in draft.values and np.isfinite(values[0]):
-                draft.know(name, float(values[0]))
+                draft.set_value(name, float(values[0]))
         return found
 
     def _moment_formulas(self, inner: PhaseEquations) -> list[Expression]:
@@ -197,7 +199,7 @@ class IntegratedPhases:
             return [_excess(inner, query.moment.target, query.moment.given)]
         return moment_conditions(inner, query.moment)
 
-    def _ended(self, inner: PhaseEquations, stretch: Stretch) -> tuple[Names, dict[str, Symbol]]:
+    def _ended(self, inner: PhaseEquations, stretch: PhaseInterval) -> tuple[Names, dict[str, Symbol]]:
         """Return the symbols of coordinates and forces at the end of a phase, with the engine's values."""
         names = self.names
         side = float(np.nextafter(stretch.ends, 0.0)) if stretch.events else stretch.ends
@@ -212,11 +214,11 @@ class IntegratedPhases:
         return Names(places, rates, accelerations, time, names.senses, names.origins), forces
 
     def _value(self, symbol: Symbol, sampled: dict[str, Array], unit: str) -> Symbol:
-        base, mark = split(symbol.name)
+        base, mark = split_name(symbol.name)
         name = self.book.fresh(base, ",".join(part for part in (mark, str(self.book.phase + 1)) if part))
         value = float(sampled[symbol.name][0])
         if not isnan(value):  # the engine does not record the forces of all constraints
-            self.book.know(name.name, value if abs(value) > NOTHING else 0.0, self.book.unit_in_text(unit))
+            self.book.set_value(name.name, value if abs(value) > NOTHING else 0.0, self.book.unit_in_text(unit))
         return name
 
     # ---- numerical integration
@@ -248,10 +250,10 @@ class IntegratedPhases:
             tuple(ends),
             accumulated,
         )
-        step = self.book.open("integration")
+        step = self.book.begin_step("integration")
         introduced = self._forces.introductions()
         if introduced:
-            step.say(f"Let {joined([part.replace('$ ', '$ be ', 1) for part in introduced])}.")
+            step.add_text(f"Let {join_words([part.replace('$ ', '$ be ', 1) for part in introduced])}.")
         letter = "r" if self.mechanism.attractions else r"\ell"
         tell_problem(self.book, step, integration, first=not self.book.phase, letter=letter)
         step.integrate(integration)
@@ -272,7 +274,7 @@ class IntegratedPhases:
         before: Expression = self._sum if self._sum is not None else Number(0.0)
         value = value_of(query.functional, query.name, self.setting.study.trace, ends)
         self._sum = self.book.fresh("X", str(self.book.phase + 1))
-        self.book.know(self._sum.name, value, self.book.unit_in_text(self._measured_unit))
+        self.book.set_value(self._sum.name, value, self.book.unit_in_text(self._measured_unit))
         return (Accumulated("X", rate, before),)
 
     @property
@@ -285,7 +287,7 @@ class IntegratedPhases:
         for number, text in self._composed.items():
             step = self.book.steps[number]
             self.book.steps[number] = replace(step, text=f"{step.text} {text(used)}")
-        self.book.steps[:] = pruned(self.book.steps, answer, self.book.values)
+        self.book.steps[:] = prune_steps(self.book.steps, answer, self.book.values)
         step = self.book.steps[self._introduced]
         if self._composed:
             self.book.steps[self._introduced] = replace(step, text=f"{INTRODUCTION} {step.text}")
@@ -309,7 +311,7 @@ class IntegratedPhases:
             found = write_quantity(setting, self.book, end)
         if setting.unknown and setting.stated is not None:
             value = radians(setting.stated.value) if setting.unit == DEGREES else setting.stated.value
-            step = self.book.open("given")
-            step.say(f"This is the given result: {step.given_result(found, value)}.")
+            step = self.book.begin_step("given")
+            step.add_text(f"This is the given result: {step.given_result(found, value)}.")
             step.close()
         return found.name

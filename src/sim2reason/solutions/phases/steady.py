@@ -11,30 +11,30 @@ from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied
 from sim2reason.solutions.algebra.functions import Power
-from sim2reason.solutions.algebra.inverse import put, solved_for
+from sim2reason.solutions.algebra.inverse import solved_for, substitute
 from sim2reason.solutions.laws.equations_of_motion import Names
 from sim2reason.solutions.phases.equations import PhaseEquations
-from sim2reason.solutions.phases.explicit import explicit
-from sim2reason.solutions.setting import capital, joined
+from sim2reason.solutions.phases.explicit import explicit_formulas
+from sim2reason.solutions.setting import capitalized, join_words
 from sim2reason.solutions.solution import Relation, Step, with_unit
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
-from sim2reason.solutions.writing.subscripts import split
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
+from sim2reason.solutions.writing.subscripts import split_name
 from sim2reason.solutions.writing.unit_latex import SECONDS
 
 LAWS, STATE = "steady laws", "steady state"  # kinds of steps of which parts may be left out
-HELD = 1e-9  # relative to the largest weight: rounding errors
+WEIGHT_RTOL = 1e-9  # relative to the largest weight: rounding errors
 
 
 def laws_text(relations: Sequence[Relation], values: Mapping[str, float]) -> str:
     """Return sentences with the laws, and with the accelerations that they give if they must be solved."""
     laws = [relation for relation in relations if relation.role == "law"]
     found = [r for r in relations if r.role != "law" and values[_name(r)]]
-    turns = any(split(name)[0] == r"\alpha" for law in laws for name in law.symbols())
+    turns = any(split_name(name)[0] == r"\alpha" for law in laws for name in law.symbols())
     by = "By Newton's second law and the law of torques" if turns else "By Newton's second law"
-    text = f"{by}, the accelerations are constant: {joined([law.latex() for law in laws])}."
+    text = f"{by}, the accelerations are constant: {join_words([law.latex() for law in laws])}."
     if not found or all(isinstance(law.left, Symbol) for law in laws):
         return text
-    return f"{text} Hence {joined([_told(r, values[_name(r)]) for r in found])}."
+    return f"{text} Hence {join_words([_told(r, values[_name(r)]) for r in found])}."
 
 
 def _told(found: Relation, value: float) -> str:
@@ -48,10 +48,10 @@ def state_text(relations: Sequence[Relation], values: Mapping[str, float]) -> st
     """Return the sentence about the state at the end of a phase."""
     if not relations:
         return ""
-    return f"At that instant, {joined([relation.latex(values[_name(relation)]) for relation in relations])}."
+    return f"At that instant, {join_words([relation.latex(values[_name(relation)]) for relation in relations])}."
 
 
-def pruned(steps: Sequence[Step], goal: str, values: Mapping[str, float]) -> list[Step]:
+def prune_steps(steps: Sequence[Step], goal: str, values: Mapping[str, float]) -> list[Step]:
     """Return the steps without the parts on which the goal does not depend; step numbers are unchanged."""
     used, found = {goal}, list[Step]()
     for step in reversed(steps):
@@ -109,7 +109,7 @@ def _determines(matrix: Array, targets: Array) -> bool:
     if not len(matrix):
         return False
     weights = np.linalg.lstsq(matrix.T, targets.T, rcond=1e-12)[0]
-    return bool(np.abs(matrix.T @ weights - targets.T).max() <= HELD)
+    return bool(np.abs(matrix.T @ weights - targets.T).max() <= WEIGHT_RTOL)
 
 
 def _name(relation: Relation) -> str:
@@ -120,14 +120,14 @@ CONTACT = "contact"  # kind of the steps about one face
 _NAMED = re.compile(r"\$([^$]*)\$")
 
 
-def tell_contacts(inner: PhaseEquations, book: Book, forces: Mapping[str, Symbol]) -> None:
+def tell_contacts(inner: PhaseEquations, book: SolutionBuilder, forces: Mapping[str, Symbol]) -> None:
     """Write for each rough face whether it slips or sticks, the direction of friction, and the symbols."""
     for face, side in inner.rough.items():
-        step, who = book.open(CONTACT), inner.setting.called(inner.mechanism.faces[face].subject)
-        step.say(_slipping(inner, face, side, who, forces) if side else _sticking(inner, face, who, forces))
+        step, who = book.begin_step(CONTACT), inner.setting.display_name(inner.mechanism.faces[face].subject)
+        step.add_text(_slipping(inner, face, side, who, forces) if side else _sticking(inner, face, who, forces))
         turning = inner.turning_inertia(face)
         if turning:
-            step.say(f"The moment of inertia of {who} about its axis is ${turning}$.")
+            step.add_text(f"The moment of inertia of {who} about its axis is ${turning}$.")
         step.close()
 
 
@@ -137,15 +137,15 @@ def _slipping(inner: PhaseEquations, face: int, side: int, who: str, forces: Map
     slides, where = ("slips", " at the point of contact") if inner.is_round(face) else ("slides", "")
     normal = f"the normal force on {who} is ${forces[f'normal{face}'].latex()}$."
     if not all(ways):
-        return capital(normal)
-    return f"{capital(who)} {slides} {ways[0]}{where}{under}, so the friction on it acts {ways[1]}; {normal}"
+        return capitalized(normal)
+    return f"{capitalized(who)} {slides} {ways[0]}{where}{under}, so the friction on it acts {ways[1]}; {normal}"
 
 
 def _sticking(inner: PhaseEquations, face: int, who: str, forces: Mapping[str, Symbol]) -> str:
     """Return a sentence that a contact sticks, with the symbol and positive direction of the friction."""
     way, holds = _way(inner, face, 1), "rolls without slipping" if inner.is_round(face) else "does not slip"
     counted = f", counted positive {way}," if way else ""
-    return f"{capital(who)} {holds}; the static friction on it{counted} is ${forces[f'friction{face}'].latex()}$."
+    return f"{capitalized(who)} {holds}; the static friction on it{counted} is ${forces[f'friction{face}'].latex()}$."
 
 
 def with_used_contacts(steps: Sequence[Step]) -> list[Step]:
@@ -172,7 +172,7 @@ def _way(inner: PhaseEquations, face: int, sense: int) -> str:
     sign = 1.0 if sense * part > 0.0 else -1.0
     x, y, z = m.coordinates[k].axis
     body = m.coordinates[k].body
-    return inner.setting.towards((sign * x, sign * y, sign * z), on=m.body[body].parent)
+    return inner.setting.direction_words((sign * x, sign * y, sign * z), on=m.body[body].parent)
 
 
 def _under(inner: PhaseEquations, face: int) -> str:
@@ -185,7 +185,7 @@ def _under(inner: PhaseEquations, face: int) -> str:
 Start = tuple[Expression, Sequence[Expression], Sequence[Expression]]
 """The time at which a phase begins, and the coordinates and rates at that time."""
 HALF = Number(0.5)
-LONG = 200  # maximum length of the LaTeX of a duration that is written as a formula
+MAX_DURATION_LENGTH = 200  # maximum length of the LaTeX of a duration that is written as a formula
 
 
 class SteadyPhase:
@@ -198,7 +198,9 @@ class SteadyPhase:
         self._inner, self._names = inner, inner.names
         self._begin, self._places, self._rates = start
 
-    def write(self, book: Book, names: Names, forces: dict[str, Symbol], formula: Expression, said: str) -> None:
+    def write(
+        self, book: SolutionBuilder, names: Names, forces: dict[str, Symbol], formula: Expression, said: str
+    ) -> None:
         """Write the accelerations, the duration until a formula vanishes, and the state at the end.
 
         The builder knows the final values of `names` and `forces` already.
@@ -209,18 +211,18 @@ class SteadyPhase:
         tell_contacts(self._inner, book, forces)
         self._accelerate(book, names, forces)
         span = self._last(book, names, formula, said)
-        step = book.open(STATE)
+        step = book.begin_step(STATE)
         if span != names.time:
             step.defined(names.time, added(self._begin, span))
         for k in range(len(names.places)):
             step.defined(names.places[k], self._place(k, names, span))
             step.defined(names.rates[k], self._rate(k, names, span))
-        step.say(state_text(step.relations, book.values))
+        step.add_text(state_text(step.relations, book.values))
         step.close()
 
-    def _accelerate(self, book: Book, names: Names, forces: dict[str, Symbol]) -> None:
+    def _accelerate(self, book: SolutionBuilder, names: Names, forces: dict[str, Symbol]) -> None:
         """Write the laws, which determine the constant accelerations and forces."""
-        step, inner = book.open(LAWS), self._inner
+        step, inner = book.begin_step(LAWS), self._inner
         own = {old.name: new for old, new in zip(self._names.accelerations, names.accelerations, strict=True)}
         own |= {inner.forces[key].name: symbol for key, symbol in forces.items()}
         for law in inner.laws:
@@ -229,32 +231,36 @@ class SteadyPhase:
         for symbol in found:
             step.label(symbol.name)
         plain = all(isinstance(relation.left, Symbol) for relation in step.relations)
-        formulas = explicit(step.relations, [symbol.name for symbol in found], book.values) if not plain else {}
+        formulas = (
+            explicit_formulas(step.relations, [symbol.name for symbol in found], book.values) if not plain else {}
+        )
         for symbol in found if not plain else ():
             if symbol.name in formulas and book.values[symbol.name]:
                 step.relations.append(Relation(symbol, formulas[symbol.name], "derived", book.units[symbol.name]))
             elif book.values[symbol.name]:
                 step.stated(symbol, book.units[symbol.name])
-        step.say(laws_text(step.relations, book.values))
+        step.add_text(laws_text(step.relations, book.values))
         step.close()
 
-    def _last(self, book: Book, names: Names, formula: Expression, said: str) -> Symbol:
+    def _last(self, book: SolutionBuilder, names: Names, formula: Expression, said: str) -> Symbol:
         """Write the duration of the phase, s, and return its symbol."""
         first = self._begin == ZERO  # what lasts until an instant is its time
         span = names.time if first else book.fresh(r"\tau")
         near = book.values[names.time.name] - book.value(self._begin)
         for k, (place, rate) in enumerate(zip(self._names.places, self._names.rates, strict=True)):
-            formula = put(put(formula, rate.name, self._rate(k, names, span)), place.name, self._place(k, names, span))
-        formula = put(formula, self._names.time.name, added(self._begin, span))
+            formula = substitute(
+                substitute(formula, rate.name, self._rate(k, names, span)), place.name, self._place(k, names, span)
+            )
+        formula = substitute(formula, self._names.time.name, added(self._begin, span))
         if not {*formula.symbols()} <= {*book.values, span.name}:
             raise UnsolvedError("the end of a phase of constant acceleration depends on a force")
         found = solved_for(span.name, formula, ZERO, {**book.values, span.name: near})
-        if not isinstance(found, NumericRoot) and len(found.latex()) > LONG:
+        if not isinstance(found, NumericRoot) and len(found.latex()) > MAX_DURATION_LENGTH:
             found = NumericRoot(formula, span.name, near)
-        step = book.open("duration")
+        step = book.begin_step("duration")
         law = step.law(formula, ZERO)
-        step.say(f"{self._how()} for a time ${span.name}$, until {said}: {law},")
-        step.say(f"so that {step.closed(span, found) if first else step.result(span, found, SECONDS)}.")
+        step.add_text(f"{self._how()} for a time ${span.name}$, until {said}: {law},")
+        step.add_text(f"so that {step.closed(span, found) if first else step.result(span, found, SECONDS)}.")
         step.close()
         return span
 
@@ -266,7 +272,7 @@ class SteadyPhase:
         rolls = [face for face, side in inner.rough.items() if side == 0 and len(inner.mechanism.faces[face].slip) > 1]
         if not rolls:
             return "All velocities remain constant"
-        who = capital(inner.setting.called(inner.mechanism.faces[rolls[0]].subject))
+        who = capitalized(inner.setting.display_name(inner.mechanism.faces[rolls[0]].subject))
         return f"{who} now rolls, which on level ground needs no friction, so all velocities remain constant"
 
     def _place(self, k: int, names: Names, span: Symbol) -> Expression:
@@ -284,5 +290,5 @@ class SteadyPhase:
 
 def _renamed(formula: Expression, names: dict[str, Symbol]) -> Expression:
     for old, new in names.items():
-        formula = put(formula, old, new)
+        formula = substitute(formula, old, new)
     return formula

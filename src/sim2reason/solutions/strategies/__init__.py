@@ -9,8 +9,8 @@ from sim2reason.questions.need import Need
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.goals import GOALS
-from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.setting import ProblemContext
+from sim2reason.solutions.writing.steps import SolutionBuilder
 
 
 class Strategy(ABC):
@@ -48,11 +48,11 @@ class Strategy(ABC):
         return frozenset[str]() if self.integrates else self.kinds
 
     @abstractmethod
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question about a suitable mechanism; empty if it does."""
 
     @abstractmethod
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write all steps and return the symbol of the answer; raise UnsolvedError if the derivation fails."""
 
 
@@ -65,32 +65,32 @@ def strategy(cls: type[Strategy]) -> type[Strategy]:
     return cls
 
 
-def fitting(mechanism: Mechanism) -> list[Strategy]:
+def applicable_strategies(mechanism: Mechanism) -> list[Strategy]:
     """Return the strategies that may apply to a mechanism, the cheapest first."""
     fit = (held for held in STRATEGIES.values() if not held.unfit(mechanism))
-    return mechanism.once("fitting strategies", lambda: sorted(fit, key=lambda held: held.cost))
+    return mechanism.memoize("fitting strategies", lambda: sorted(fit, key=lambda held: held.cost))
 
 
-def offered(kind: str, mechanism: Mechanism, *, derived: bool = False) -> list[Strategy]:
+def strategies_for_kind(kind: str, mechanism: Mechanism, *, derived: bool = False) -> list[Strategy]:
     """Return the strategies that may answer a kind of question about a mechanism, the cheapest first.
 
     With `derived`, only those that lead to formulas.
     """
-    own = [held for held in fitting(mechanism) if kind in held.kinds]
+    own = [held for held in applicable_strategies(mechanism) if kind in held.kinds]
     return [held for held in own if not derived or kind in held.formulas(mechanism)]
 
 
-def deriving(kind: str, mechanism: Mechanism) -> list[Strategy]:
+def deriving_strategies(kind: str, mechanism: Mechanism) -> list[Strategy]:
     """Return the strategies, not nested, that may derive a formula for a kind of question."""
-    return mechanism.once(
+    return mechanism.memoize(
         ("deriving strategies", kind),
-        lambda: [held for held in offered(kind, mechanism, derived=True) if not held.nested],
+        lambda: [held for held in strategies_for_kind(kind, mechanism, derived=True) if not held.nested],
     )
 
 
-def closed(kind: str, mechanism: Mechanism) -> list[Strategy]:
+def closed_form_strategies(kind: str, mechanism: Mechanism) -> list[Strategy]:
     """Return the strategies that may answer a kind of question without numerical integration."""
-    return [held for held in offered(kind, mechanism) if not held.integrates]
+    return [held for held in strategies_for_kind(kind, mechanism) if not held.integrates]
 
 
 def varying_acceleration(mechanism: Mechanism) -> str:
@@ -98,7 +98,7 @@ def varying_acceleration(mechanism: Mechanism) -> str:
     return "accelerations change as it moves" if changing(mechanism) else ""
 
 
-def no_goal(setting: Setting, moments: tuple[type[Moment], ...]) -> str:
+def missing_goal(setting: ProblemContext, moments: tuple[type[Moment], ...]) -> str:
     """Return why no goal fits a query: its moment is not one of `moments`, or its quantity has none; else empty."""
     if not isinstance(setting.query.moment, moments):
         return f"no way to the moment {type(setting.query.moment).__name__}"

@@ -10,15 +10,15 @@ from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, sum_of_squares
 from sim2reason.solutions.oscillations.measured_period import measured_period
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import SMALL, Way
 from sim2reason.solutions.swings.arm import Arm, Piece, lone_axle
-from sim2reason.solutions.swings.asked import BOTH, Ends, by_energy, straight, turns_back, unasked
-from sim2reason.solutions.swings.rigid_bodies import AxleForces, small_oscillations, swept
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.swings.asked import BOTH, Ends, by_energy, straight, turns_back, unsupported_reason
+from sim2reason.solutions.swings.rigid_bodies import AxleForces, small_oscillations, total_angle
+from sim2reason.solutions.writing.steps import SolutionBuilder
 from sim2reason.solutions.writing.unit_latex import (
     ANGULAR_SPEED,
     DEGREES,
@@ -39,13 +39,13 @@ class Axle(Strategy):
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         return "" if lone_axle(mechanism) else "nothing turns about a fixed axle by itself"
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         if isinstance(setting.query, PeriodQuery):
             return ""
-        return unasked(setting, _Turning.WAYS)
+        return unsupported_reason(setting, _Turning.WAYS)
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the moment of inertia, the angle, the angular speed and the answer, and return its symbol."""
         query = setting.query
         if isinstance(query, PeriodQuery) and query.small:
@@ -58,14 +58,16 @@ class _Turning(AxleForces):
 
     one_point = False
 
-    def __init__(self, setting: Setting, book: Book) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
         """Read the parameters; raise UnreadError if one is not a simple function of the numbers in the text."""
         super().__init__(setting, book)
         self.arm = Arm(setting, book)
         self.first, self.launch, self.gravity = self.arm.first, self.arm.launch, self.arm.gravity
         self.began = book.value(self.first)
         moment = setting.query.moment
-        self.now, self.turned, self.turning = self.arm.at(moment.side(setting.time) if moment is not None else 0.0)
+        self.now, self.turned, self.turning = self.arm.at(
+            moment.evaluation_time(setting.time) if moment is not None else 0.0
+        )
         self.way = 1.0 if self.arm.at(0.0)[2] >= 0.0 else -1.0
 
     # ---- what is asked
@@ -96,7 +98,7 @@ class _Turning(AxleForces):
         moment = self.arm.moment
         size = moment if self.falls else -moment
         formula = Root(size * self.gravity / self.arm.inertia)
-        return self.book.told("natural", SMALL, self.book.fresh(r"\omega", "0"), formula, ANGULAR_SPEED)
+        return self.book.add_step("natural", SMALL, self.book.fresh(r"\omega", "0"), formula, ANGULAR_SPEED)
 
     @cached_property
     def spin(self) -> Expression:
@@ -122,11 +124,11 @@ class _Turning(AxleForces):
         arm, g, rate = self.arm, self.gravity, self.launch
         if rate == ZERO:
             return -self.first  # as far on the other side
-        name, step = self.book.fresh(r"\phi", r"\text{max}"), self.book.open("energy")
+        name, step = self.book.fresh(r"\phi", r"\text{max}"), self.book.begin_step("energy")
         inertia, moment = arm.inertia, arm.moment
         law = step.law(HALF * inertia * Power(rate, 2), moment * g * (self.cosine_first - Call("cos", name)))
         formula = Call("arccos", self.cosine_first - inertia * Power(rate, 2) / (2.0 * moment * g))
-        step.say(f"{turns_back(self.setting, arm.noun())} {law}, so {step.result(name, formula, DEGREES)}.")
+        step.add_text(f"{turns_back(self.setting, arm.noun())} {law}, so {step.result(name, formula, DEGREES)}.")
         step.close()
         return -name if self.extreme or self.now < 0.0 else name
 
@@ -139,13 +141,13 @@ class _Turning(AxleForces):
             return ZERO
         arm, there = self.arm, self.cosine
         inertia, moment = arm.inertia, arm.moment
-        step, name = self.book.open("energy"), self.book.fresh(r"\omega")
+        step, name = self.book.begin_step("energy"), self.book.fresh(r"\omega")
         law = step.law(HALF * inertia * Power(name, 2), self._energy(there))
         square = 2.0 * moment * self.gravity * (there - self.cosine_first) / inertia
-        square = squares([self.launch]) + square
+        square = sum_of_squares([self.launch]) + square
         where = straight(self.setting, below=self.book.value(moment * there) > 0.0)
         said = by_energy(self.setting, "angular velocity", name, extreme=bool(self.extreme), where=where)
-        step.say(f"{said} {law}, so {step.result(name, Root(square), ANGULAR_SPEED)}.")
+        step.add_text(f"{said} {law}, so {step.result(name, Root(square), ANGULAR_SPEED)}.")
         step.close()
         return name
 
@@ -157,7 +159,7 @@ class _Turning(AxleForces):
     def _energy(self, there: Expression) -> Expression:
         """Return the kinetic energy, in J, at an angle with the given cosine."""
         gained = self.arm.moment * self.gravity * (there - self.cosine_first)
-        return HALF * self.arm.inertia * squares([self.launch]) + gained
+        return HALF * self.arm.inertia * sum_of_squares([self.launch]) + gained
 
     # ---- quantities
 
@@ -171,7 +173,7 @@ class _Turning(AxleForces):
     @property
     def components(self) -> tuple[Expression, Expression]:
         """Return the centripetal and tangential acceleration of the centre of mass, d ω² and d α."""
-        return self.size * squares([self.rate]), self.size * self.angular_acceleration
+        return self.size * sum_of_squares([self.rate]), self.size * self.angular_acceleration
 
     @property
     def ends(self) -> Ends:
@@ -206,7 +208,7 @@ class _Turning(AxleForces):
     def said(self, quantity: str) -> str:
         """Return the words before the formula of a quantity, with the name of the body if there are several."""
         if quantity == "kinetic energy":
-            return f"The kinetic energy of {self.setting.called(self.piece.body)}, which turns about the axle, is"
+            return f"The kinetic energy of {self.setting.display_name(self.piece.body)}, which turns about the axle, is"
         return self.said_of_axle() if quantity == "axle force" else super().said(quantity)
 
     def _kinetic(self) -> Expression:
@@ -247,7 +249,7 @@ class _Turning(AxleForces):
             angles, _, rates = self.arm.seen(times)
             return angles, rates
 
-        return swept(self, seen)
+        return total_angle(self, seen)
 
     def _travelled(self) -> Expression:
         return self.size * self._swept()

@@ -13,16 +13,16 @@ from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoin
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
-from sim2reason.solutions.algebra.functions import Power, Root, squares
+from sim2reason.solutions.algebra.functions import Power, Root, sum_of_squares
 from sim2reason.solutions.oscillations.measured_period import measured_period
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import Way
 from sim2reason.solutions.swings.asked import quantity_of
-from sim2reason.solutions.swings.carriage import riding
+from sim2reason.solutions.swings.carriage import carriage_system
 from sim2reason.solutions.swings.carriage_angle import TWO
 from sim2reason.solutions.swings.carriage_laws import HALF, CarriageLaws
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import (
     ANGULAR_SPEED,
     INERTIA,
@@ -30,7 +30,7 @@ from sim2reason.solutions.writing.unit_latex import (
 )
 
 MOMENTS = (AtStart, Deflected, HighestPoint, LowestPoint, Moved, Stopped, TurnedThrough)
-STEADY = 1e-6  # relative tolerance between path length and displacement of a motion without turning back
+PATH_LENGTH_RTOL = 1e-6  # relative tolerance between path length and displacement of a motion without turning back
 SAMPLES = 401
 
 
@@ -44,9 +44,9 @@ class OnACarriage(Strategy):
 
     def unfit(self, mechanism: Mechanism) -> str:
         """Return the reason that no body swings on a sliding carriage; empty if one does."""
-        return "" if riding(mechanism) is not None else "nothing swings on a carriage that slides freely"
+        return "" if carriage_system(mechanism) is not None else "nothing swings on a carriage that slides freely"
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if isinstance(query, PeriodQuery):
@@ -54,11 +54,11 @@ class OnACarriage(Strategy):
         if quantity_of(setting) not in _Asked.WAYS:
             return f"no way to the quantity {quantity_of(setting)}"
         known = isinstance(query.moment, MOMENTS) or (isinstance(query, StretchQuery) and query.kind == "extremum")
-        if "slack" in setting.story:
+        if "slack" in setting.earlier_event_kinds:
             return "a string goes slack"
         return "" if known else "only integration gives the angle"
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the angle, the conserved quantities and the answer, and return its symbol."""
         return _Asked(setting, book).write().name
 
@@ -100,7 +100,7 @@ class _Asked(CarriageLaws):
         book, c = self.book, self.carriage
         if self.lone:
             said = "The relative motion is that of a body with the reduced mass"
-            reduced = book.told(
+            reduced = book.add_step(
                 "reduced", said, book.fresh(r"\mu"), c.sliding_mass * self.mass / c.total_mass, KILOGRAMS
             )
             said = "For small oscillations the restoring force is proportional to the displacement, so"
@@ -108,10 +108,10 @@ class _Asked(CarriageLaws):
         else:
             said = "As the momentum along the rail is zero, the carriage recoils; the effective moment of inertia is"
             formula = self.arm.inertia - Power(self.moment, 2) / c.total_mass
-            reduced = book.told("reduced", said, book.fresh("I", r"\text{r}"), formula, INERTIA)
+            reduced = book.add_step("reduced", said, book.fresh("I", r"\text{r}"), formula, INERTIA)
             said = "For small angles the restoring torque is proportional to the angle, so"
             formula = Root(book.magnitude(self.moment) * self.gravity / reduced)
-        rate = book.told("oscillation", said, book.fresh(r"\omega"), formula, ANGULAR_SPEED)
+        rate = book.add_step("oscillation", said, book.fresh(r"\omega"), formula, ANGULAR_SPEED)
         return measured_period(book, query, rate)
 
     # ---- how fast
@@ -129,7 +129,7 @@ class _Asked(CarriageLaws):
 
     def said(self, quantity: str) -> str:
         """Return the words before the formula of a quantity, with the consequence of conservation of momentum."""
-        lead = f"By conservation of momentum, {self.setting.called(self.subject)} has the velocity "
+        lead = f"By conservation of momentum, {self.setting.display_name(self.subject)} has the velocity "
         if (
             self._rides
             or quantity not in ("velocity", "kinetic energy", "momentum")
@@ -138,7 +138,7 @@ class _Asked(CarriageLaws):
         ):
             return super().said(quantity)
         if quantity == "velocity":
-            return f"By conservation of momentum, the velocity of {self.setting.called(self.subject)} is"
+            return f"By conservation of momentum, the velocity of {self.setting.display_name(self.subject)} is"
         return f"{lead}${self._ahead().latex()}$, so its {quantity} is"
 
     def _rising(self) -> Expression:
@@ -150,9 +150,9 @@ class _Asked(CarriageLaws):
 
     def _squared(self) -> Expression:
         if self._rides:
-            return squares([self.speed])
+            return sum_of_squares([self.speed])
         up = self._radius * self.rate * self.sine
-        return squares([self._ahead(), up])
+        return sum_of_squares([self._ahead(), up])
 
     def _velocity(self) -> Expression:
         if self.vertical:
@@ -190,7 +190,7 @@ class _Asked(CarriageLaws):
             return self.place
         r = self._radius
         across, up = r * (self.sine_first - self.signed) - self.place, r * (self.cosine - self.cosine_first)
-        return across if self.angle == -self.first else Root(squares([across, up]))
+        return across if self.angle == -self.first else Root(sum_of_squares([across, up]))
 
     def _height(self) -> Expression:
         if self._rides:
@@ -207,7 +207,7 @@ class _Asked(CarriageLaws):
         m = self.setting.mechanism
         times = np.linspace(0.0, self.setting.time, SAMPLES)
         ways = self.setting.study.trace.sample(times).q[:, m.number[m.body[self.subject].coordinates[0].name]]
-        if float(np.abs(np.diff(ways)).sum()) > (1.0 + STEADY) * abs(float(ways[-1])):
+        if float(np.abs(np.diff(ways)).sum()) > (1.0 + PATH_LENGTH_RTOL) * abs(float(ways[-1])):
             raise UnsolvedError("it turns back on the way")
         return self.place
 
@@ -223,11 +223,11 @@ class _Asked(CarriageLaws):
             return self.carriage_acceleration
         if self.lone:
             return self._force() / self._weighs
-        return Root(squares(self._parts())) if ZERO not in self._parts() else sum(self._parts(), ZERO)
+        return Root(sum_of_squares(self._parts())) if ZERO not in self._parts() else sum(self._parts(), ZERO)
 
     def _parts(self) -> tuple[Expression, Expression]:
         """Return the acceleration of a piece along the rail and upward."""
-        r, bend = self._radius, squares([self.rate])
+        r, bend = self._radius, sum_of_squares([self.rate])
         turned = self.angular_acceleration * self.cosine + bend * self.signed
         up = bend * self.cosine
         up = up - self.angular_acceleration * self.signed if ZERO not in (self.angular_acceleration, self.sine) else up
@@ -259,7 +259,7 @@ class _Asked(CarriageLaws):
         pulled = self.gravity * self.cosine
         if ZERO not in (self.sine, self.carriage_acceleration):
             pulled = pulled - self.carriage_acceleration * self.signed
-        bent = self.moment * squares([self.rate])
+        bent = self.moment * sum_of_squares([self.rate])
         return self.mass * pulled + bent
 
     def _growing(self) -> Expression:

@@ -14,27 +14,27 @@ from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.strings import MostCompressed, MostStretched, NaturalLength
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.functions import Power, Root, squares
+from sim2reason.solutions.algebra.functions import Power, Root, sum_of_squares
 from sim2reason.solutions.oscillations.lone_spring import (
     Launch,
-    LoneSpring,
+    SingleSpringBody,
     ends,
-    lone_spring,
     passed_words,
     quantity_of,
+    single_spring_law,
 )
 from sim2reason.solutions.oscillations.net_force import time_of_greatest
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import Way
-from sim2reason.solutions.writing.numeric_roots import told_root
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.numeric_roots import root_sentence
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import JOULES, METRES, SPEED, latex
 
 HALF = Number(0.5)
 MOMENTS = (MostCompressed, MostStretched, NaturalLength)
-NEAR = 1e-3  # relative tolerance of a length found by a search
-STRAIGHT = 1e-6  # relative to the speed: below it the motion is along the spring
+LENGTH_RTOL = 1e-3  # relative tolerance of a length found by a search
+RADIAL_MOTION_RTOL = 1e-6  # relative to the speed: below it the motion is along the spring
 
 
 @strategy
@@ -48,35 +48,35 @@ class CentralSpring(Strategy):
     def unfit(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         moves = any(coordinate.speed for coordinate in mechanism.coordinates)
-        return "" if moves and lone_spring(mechanism) else "no lone body is launched on a single spring"
+        return "" if moves and single_spring_law(mechanism) else "no lone body is launched on a single spring"
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
         """Return the kinds about the natural length; an extreme length is the root of a quartic equation."""
         del mechanism
         return frozenset({"event"})
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query, quantity = setting.query, quantity_of(setting)
         if not isinstance(query, StretchQuery) and not isinstance(query.moment, MOMENTS):
             return "only integration gives the place"
-        return "" if quantity in _Round.WAYS else f"no way to the quantity {quantity}"
+        return "" if quantity in _CentralMotion.WAYS else f"no way to the quantity {quantity}"
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the conserved quantities, the length of the spring and the answer, and return its symbol."""
-        way = _Round(setting, book)
+        way = _CentralMotion(setting, book)
         return way.answer(way.WAYS[quantity_of(setting)], way.signed).name
 
 
-class _Round(LoneSpring):
+class _CentralMotion(SingleSpringBody):
     """The quantities of a body that is launched across a spring."""
 
-    def __init__(self, setting: Setting, book: Book) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
         """Read the parameters; raise UnsolvedError if the body moves straight along the spring."""
         super().__init__(setting, book)
         self.launch = [self.read(lambda m, n=n: m.coordinates[n].speed) for n in (0, 1)]
         (x, y), (u, v) = ends(setting.mechanism), (c.speed for c in setting.mechanism.coordinates)
-        if abs(x * v - y * u) <= STRAIGHT * hypot(x, y) * hypot(u, v):
+        if abs(x * v - y * u) <= RADIAL_MOTION_RTOL * hypot(x, y) * hypot(u, v):
             raise UnsolvedError("it moves straight along the spring")
 
     # ---- what is kept
@@ -84,23 +84,23 @@ class _Round(LoneSpring):
     @cached_property
     def energy(self) -> Symbol:
         """Write the conserved energy of body and spring, J, and return its symbol."""
-        launched = HALF * self.mass * squares(self.launch)
+        launched = HALF * self.mass * sum_of_squares(self.launch)
         stored = HALF * self.stiffness * Power(self.length - self.natural, 2)
-        step, name = self.book.open("energy"), self.book.fresh("E")
+        step, name = self.book.begin_step("energy"), self.book.fresh("E")
         said = "Energy is conserved; its value is"
         if quantity_of(self.setting) == "kinetic energy" and self.relaxed:
-            step.say(passed_words(self._launched, step))
+            step.add_text(passed_words(self._launched, step))
             said = "There all energy is kinetic; as it is conserved, its value is"
-        step.say(f"{said} {step.result(name, launched + stored, JOULES, law=True)}.")
+        step.add_text(f"{said} {step.result(name, launched + stored, JOULES, law=True)}.")
         step.close()
         return name
 
     @property
     def _launched(self) -> Launch:
-        return Launch(self, self.launch, lambda: (self.energy, self.swirl))
+        return Launch(self, self.launch, lambda: (self.energy, self.specific_angular_momentum))
 
     @cached_property
-    def swirl(self) -> Expression:
+    def specific_angular_momentum(self) -> Expression:
         """Write the angular momentum per unit mass about the fixed end, m²/s, and return its magnitude."""
         (x, y), (u, v) = self.apart, self.launch
         formula = x * v - y * u
@@ -108,7 +108,7 @@ class _Round(LoneSpring):
         said = (
             "The spring force points to the fixed end, so the angular momentum about that point is conserved; per unit"
         )
-        return self.book.told("swirl", f"{said} mass it is", self.book.fresh("h"), formula, latex("m^2/s"))
+        return self.book.add_step("swirl", f"{said} mass it is", self.book.fresh("h"), formula, latex("m^2/s"))
 
     # ---- the moment
 
@@ -128,9 +128,9 @@ class _Round(LoneSpring):
         if not isinstance(self.setting.query, StretchQuery):
             return isinstance(self.setting.query.moment, NaturalLength)
         (far, rate), natural = self._seen, self.book.value(self.natural)
-        if abs(far - natural) <= NEAR * natural:
+        if abs(far - natural) <= LENGTH_RTOL * natural:
             return True
-        if abs(rate) > NEAR:
+        if abs(rate) > LENGTH_RTOL:
             raise UnsolvedError("the greatest value is taken somewhere on the way")
         return False
 
@@ -141,15 +141,17 @@ class _Round(LoneSpring):
 
     @cached_property
     def _extreme(self) -> Symbol:
-        name, step = self.book.fresh(r"\ell"), self.book.open("extreme")
-        across = HALF * self.mass * Power(self.swirl / name, 2)
+        name, step = self.book.fresh(r"\ell"), self.book.begin_step("extreme")
+        across = HALF * self.mass * Power(self.specific_angular_momentum / name, 2)
         stored = HALF * self.stiffness * Power(name - self.natural, 2)
         residual = across + stored - self.energy
-        step.say(
-            f"At an extreme length, the velocity is perpendicular to the spring and equal to ${self.swirl.latex()}$"
+        step.add_text(
+            f"At an extreme length, the velocity is perpendicular to the spring and equal to ${self.specific_angular_momentum.latex()}$"
         )
-        step.say(f"divided by the length. By conservation of energy, {step.law(across + stored, self.energy)}.")
-        step.say(told_root(self.book, step, name, residual, self._seen[0], METRES, "The numerical solution is"))
+        step.add_text(f"divided by the length. By conservation of energy, {step.law(across + stored, self.energy)}.")
+        step.add_text(
+            root_sentence(self.book, step, name, residual, self._seen[0], METRES, "The numerical solution is")
+        )
         step.close()
         return name
 
@@ -158,12 +160,14 @@ class _Round(LoneSpring):
         """Write the speed at the moment, m/s, and return its symbol."""
         name = self.book.fresh("v")
         if not self.relaxed:
-            return self.book.told("speed", "The speed there is", name, self.swirl / self.there, SPEED)
-        step = self.book.open("speed")
-        step.say(passed_words(self._launched, step))
+            return self.book.add_step(
+                "speed", "The speed there is", name, self.specific_angular_momentum / self.there, SPEED
+            )
+        step = self.book.begin_step("speed")
+        step.add_text(passed_words(self._launched, step))
         law = step.law(HALF * self.mass * Power(name, 2), self.energy)
         formula = Root(2.0 * self.energy / self.mass)
-        step.say(f"At the natural length all energy is kinetic: {law}, so {step.result(name, formula, SPEED)}.")
+        step.add_text(f"At the natural length all energy is kinetic: {law}, so {step.result(name, formula, SPEED)}.")
         step.close()
         return name
 
@@ -204,7 +208,7 @@ class _Round(LoneSpring):
     def _rate(self) -> Expression:
         if not self.relaxed:
             raise UnsolvedError("it does not grow then")
-        along = Root(Power(self.speed, 2) - Power(self.swirl / self.natural, 2))
+        along = Root(Power(self.speed, 2) - Power(self.specific_angular_momentum / self.natural, 2))
         return along if self._seen[1] > 0.0 else -along
 
     WAYS: ClassVar[Mapping[str, Way]] = {

@@ -20,11 +20,11 @@ from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.stage import End, Stage
 from sim2reason.solutions.laws.stage_part import StagePart, tell_arcs, verify_still_sliding
 from sim2reason.solutions.laws.sticking import tell_slipping_on
-from sim2reason.solutions.laws.straight_way import STILL, Way
+from sim2reason.solutions.laws.straight_way import COMPONENT_ATOL, StraightMotion
 from sim2reason.solutions.laws.turning_back import verify_farther, verify_remaining
-from sim2reason.solutions.setting import Setting, capital
-from sim2reason.solutions.strategies import Strategy, no_goal, strategy, varying_acceleration
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.setting import ProblemContext, capitalized
+from sim2reason.solutions.strategies import Strategy, missing_goal, strategy, varying_acceleration
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES, NEWTONS, SECONDS
 
 MOMENTS = (AtStart, AtTime, Moved, Stopped, StoppedSlipping)
@@ -42,15 +42,15 @@ class ConstantAcceleration(Strategy):
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         return varying_acceleration(mechanism)
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
-        if unknown := no_goal(setting, MOMENTS):
+        if unknown := missing_goal(setting, MOMENTS):
             return unknown
-        if "collision" in setting.story:
+        if "collision" in setting.earlier_event_kinds:
             return "there are collisions"
         return ""
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write Newton's laws and the kinematics of each stage, and return the symbol of the answer."""
         way = _Staged(setting, book)
         if way.goal is not None and (way.goal.throughout or way.goal.turns):
@@ -60,7 +60,7 @@ class ConstantAcceleration(Strategy):
         return way.write()
 
 
-class _Staged(Way):
+class _Staged(StraightMotion):
     """Stages of constant accelerations; `spared` has the coordinates whose accelerations are not needed, by stage."""
 
     spared: Sequence[AbstractSet[int]] = ()
@@ -112,9 +112,9 @@ class _Staged(Way):
         symbol = Symbol(next(iter(held.names())))
         if asked == found:
             return symbol
-        step, friction = self.book.open("friction"), self.book.fresh("f", self.setting.mark(name))
+        step, friction = self.book.begin_step("friction"), self.book.fresh("f", self.setting.subscript_of(name))
         formula = (self.newton.coefficient(int(found[1:])) * Polynomial.of(symbol)).expression()
-        step.say(f"It slides, so {step.result(friction, formula, NEWTONS, law=True)}.")
+        step.add_text(f"It slides, so {step.result(friction, formula, NEWTONS, law=True)}.")
         step.close()
         return friction
 
@@ -127,7 +127,7 @@ class _Staged(Way):
         if self.goal is None or self.target is None:
             return "", ""
         asked = self.goal.force(self.target, self.setting)
-        slides = asked[:1] == "f" and Newton(self.setting.lexicon, segment).rough[int(asked[1:])] != 0
+        slides = asked[:1] == "f" and Newton(self.setting.lexicon, segment).slip_directions[int(asked[1:])] != 0
         if self.goal.throughout and asked[:1] == "f" and not slides:
             return asked, ""  # what sticks dissipates nothing
         return asked, f"N{asked[1:]}" if slides else asked
@@ -160,7 +160,7 @@ class _Staged(Way):
             return all_of_them[-1:]
         found = all_of_them[:1]
         for segment in all_of_them[1:]:
-            moved = any(abs(segment.a[k] - found[-1].a[k]) > STILL for k in self.wanted)
+            moved = any(abs(segment.a[k] - found[-1].a[k]) > COMPONENT_ATOL for k in self.wanted)
             if moved or self._pulls(segment) != self._pulls(found[-1]):
                 found.append(segment)
         return found
@@ -195,7 +195,7 @@ class _Staged(Way):
             spare |= {*(self.spared[number] if self.spared else ())}
             goals = [f"q{k}" for k in sorted(({*handed} - spare) | {*end.slip})]
             forces = self._goal_of(segment, last=last)
-            resting = not forces and all(abs(segment.found.a[k]) < STILL for k in speeds)
+            resting = not forces and all(abs(segment.found.a[k]) < COMPONENT_ATOL for k in speeds)
             stage.uniform = resting and before is not None and not stage.dynamics.carried
             stage.reach([*goals, *forces])
             found.append(stage)
@@ -211,13 +211,13 @@ class _Staged(Way):
         found += self._slipping(moment.name) if isinstance(moment, StoppedSlipping) else []
         slips = self.goal is not None and self.goal.throughout and self._force[0][:1] == "f"
         for body in bodies:
-            found += self.moving([body]) if slips else stage.dynamics.enough(self.moving([body]))
+            found += self.moving([body]) if slips else stage.dynamics.sufficient_coordinates(self.moving([body]))
         lines = self.goal.lines(self.target) if self.goal is not None and self.target is not None else ()
         return [*found, *(k for name in lines for k in self.stretching(name))]
 
     def own(self, body: str) -> list[int]:
         """Return the coordinates of a body, without those of a carrier whose motion is counted separately."""
-        return self.stages[-1].dynamics.enough(self.moving([body]))
+        return self.stages[-1].dynamics.sufficient_coordinates(self.moving([body]))
 
     def _end(self, before: list[Stage], places: Mapping[int, Polynomial]) -> End:
         """Return the end of the last stage, as stated by the question."""
@@ -227,15 +227,15 @@ class _Staged(Way):
         if isinstance(moment, Moved):
             k, *_ = self.moving([moment.name])
             name = self.book.fresh("d")
-            self.book.say_given(name.name, moment.value, METRES)
+            self.book.state_given(name.name, moment.value, METRES)
             there = self.setting.motion.state(np.array([self.setting.time])).q[0, k]
             whole = Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0) - places.get(k, NIL)
             if before:
-                verify_farther(self.book, whole, (name, places.get(k, NIL)), self.setting.called(moment.name))
+                verify_farther(self.book, whole, (name, places.get(k, NIL)), self.setting.display_name(moment.name))
             return End(None, k, whole, f"When {moment.told(self.setting.words, f'${name.name}$')},")
         if isinstance(moment, Stopped):
             k, *_ = self.moving([moment.name])
-            return End(None, k, None, f"{capital(self.setting.called(moment.name))} comes to rest when")
+            return End(None, k, None, f"{capitalized(self.setting.display_name(moment.name))} comes to rest when")
         if isinstance(moment, StoppedSlipping):
             return self._slips_no_more(moment.name, self.segments[-1])
         return End()
@@ -251,22 +251,22 @@ class _Staged(Way):
             slip = {slips[0]: Polynomial.of(1.0), j: Polynomial.of(-sign)}
             return End(None, slips[0], None, self._stops(body), slip)
         face = list(self.mechanism.contacts).index(body)
-        what = f"{capital(self.setting.called(body))} begins to roll without slipping when"
+        what = f"{capitalized(self.setting.display_name(body))} begins to roll without slipping when"
         return End(None, slips[0], None, what, Newton(self.setting.lexicon, self.segments[0]).slip(face))
 
     def _stops(self, body: str) -> str:
         """Return a clause that a body stops sliding."""
         carrier = self.mechanism.body[body].parent
-        what = f"stops sliding on {self.setting.called(carrier)}" if carrier else "comes to rest"
-        return f"{capital(self.setting.called(body))} {what} when"
+        what = f"stops sliding on {self.setting.display_name(carrier)}" if carrier else "comes to rest"
+        return f"{capitalized(self.setting.display_name(body))} {what} when"
 
     def _at_time(self, moment: AtTime, before: list[Stage]) -> End:
         name = self.book.fresh("t")
-        self.book.say_given(name.name, moment.after, SECONDS)
+        self.book.state_given(name.name, moment.after, SECONDS)
         if not before or self.uses not in ("v", "s"):
             return End(name)
         formula = (Polynomial.of(name) - total(Polynomial.of(stage.time) for stage in before)).expression()
-        left = self.book.told("time", "The remaining time is", self.book.fresh("t"), formula, SECONDS)
+        left = self.book.add_step("time", "The remaining time is", self.book.fresh("t"), formula, SECONDS)
         verify_remaining(self.book, left, formula, name.name)
         return End(left)
 
@@ -276,7 +276,7 @@ class _Staged(Way):
         if len(times) == 1:
             return times[0]
         formula = total(Polynomial.of(time) for time in times).expression()
-        return self.book.told("time", "The total time is", self.book.fresh("t"), formula, SECONDS)
+        return self.book.add_step("time", "The total time is", self.book.fresh("t"), formula, SECONDS)
 
     def _stopping(self, now: Segment, after: Segment) -> End:
         """Return the end of a stage: the contact that stops slipping between two segments."""
@@ -289,9 +289,9 @@ class _Staged(Way):
 
     def _turned(self, stop: End, body: str) -> End:
         """Return the end of a stage after which a body slips the other way."""
-        who, carrier = self.setting.called(body), self.mechanism.body[body].parent
-        relative = f" relative to {self.setting.called(carrier)}" if carrier else ""
-        what = f"{capital(who)} is momentarily at rest{relative}"
+        who, carrier = self.setting.display_name(body), self.mechanism.body[body].parent
+        relative = f" relative to {self.setting.display_name(carrier)}" if carrier else ""
+        what = f"{capitalized(who)} is momentarily at rest{relative}"
         if len(self._slipping(body)) > 1:
             what = f"The point of contact of {who} is momentarily at rest"
         return replace(stop, what=f"{what} when", turned=list(self.mechanism.contacts).index(body))

@@ -10,16 +10,16 @@ from sim2reason.questions.moments.distances import Moved
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import Polynomial
-from sim2reason.solutions.goals import GOALS, Stretch
-from sim2reason.solutions.laws.common_rates import Measure
+from sim2reason.solutions.goals import GOALS, MotionPart
+from sim2reason.solutions.laws.common_rates import LawQuantity
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.stage_part import StagePart
-from sim2reason.solutions.laws.straight_way import Way
+from sim2reason.solutions.laws.straight_way import StraightMotion
 from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy, varying_acceleration
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES
 
 
@@ -37,7 +37,7 @@ class Constraint(Strategy):
             return "it does not begin at rest"
         return varying_acceleration(mechanism)
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         target, moment = setting.target, setting.query.moment
         if not isinstance(moment, Moved) or target is None:
@@ -46,12 +46,12 @@ class Constraint(Strategy):
             return "no distance is asked for"
         return "something changes on the way" if len(setting.motion.segments) > 1 else ""
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the ratios of displacements and the answer, and return its symbol."""
         return _Proportions(setting, book).write()
 
 
-class _Proportions(Way):
+class _Proportions(StraightMotion):
     """Displacements that constraints without forces relate to each other."""
 
     def size(self, k: int) -> Expression:
@@ -71,7 +71,7 @@ class _Proportions(Way):
         self.dynamics.reach([f"q{k}" for k in self.asked_coordinates()])
         force = self.goal.force(self.target, self.setting) if self.goal.throughout else ""
         if force:
-            sliding = force[0] == "f" and self.loaded.newton.rough[int(force[1:])]
+            sliding = force[0] == "f" and self.loaded.newton.slip_directions[int(force[1:])]
             self.loaded.reach([f"N{force[1:]}" if sliding else force])
             if self.loaded.shared:
                 raise UnsolvedError("the force hangs on accelerations")
@@ -84,13 +84,13 @@ class _Proportions(Way):
         assert isinstance(moment, Moved)
         k, *_ = self.moving([moment.name])
         name = self.book.fresh("d")
-        self.book.say_given(name.name, moment.value, METRES)
+        self.book.state_given(name.name, moment.value, METRES)
         there = self.setting.motion.state(np.array([self.setting.time])).q[0]
-        measure = Measure("s", METRES, "displacement", tuple(there), (k, name))
+        measure = LawQuantity("s", METRES, "displacement", tuple(there), (k, name))
         return WrittenDynamics(self.setting, self.book, self.setting.motion.segments[0], measure)
 
     @property
-    def stretches(self) -> Sequence[Stretch]:
+    def stretches(self) -> Sequence[MotionPart]:
         """Return the whole motion as a single part."""
         return [StagePart(self, _Course(self), self.loaded)]
 

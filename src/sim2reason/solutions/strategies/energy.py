@@ -15,14 +15,14 @@ from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.fractions import over
-from sim2reason.solutions.algebra.functions import Power, Root, squares
+from sim2reason.solutions.algebra.fractions import reduced_quotient
+from sim2reason.solutions.algebra.functions import Power, Root, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.goals import GOALS
-from sim2reason.solutions.oscillations.friction import RestChecks, fastest_place, first_friction
-from sim2reason.solutions.oscillations.linear_motion import LinearMotion, fewest_free, nonlinear
+from sim2reason.solutions.oscillations.friction import StaticFrictionChecks, first_friction, write_fastest_position
+from sim2reason.solutions.oscillations.linear_motion import LinearMotion, min_free_coordinates, nonlinear_reason
 from sim2reason.solutions.oscillations.net_force import (
-    collected,
+    collect_stiffness,
     greatest_target,
     law_words,
     net_force,
@@ -31,15 +31,15 @@ from sim2reason.solutions.oscillations.net_force import (
     told_extensions,
     work,
 )
-from sim2reason.solutions.oscillations.single_way import SingleWay, signed
-from sim2reason.solutions.setting import Setting, capital
-from sim2reason.solutions.strategies import Strategy, no_goal, strategy
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.oscillations.single_way import OneCoordinateModel, signed
+from sim2reason.solutions.setting import ProblemContext, capitalized
+from sim2reason.solutions.strategies import Strategy, missing_goal, strategy
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, JOULES, METRES, SECONDS, SPEED
 
 MOMENTS = (AtStart, AtTime, Moved, Stopped, StoppedSlipping, MostStretched, MostCompressed, NaturalLength)
 HALF = Number(0.5)
-STILL = 1e-6  # relative to the greatest speed
+REST_SPEED_RTOL = 1e-6  # relative to the greatest speed
 
 
 @strategy
@@ -55,25 +55,25 @@ class WorkAndEnergy(Strategy):
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         if mechanism.meetings:
             return "something may collide"
-        if fewest_free(mechanism) > self.free:
+        if min_free_coordinates(mechanism) > self.free:
             return "several things move by themselves"
         if len(mechanism.coordinates) < self.free:
             return "only one thing moves by itself"
-        return nonlinear(mechanism)
+        return nonlinear_reason(mechanism)
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
-        if greatest_target(setting) is None and (unknown := no_goal(setting, MOMENTS)):
+        if greatest_target(setting) is None and (unknown := missing_goal(setting, MOMENTS)):
             return unknown
         target = greatest_target(setting)
         return f"no way to the quantity {target.quantity}" if target and target.quantity not in GOALS else ""
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the work, the kinetic energy and the answer, and return its symbol."""
-        return EnergyWay(setting, book).write().name
+        return EnergyModel(setting, book).write().name
 
 
-class EnergyWay(SingleWay):
+class EnergyModel(OneCoordinateModel):
     """A motion model with speeds from energy and accelerations from power."""
 
     @cached_property
@@ -97,9 +97,9 @@ class EnergyWay(SingleWay):
         if isinstance(motion, LinearMotion) and self._slides and not self.first(self._i):
             way = self.towards(self._i, forward=motion.load(self._i).value(motion.givens) > 0.0)
             said = f"{self.mover} starts to move {way}"
-            told = RestChecks(self).moves_on(motion, 0, said)
-            step = self.book.open("names")
-            step.say("" if told else f"{capital(said)}.", f"{first_friction(self, motion)}.")
+            told = StaticFrictionChecks(self).write_moves(motion, 0, said)
+            step = self.book.begin_step("names")
+            step.add_text("" if told else f"{capitalized(said)}.", f"{first_friction(self, motion)}.")
             step.close()
         return name
 
@@ -126,9 +126,9 @@ class EnergyWay(SingleWay):
 
     def _energy(self, body: str) -> Symbol:
         """Write the kinetic energy, J, by the work-energy theorem and return its symbol."""
-        formula, mark = self._kinetic(self._first) + work(self.motion, self._place), self.setting.mark(body)
-        said = f"By the work-energy theorem, the kinetic energy of {self.setting.called(body)} is"
-        return self.book.told("energy", said, self.book.fresh("K", mark), formula, JOULES)
+        formula, mark = self._kinetic(self._first) + work(self.motion, self._place), self.setting.subscript_of(body)
+        said = f"By the work-energy theorem, the kinetic energy of {self.setting.display_name(body)} is"
+        return self.book.add_step("energy", said, self.book.fresh("K", mark), formula, JOULES)
 
     # ---- the sums
 
@@ -142,7 +142,7 @@ class EnergyWay(SingleWay):
         return self.first(self._i).expression()
 
     def _kinetic(self, v: Expression) -> Expression:
-        return HALF * self._mass * squares([v])
+        return HALF * self._mass * sum_of_squares([v])
 
     # ---- the moment
 
@@ -171,31 +171,33 @@ class EnergyWay(SingleWay):
                 tell_extreme_end(self.setting, self.book, self.name, self.mover)
             return self._turning()
         if self.greatest:
-            return fastest_place(self, self._engine[0])
+            return write_fastest_position(self, self._engine[0])
         if isinstance(moment, AtStart):
             return ZERO
         if isinstance(moment, Moved):
             return self.moved_to(moment)
         if isinstance(moment, NaturalLength):
-            said = f"{capital(self.setting.springs[moment.name])} has its natural length at"
-            return self.book.told("place", said, self.name, self.relaxed_place(moment.name), METRES)
+            said = f"{capitalized(self.setting.spring_phrases[moment.name])} has its natural length at"
+            return self.book.add_step("place", said, self.name, self.relaxed_place(moment.name), METRES)
         time = self._lasting
         formula = self._first * time
         formula = formula + HALF * self._rise * Power(time, 2)
-        return self.book.told("distance", "In this time it moves by", self.name, formula, METRES)
+        return self.book.add_step("distance", "In this time it moves by", self.name, formula, METRES)
 
     def _turning(self) -> Symbol:
         """Write x at the turning point, where the work uses up the initial kinetic energy, and return its symbol."""
-        step, name = self.book.open("energy"), self.name
+        step, name = self.book.begin_step("energy"), self.name
         first = self._kinetic(self._first)
         law = step.law(first + work(self.motion, name), ZERO)
         load, stiffness = self.motion.load(self._i), self.motion.stiffness(self._i, self._i)
         if not stiffness:
             formula = -first / load.factored()
         elif first == ZERO:
-            gathered = collected(load, stiffness)
+            gathered = collect_stiffness(load, stiffness)
             plain = gathered == load.expression()
-            formula = over(load.scaled(2.0), stiffness) if plain else 2.0 * gathered / stiffness.expression()
+            formula = (
+                reduced_quotient(load.scaled(2.0), stiffness) if plain else 2.0 * gathered / stiffness.expression()
+            )
         else:
             under = self._mass * stiffness.expression() * Power(self._first, 2)
             size = load.factored() if self.book.value(load.factored()) > 0.0 else load.scaled(-1.0).factored()
@@ -203,12 +205,12 @@ class EnergyWay(SingleWay):
             beyond = self._engine[0] > load.value(self.motion.givens) / stiffness.value(self.motion.givens)
             above = load.expression() + root if beyond else load.expression() - root
             formula = above / stiffness.expression()
-        step.say(f"By the work-energy theorem, {self.at_rest} where {law},")
-        step.say(f"so {step.result(name, formula, METRES)}.")
-        step.say("The other root, zero, is the start." if first == ZERO and stiffness else "")
+        step.add_text(f"By the work-energy theorem, {self.at_rest} where {law},")
+        step.add_text(f"so {step.result(name, formula, METRES)}.")
+        step.add_text("The other root, zero, is the start." if first == ZERO and stiffness else "")
         if stiffness and first != ZERO and self.book.value(name) * self.book.value(self._first) > 0.0:
             way = ("positive", "increases") if self.book.value(name) > 0.0 else ("negative", "decreases")
-            step.say(f"This is the {way[0]} root, as ${name.name}$ {way[1]} at first.")
+            step.add_text(f"This is the {way[0]} root, as ${name.name}$ {way[1]} at first.")
         step.close()
         return name
 
@@ -224,22 +226,24 @@ class EnergyWay(SingleWay):
         if isinstance(self.query.moment, AtTime) and not self.greatest:
             time = self._lasting
             formula = self._first + self._rise * time
-            return self.book.told("speed", f"At ${time.name}$ its velocity is", self.book.fresh("v"), formula, SPEED)
+            return self.book.add_step(
+                "speed", f"At ${time.name}$ its velocity is", self.book.fresh("v"), formula, SPEED
+            )
         moment = self.query.moment
         relaxed = moment.name if isinstance(moment, NaturalLength) and not self.greatest else ""
         gained = work(self.motion, self._place, self._number(relaxed) if relaxed else -1)
         if gained == ZERO:
             raise UnsolvedError("nothing does work")
-        step, name = self.book.open("energy"), self.book.fresh("v")
+        step, name = self.book.begin_step("energy"), self.book.fresh("v")
         law = step.law(self._kinetic(name), self._kinetic(self._first) + gained)
-        root = Root(squares([self._first]) + 2.0 * gained / self._mass)
-        when = f" when {self.setting.springs[relaxed]} has its natural length" if relaxed else ""
+        root = Root(sum_of_squares([self._first]) + 2.0 * gained / self._mass)
+        when = f" when {self.setting.spring_phrases[relaxed]} has its natural length" if relaxed else ""
         forward = self._engine[1] >= 0.0
         velocity = f"${name.name}$" if forward else f"$-{name.name}$"
         moving = f"the velocity {velocity} along ${self.name.name}$"
         moving = f"the speed ${name.name}$" if self.book.in_symbols else moving  # it may move either way
-        step.say(f"By the work-energy theorem, with {moving}{when}: {law},")
-        step.say(f"so {step.result(name, root, SPEED)}.")
+        step.add_text(f"By the work-energy theorem, with {moving}{when}: {law},")
+        step.add_text(f"so {step.result(name, root, SPEED)}.")
         step.close()
         return name if forward else -name
 
@@ -254,11 +258,11 @@ class EnergyWay(SingleWay):
         pulls, mass = net_force(self.motion, place), self._mass
         if pulls == ZERO:
             raise UnsolvedError("nothing is accelerated")
-        step, name = self.book.open("power"), self.book.fresh("a")
-        step.say(told_extensions(self.motion, place, self.setting))
-        step.say(*law_words(self.setting.mechanism, self.motion, mass, self.name, name))
-        step.say(f"{step.law(mass * name, pulls)},")
-        step.say(f"so {step.result(name, pulls / mass, ACCELERATION)}.")
+        step, name = self.book.begin_step("power"), self.book.fresh("a")
+        step.add_text(told_extensions(self.motion, place, self.setting))
+        step.add_text(*law_words(self.setting.mechanism, self.motion, mass, self.name, name))
+        step.add_text(f"{step.law(mass * name, pulls)},")
+        step.add_text(f"so {step.result(name, pulls / mass, ACCELERATION)}.")
         step.close()
         return name
 
@@ -270,7 +274,7 @@ class EnergyWay(SingleWay):
         moment = self.query.moment
         assert isinstance(moment, AtTime)
         name = self.book.fresh("t")
-        self.book.say_given(name.name, moment.after, SECONDS)
+        self.book.state_given(name.name, moment.after, SECONDS)
         return name
 
     def clock(self) -> Symbol:
@@ -286,7 +290,7 @@ class EnergyWay(SingleWay):
         if self._speed == ZERO:
             whole = self._first
         said = "At constant acceleration the mean velocity is the average of the initial and the final one:"
-        return self.book.told("time", said, self.book.fresh("t"), 2.0 * self._place / whole, SECONDS)
+        return self.book.add_step("time", said, self.book.fresh("t"), 2.0 * self._place / whole, SECONDS)
 
     # ---- what goals ask
 

@@ -14,18 +14,18 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.fields.energy import FieldEnergy
 from sim2reason.solutions.fields.forces import AXES, Fields
-from sim2reason.solutions.fields.magnetic_motion import Turning
+from sim2reason.solutions.fields.magnetic_motion import RotatingMotion
 from sim2reason.solutions.fields.moment import FieldMoment
 from sim2reason.solutions.fields.motion import FieldMotion
 from sim2reason.solutions.fields.turns import REACHES, TURNED, FieldTurn
 from sim2reason.solutions.goals import GOALS, Components, modulus
 from sim2reason.solutions.goals.kinematics import ACCELERATIONS, DISPLACEMENTS, VELOCITIES
 from sim2reason.solutions.laws.newton import Newton
-from sim2reason.solutions.laws.straight_way import Way
+from sim2reason.solutions.laws.straight_way import StraightMotion
 from sim2reason.solutions.oscillations.measured_period import measured_period
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import JOULES
 
 NOUNS = {noun.base: noun for noun in (DISPLACEMENTS, VELOCITIES, ACCELERATIONS)}
@@ -60,16 +60,16 @@ class FieldsStrategy(Strategy):
             return "it does not move in a level plane"
         return "the fields have an end" if any(force.region is not None for force in m.forces) else ""
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         return _unasked(setting)
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the forces, the motion and the answer, and return its symbol."""
         return _InFields(setting, book).write().name
 
 
-def _unasked(setting: Setting) -> str:
+def _unasked(setting: ProblemContext) -> str:
     """Return why a query cannot be answered, such as *small oscillations are asked about*; empty if it can be."""
     query = setting.query
     if isinstance(query, PeriodQuery):
@@ -84,10 +84,10 @@ def _unasked(setting: Setting) -> str:
     return "" if quantity in ("", *QUANTITIES) else f"no way to the quantity {quantity}"
 
 
-class _InFields(Way):
+class _InFields(StraightMotion):
     """The quantities of a body in fields."""
 
-    def __init__(self, setting: Setting, book: Book) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
         """Take a question; raise UnsolvedError if the motion has no closed form."""
         super().__init__(setting, book)
         self.body = next(body.name for body in self.mechanism.bodies if body.coordinates)
@@ -146,7 +146,7 @@ class _InFields(Way):
         work = FieldEnergy(self, self.moment).potential()
         said = "The change in potential energy is minus the work of the electric force; its magnitude is"
         size = modulus(work, self.book, of_either_sign=True)
-        return self.book.told("energy", said, self.book.fresh("U"), size, JOULES)
+        return self.book.add_step("energy", said, self.book.fresh("U"), size, JOULES)
 
     # ---- for goals
 
@@ -174,7 +174,7 @@ class _InFields(Way):
             formula = self._pull(axis, self.time, self._component("v"), self._component("s"))
         else:
             law = self.motion.moved if kind == "s" else self.motion.rate
-            if isinstance(self.query.moment, Stopped) and isinstance(self.motion, Turning) and kind == "s":
+            if isinstance(self.query.moment, Stopped) and isinstance(self.motion, RotatingMotion) and kind == "s":
                 law = self.motion.carried  # what turns has come round again
             formula = law(axis, self.time)
             short = self._turn.component(kind, axis, self.time) if self._turn is not None else None
@@ -186,21 +186,21 @@ class _InFields(Way):
             return formula
         name = self.fields.velocity[axis] if kind == "v" else self.book.fresh(kind, AXES[axis])
         said, law = self._said(kind, axis)
-        return self.book.told("component", said, name, formula, NOUNS[kind].unit, rests=law)
+        return self.book.add_step("component", said, name, formula, NOUNS[kind].unit, rests=law)
 
     def _said(self, kind: str, axis: int) -> tuple[str, str]:
         """Return the beginning of a sentence about a component, and the label of the law that it uses."""
-        who, along = self.setting.called(self.body), AXES[axis]
+        who, along = self.setting.display_name(self.body), AXES[axis]
         if isinstance(self.query.moment, AtStart):
             return f"By Newton's second law, the acceleration of {who} along {along} at the start is", ""
         if kind == "a":
             return f"By the equation of motion, the acceleration of {who} along {along} is", self.fields.law
-        if isinstance(self.query.moment, Stopped) and isinstance(self.motion, Turning) and kind == "s":
+        if isinstance(self.query.moment, Stopped) and isinstance(self.motion, RotatingMotion) and kind == "s":
             said = f"Over a whole turn, the rotating part adds nothing to the displacement of {who}"
             return f"{said}, which along {along} is", self.fields.law
         if self._turn is not None and (short := self._turn.told(kind, axis)):
             return short, self.fields.law
-        return self.motion.told(kind, axis, self.time), self.fields.law
+        return self.motion.lead_text(kind, axis, self.time), self.fields.law
 
     @property
     def _turn(self) -> FieldTurn | None:
@@ -219,7 +219,7 @@ class _InFields(Way):
 
     def _chord(self) -> Expression | None:
         """Return the distance from the start after a turn of the velocity in a magnetic field alone, else None."""
-        alone = self.fields.drive is None and self.fields.damping is None and not self.fields.resists
+        alone = self.fields.drive is None and self.fields.damping is None and not self.fields.has_quadratic_drag
         if not alone or not isinstance(self.query.moment, VelocityTurned):
             return None
         assert self.time is not None

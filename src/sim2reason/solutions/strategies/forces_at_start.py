@@ -2,21 +2,21 @@
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.questions.moments.times import AtStart
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Elastic, Line, Mechanism
-from sim2reason.scenes.dsl.vectors import Vector, minus, product
+from sim2reason.scenes.dsl.vectors import Vector, dot, minus
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.laws.common_rates import gravitational_constant
 from sim2reason.solutions.laws.newton import Newton
-from sim2reason.solutions.laws.straight_way import Way
-from sim2reason.solutions.oscillations.linear_motion import nonlinear
-from sim2reason.solutions.setting import Setting, capital, joined
+from sim2reason.solutions.laws.straight_way import StraightMotion
+from sim2reason.solutions.oscillations.linear_motion import nonlinear_reason
+from sim2reason.solutions.setting import ProblemContext, capitalized, join_words
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.writing.lexicon import Both
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.lexicon import DualValue
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, NEWTONS, SPEED
 
 
@@ -35,9 +35,9 @@ class ForcesAtStart(Strategy):
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
         """Return the kinds with formulas; none if springs or attractions change direction."""
-        return frozenset[str]() if nonlinear(mechanism) else self.kinds
+        return frozenset[str]() if nonlinear_reason(mechanism) else self.kinds
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         target = setting.query.target
         if not isinstance(setting.query.moment, AtStart) or target is None:
@@ -46,7 +46,7 @@ class ForcesAtStart(Strategy):
             return "neither an acceleration nor a net force is asked for"
         return _bound(setting.mechanism, target.subject)
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write each force and the acceleration, and return the symbol of the answer."""
         way = _AtStart(setting, book)
         assert way.target is not None
@@ -71,7 +71,7 @@ def _held(m: Mechanism, body: str) -> list[Line]:
     return [line for line in m.lines if any(m.site[site].body == body for site in line.through)]
 
 
-class _AtStart(Way):
+class _AtStart(StraightMotion):
     """The accelerations at t = 0."""
 
     @property
@@ -119,8 +119,8 @@ class _AtStart(Way):
         """Return the components from one end to the other; `ends` are in the mechanism and in its twin."""
         found: dict[int, Polynomial] = {}
         for k, axes in self._axes.items():
-            values = [float(product(minus(b, a), axis)) for (a, b), axis in zip(ends, axes, strict=True)]
-            found[k] = self.setting.lexicon.read(Both(values[0], values[1]))
+            values = [float(dot(minus(b, a), axis)) for (a, b), axis in zip(ends, axes, strict=True)]
+            found[k] = self.setting.lexicon.read(DualValue(values[0], values[1]))
         return found
 
     def _distance(self, apart: dict[int, Polynomial], base: str, mark: str, said: str) -> Symbol:
@@ -131,8 +131,8 @@ class _AtStart(Way):
         only = kept[0].expression() if len(kept) == 1 else ZERO
         sign = 1.0 if len(kept) == 1 and self.book.value(only) >= 0.0 else -1.0
         formula = (only if sign > 0.0 else -only) if len(kept) == 1 else Root(squares)
-        step, name = self.book.open("length"), self.book.fresh(base, mark)
-        step.say(f"{said} {step.result(name, formula, METRES, law=True)}.")
+        step, name = self.book.begin_step("length"), self.book.fresh(base, mark)
+        step.add_text(f"{said} {step.result(name, formula, METRES, law=True)}.")
         step.close()
         return name
 
@@ -144,7 +144,7 @@ class _AtStart(Way):
         heavy = any(not per_mass for *_, per_mass in pulls)
         mass: Expression = self.mass(self._body).expression() if heavy else ZERO
         found = dict[int, Symbol]()
-        step, said = self.book.open("newton"), list[str]()
+        step, said = self.book.begin_step("newton"), list[str]()
         asked = self._wanted()
         for k in asked:
             whole: Expression = ZERO
@@ -156,11 +156,11 @@ class _AtStart(Way):
             whole = added(whole, weight.expression())
             label = self.mechanism.coordinates[k].label
             several = len(self._axes) > 1
-            mark = self.setting.mark(self._body)
+            mark = self.setting.subscript_of(self._body)
             parts = [part for part in (mark, label if several else "") if part]
             found[k] = self.book.fresh("a", ",".join(parts))
             said.append(step.result(found[k], whole, ACCELERATION, law=True))
-        step.say(f"By Newton's second law, {joined(said)}.")
+        step.add_text(f"By Newton's second law, {join_words(said)}.")
         step.close()
         return found
 
@@ -170,7 +170,7 @@ class _AtStart(Way):
         assert target is not None
         if target.sense is None or not any(target.sense.vector):
             return list(self._axes)
-        return [k for k, (axis, _) in self._axes.items() if abs(product(axis, target.sense.vector)) > 1e-9]
+        return [k for k, (axis, _) in self._axes.items() if abs(dot(axis, target.sense.vector)) > 1e-9]
 
     def _weight(self, k: int) -> Polynomial:
         lexicon = self.setting.lexicon
@@ -189,21 +189,21 @@ class _AtStart(Way):
                 raise UnsolvedError("a spring that acts only one way")
             first = m.site[line.through[0]].body == self._body
             near, far = (line.through[0], line.through[1]) if first else (line.through[1], line.through[0])
-            ends = [(f.site(near).place, f.site(far).place) for f in (start(m), start(lexicon.twin))]
+            ends = [(f.site(near).place, f.site(far).place) for f in (initial_frames(m), initial_frames(lexicon.twin))]
             apart = self._apart(ends)
             mark = str(len(found) + 1) if len(_held(m, self._body)) > 1 else ""
             which = f"Spring {mark}" if mark else "The spring"
             length = self._distance(apart, r"\ell", mark, f"{which} has the length")
-            stiffness = lexicon.read(Both(law.stiffness, twin.law.stiffness)).expression()
-            natural = lexicon.read(Both(law.length, twin.law.length)).expression()
-            step, name = self.book.open("spring"), self.book.fresh("F", mark)
+            stiffness = lexicon.read(DualValue(law.stiffness, twin.law.stiffness)).expression()
+            natural = lexicon.read(DualValue(law.length, twin.law.length)).expression()
+            step, name = self.book.begin_step("spring"), self.book.fresh("F", mark)
             formula, pulls = multiplied(stiffness, added(length, -natural)), "It pulls"
             if growth := self._growing(line, apart, length):
-                damping = lexicon.read(Both(law.damping, twin.law.damping)).expression()
+                damping = lexicon.read(DualValue(law.damping, twin.law.damping)).expression()
                 formula, pulls = added(formula, multiplied(damping, growth)), f"{which} and its dashpot together pull"
             sure = self.book.value(formula) >= 0.0 and not self.book.is_hidden(formula)
             sign = "" if sure else ", a negative value being a push"
-            step.say(f"{pulls} with the force {step.result(name, formula, NEWTONS, law=True)}{sign}.")
+            step.add_text(f"{pulls} with the force {step.result(name, formula, NEWTONS, law=True)}{sign}.")
             step.close()
             found.append((name, apart, length, False))
         return found
@@ -218,8 +218,8 @@ class _AtStart(Way):
         if any(c.speed for c in others):
             raise UnsolvedError("a damped spring between two that move")
         away = total(apart[k] * speed for k, speed in speeds.items()).scaled(-1.0)
-        step, name = self.book.open("growth"), self.book.fresh("u")
-        step.say(
+        step, name = self.book.begin_step("growth"), self.book.fresh("u")
+        step.add_text(
             f"Its length changes at the rate {step.result(name, ratio(away.expression(), length), SPEED, law=True)}."
         )
         step.close()
@@ -234,14 +234,20 @@ class _AtStart(Way):
             if pull.power != 2.0:
                 raise UnsolvedError("an attraction that does not fall with the square of the distance")
             other = pull.b if pull.a == self._body else pull.a
-            ends = [(f.center(self._body).place, f.center(other).place) for f in (start(m), start(lexicon.twin))]
+            ends = [
+                (f.center(self._body).place, f.center(other).place)
+                for f in (initial_frames(m), initial_frames(lexicon.twin))
+            ]
             apart, constant = self._apart(ends), gravitational_constant(self.book, pull.constant)
-            who = capital(self.setting.called(other))
-            r = self._distance(apart, "r", self.setting.mark(other), f"{who} is at the distance")
-            step, name = self.book.open("attraction"), self.book.fresh("g", self.setting.mark(other) or "1")
+            who = capitalized(self.setting.display_name(other))
+            r = self._distance(apart, "r", self.setting.subscript_of(other), f"{who} is at the distance")
+            step, name = (
+                self.book.begin_step("attraction"),
+                self.book.fresh("g", self.setting.subscript_of(other) or "1"),
+            )
             heavy = self.mass(other).expression()
             formula = ratio(multiplied(constant, heavy), Power(r, 2))
-            step.say(f"Its acceleration is {step.result(name, formula, ACCELERATION, law=True)}.")
+            step.add_text(f"Its acceleration is {step.result(name, formula, ACCELERATION, law=True)}.")
             step.close()
             found.append((name, apart, r, True))
         return found

@@ -9,13 +9,13 @@ from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.laws.nested import lone_symbol
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.steps import SolutionBuilder
 from sim2reason.solutions.writing.unit_latex import METRES
 
 TWO = Number(2.0)
-LEVEL = 1e-9  # largest vertical component of a horizontal unit vector
+DIRECTION_TOLERANCE = 1e-9  # largest vertical component of a horizontal unit vector
 
 
 @strategy
@@ -31,17 +31,17 @@ class GreatestRange(Strategy):
         alone = len(mechanism.bodies) == 1 and len(mechanism.coordinates) == len(("x", "z"))
         return "" if alone and only_falls(mechanism) and not mechanism.meetings else "it is no body thrown in a plane"
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if not isinstance(query, OptimumQuery) or setting.sought is None or not query.greatest:
             return "no greatest value is asked for"
         target, angle = query.target, setting.lexicon.givens[query.path].angle
         far = target is not None and target.quantity == "displacement" and isinstance(query.moment, Landed)
-        level = target is None or target.sense is None or abs(target.way(setting.mechanism)[2]) < LEVEL
+        level = target is None or target.sense is None or abs(target.way(setting.mechanism)[2]) < DIRECTION_TOLERANCE
         return "" if far and level and angle else "it is not about how far a body is thrown"
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the trajectory, its derivative and the solution of both, and return the symbol of the answer."""
         query = setting.query
         assert isinstance(query, OptimumQuery)
@@ -50,34 +50,36 @@ class GreatestRange(Strategy):
         height = lexicon.of(lambda m: -max(c.lower for c in m.coordinates if c.lower > -inf)).expression()
         gravity = lexicon.of(lambda m: -m.gravity[2]).expression()
         way = book.fresh("x")
-        step = book.open("path")
+        step = book.begin_step("path")
         tangent, bent = Call("tan", theta), gravity * Power(way, 2) / (TWO * Power(speed, 2))
         fallen = step.law(height + way * tangent - bent / Power(Call("cos", theta), 2), ZERO)
         far = Root(Power(speed, 2) + TWO * gravity * height)
-        book.know(way.name, book.value(speed * far / gravity), METRES)
-        step.say(f"The body lands at the horizontal distance ${way.name}$ where it has come down to the ground:")
-        step.say(f"{fallen}.")
+        book.set_value(way.name, book.value(speed * far / gravity), METRES)
+        step.add_text(f"The body lands at the horizontal distance ${way.name}$ where it has come down to the ground:")
+        step.add_text(f"{fallen}.")
         step.close()
-        step = book.open("derivative")
+        step = book.begin_step("derivative")
         rest = step.law(way - gravity * Power(way, 2) * tangent / Power(speed, 2), ZERO)
-        step.say(f"Where ${way.name}$ is greatest, it does not change to first order as ${theta.name}$ grows. So there")
-        step.say(
+        step.add_text(
+            f"Where ${way.name}$ is greatest, it does not change to first order as ${theta.name}$ grows. So there"
+        )
+        step.add_text(
             f"the derivative of this equation by ${theta.name}$, with ${way.name}$ constant, vanishes. Multiplied by"
         )
-        step.say(f"$\\cos^2{theta.name}$, that is {rest}.")
+        step.add_text(f"$\\cos^2{theta.name}$, that is {rest}.")
         step.close()
-        step = book.open("solve for the unknown")
+        step = book.begin_step("solve for the unknown")
         angle = Call("arctan", speed / far)
-        step.say(f"With $1 + \\tan^2{theta.name}$ for $1/\\cos^2{theta.name}$, both equations lead to")
-        step.say(f"{step.closed(way, speed * far / gravity)} and {step.closed(theta, angle)}.")
+        step.add_text(f"With $1 + \\tan^2{theta.name}$ for $1/\\cos^2{theta.name}$, both equations lead to")
+        step.add_text(f"{step.closed(way, speed * far / gravity)} and {step.closed(theta, angle)}.")
         step.close()
         return theta.name if query.asks_place else self._farthest(setting, book, way, height)
 
     @staticmethod
-    def _farthest(setting: Setting, book: Book, way: Symbol, height: Expression) -> str:
+    def _farthest(setting: ProblemContext, book: SolutionBuilder, way: Symbol, height: Expression) -> str:
         """Return the symbol of the greatest distance: along the ground, or straight from the starting point."""
         target = setting.query.target
         if target is not None and target.sense is not None:
             return way.name
         away = Root(Power(way, 2) + Power(height, 2))
-        return book.told("distance", "From the starting point it is", book.fresh("s"), away, METRES).name
+        return book.add_step("distance", "From the starting point it is", book.fresh("s"), away, METRES).name

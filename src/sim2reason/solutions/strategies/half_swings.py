@@ -15,15 +15,20 @@ from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
-from sim2reason.solutions.goals import Stretch
-from sim2reason.solutions.oscillations.friction import RestChecks, swing_words
-from sim2reason.solutions.oscillations.harmonic import Harmonic
-from sim2reason.solutions.oscillations.linear_motion import LinearMotion, fewest_free
-from sim2reason.solutions.oscillations.to_and_fro import Rubbing, tell_beyond, tell_rest_only_later, told_first_rest
-from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.goals import MotionPart
+from sim2reason.solutions.oscillations.friction import StaticFrictionChecks, swing_words
+from sim2reason.solutions.oscillations.harmonic import HarmonicOscillation
+from sim2reason.solutions.oscillations.linear_motion import LinearMotion, min_free_coordinates
+from sim2reason.solutions.oscillations.to_and_fro import (
+    FrictionTravel,
+    tell_beyond,
+    tell_rest_only_later,
+    told_first_rest,
+)
+from sim2reason.solutions.setting import ProblemContext, capitalized
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
-from sim2reason.solutions.strategies.oscillation import Oscillating, not_driven_back
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.strategies.oscillation import Oscillating, no_oscillation_reason
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS
 
 
@@ -39,13 +44,15 @@ class HalfSwings(Strategy):
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         if not any(face.friction > 0.0 for face in mechanism.faces):
             return "there is no friction"
-        return not_driven_back(mechanism) or ("there are several modes" if fewest_free(mechanism) > 1 else "")
+        return no_oscillation_reason(mechanism) or (
+            "there are several modes" if min_free_coordinates(mechanism) > 1 else ""
+        )
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the oscillation strategy does not apply to a question; empty if it does."""
         return STRATEGIES["oscillation"].refusal(setting)
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write each half-oscillation, the moment and the answer, and return its symbol."""
         return _Swinging(setting, book).write().name
 
@@ -65,8 +72,8 @@ class _Swinging(Oscillating):
         return self._segments[-1]
 
     @cached_property
-    def _checks(self) -> RestChecks:
-        return RestChecks(self)
+    def _checks(self) -> StaticFrictionChecks:
+        return StaticFrictionChecks(self)
 
     def write(self) -> Symbol:
         """Verify the assumptions about friction, write the answer and return its symbol."""
@@ -74,9 +81,9 @@ class _Swinging(Oscillating):
         self._verify_others(held)
         if isinstance(moment, Halted):
             there = self.whole_place
-            self._checks.stays(self._motion(self.segment, there), len(self._segments))
+            self._checks.write_stays(self._motion(self.segment, there), len(self._segments))
         marked = isinstance(moment, Moved | NaturalLength) and not self.greatest
-        if marked and not held.turns(self.since_begun):
+        if marked and not held.is_turning_point(self.since_begun):
             self._turns_beyond(held)
         return super().write()
 
@@ -87,23 +94,23 @@ class _Swinging(Oscillating):
         at = self.book.value(begin) if begin != ZERO else 0.0
         return LinearMotion(self.setting, segment, self.linear.free).counted_from(begin, at)
 
-    def _swing(self, segment: Segment, name: Symbol, before: Harmonic | None) -> Harmonic:
+    def _swing(self, segment: Segment, name: Symbol, before: HarmonicOscillation | None) -> HarmonicOscillation:
         """Return one half-oscillation, with positions counted from `begin`."""
         motion = self._motion(segment, self.begin)
         if len(motion.free) != 1:
             raise UnsolvedError("there are several modes")
-        if motion.damped or not any(motion.laws.rough.values()):
+        if motion.damped or not any(motion.laws.slip_directions.values()):
             raise UnsolvedError("it does not slide all the while")
-        return Harmonic(self.book, motion, name, NIL if before else self.first(motion.free[0]), before)
+        return HarmonicOscillation(self.book, motion, name, NIL if before else self.first(motion.free[0]), before)
 
     @cached_property
-    def harmonic(self) -> Harmonic:
+    def harmonic(self) -> HarmonicOscillation:
         """Write all half-oscillations and return the last one."""
         if len(self.linear.free) != 1:
             raise UnsolvedError("nothing moves at last, or several modes do")
         first = self.book.fresh("x")
         self.introduce({self.linear.free[0]: first})
-        before: Harmonic | None = None
+        before: HarmonicOscillation | None = None
         for number, segment in enumerate(self._segments):
             name = self.book.fresh("s", str(number + 1)) if number else first
             held = self._swing(segment, name, before)
@@ -111,26 +118,28 @@ class _Swinging(Oscillating):
             if segment is self._segments[-1]:
                 return held
             span = self._segments[number + 1].start - segment.start
-            if not held.turns(span):
+            if not held.is_turning_point(span):
                 raise UnsolvedError("something changes on the way that is no turn")
             self._turn(held, span)
             before = held
         raise UnsolvedError("it never moves")
 
-    def _begins(self, held: Harmonic, number: int) -> None:
+    def _begins(self, held: HarmonicOscillation, number: int) -> None:
         """Write why a half-oscillation begins, and that friction is constant until it ends."""
         motion = held.motion
         assert isinstance(motion, LinearMotion)
         resting = [motion.mechanism.faces[face].subject for face, _ in self._checks.resting(motion)]
         if resting and not number and not self.book.in_symbols:
-            self._say(f"Assume that {self.setting.listed(resting)} {'stays' if len(resting) == 1 else 'stay'} at rest.")
+            self._say(
+                f"Assume that {self.setting.bodies_phrase(resting)} {'stays' if len(resting) == 1 else 'stay'} at rest."
+            )
         if number:
-            self._checks.moves_on(motion, number, f"{self.mover} moves back")
+            self._checks.write_moves(motion, number, f"{self.mover} moves back")
         elif not held.first:
             (i,) = motion.free
             forward = motion.load(i).value(motion.givens) > 0.0
-            said = f"{self.who(i)} starts to move {self.towards(i, forward=forward)}"
-            self._assume(said if not self._checks.moves_on(motion, number, said) else "")
+            said = f"{self.mover_phrase(i)} starts to move {self.towards(i, forward=forward)}"
+            self._assume(said if not self._checks.write_moves(motion, number, said) else "")
         else:
             self._assume("")
         self._say(*swing_words(self, held, number))
@@ -145,24 +154,24 @@ class _Swinging(Oscillating):
         self._say(f"Assume that {said}." if said else "")
 
     def _say(self, *sentences: str) -> None:
-        step = self.book.open("names")
-        step.say(*sentences)
+        step = self.book.begin_step("names")
+        step.add_text(*sentences)
         step.close()
 
-    def _turn(self, held: Harmonic, span: float) -> None:
+    def _turn(self, held: HarmonicOscillation, span: float) -> None:
         """Write the position of the next turning point, preceded by its time if times are needed."""
         first, book = self.begin == ZERO, self.book
         self._times.append((held, span))
         timed = self.query.target is None or isinstance(self.query.moment, AtTime)
         if timed:
             _ = self._begun
-        who = capital(self.mover)
+        who = capitalized(self.mover)
         said = "The turning point is at" if timed else f"{who} first comes to rest at"
         said, name = (said, book.fresh("x", "1")) if first else (f"{who} next comes to rest at", held.name)
-        there = book.told("turning", said, name, held.turning(span), METRES)
+        there = book.add_step("turning", said, name, held.turning(span), METRES)
         if not first:
             said, name = "The displacement from the start is then", book.fresh("x", str(len(self._places)))
-            there = book.told("turning", said, name, self.begin + there, METRES)
+            there = book.add_step("turning", said, name, self.begin + there, METRES)
         self.begin = there
         self._places.append(there)
         self.started, self.turned = self.started + span, self.turned + 1
@@ -174,7 +183,7 @@ class _Swinging(Oscillating):
     # ---- times
 
     @cached_property
-    def _times(self) -> list[tuple[Harmonic, float]]:
+    def _times(self) -> list[tuple[HarmonicOscillation, float]]:
         return []
 
     @cached_property
@@ -192,7 +201,7 @@ class _Swinging(Oscillating):
     def _time_name(self) -> Symbol:
         return self.book.fresh("t", str(len({held.name for held in self._lasting}) + 1))
 
-    def _lasts(self, held: Harmonic, span: float) -> Symbol:
+    def _lasts(self, held: HarmonicOscillation, span: float) -> Symbol:
         """Write the duration of a half-oscillation, s, once for all that begin at rest; return its symbol."""
         whole = held.begun == ZERO
         if whole and self._half is not None:
@@ -201,9 +210,9 @@ class _Swinging(Oscillating):
             return told_first_rest(self, held, span, self._time_name())
         said = "From one moment of rest to the next it takes half an oscillation:"
         if not self._lasting:
-            said = f"{capital(self.mover)} first comes to rest after half an oscillation,"
-        formula = held.angle_of_turning(span) / held.rate
-        self._half = self.book.told("time", said, self._time_name(), formula, SECONDS)
+            said = f"{capitalized(self.mover)} first comes to rest after half an oscillation,"
+        formula = held.angle_of_turning(span) / held.angular_frequency
+        self._half = self.book.add_step("time", said, self._time_name(), formula, SECONDS)
         return self._half
 
     def since(self, time: Symbol) -> Symbol:
@@ -211,15 +220,15 @@ class _Swinging(Oscillating):
         left = time
         if self._times:
             before = self._begun
-            said = capital(f"{self._equal_times()}the remaining time is")
-            left = self.book.told("time", said, self._time_name(), time - before, SECONDS)
+            said = capitalized(f"{self._equal_times()}the remaining time is")
+            left = self.book.add_step("time", said, self._time_name(), time - before, SECONDS)
         self._turns_later(left)
         return left
 
     def time_since(self) -> Symbol:
         """Write the time of the moment within the last half-oscillation, s, and return its symbol."""
         held = self.harmonic
-        if held.turns(self.since_begun):
+        if held.is_turning_point(self.since_begun):
             return self._lasts(held, self.since_begun)
         return super().time_since()
 
@@ -232,8 +241,8 @@ class _Swinging(Oscillating):
         if not self._times:
             return time
         whole = total(map(Polynomial.of, (*self._lasting, time))).expression()
-        said = capital(f"{self._equal_times(time)}the total time is")
-        return self.book.told("time", said, self.book.fresh("t"), whole, SECONDS)
+        said = capitalized(f"{self._equal_times(time)}the total time is")
+        return self.book.add_step("time", said, self.book.fresh("t"), whole, SECONDS)
 
     def _equal_times(self, *more: Symbol) -> str:
         """Return the beginning of a sentence that several half-oscillations take equal times, or nothing."""
@@ -245,20 +254,20 @@ class _Swinging(Oscillating):
     @property
     def standing(self) -> str:
         """Return the beginning of a sentence about the end of a half-oscillation, where friction may hold it."""
-        return f"{capital(self.mover)} {'next' if self._times else 'first'} comes to rest"
+        return f"{capitalized(self.mover)} {'next' if self._times else 'first'} comes to rest"
 
     # ---- what is verified
 
-    def _ends_after(self, held: Harmonic) -> float:
+    def _ends_after(self, held: HarmonicOscillation) -> float:
         """Return the duration of a half-oscillation, s."""
-        return min(time for time in held.instants(2.0 * pi / held.numbers[0]) if held.turns(time))
+        return min(time for time in held.instants(2.0 * pi / held.numbers[0]) if held.is_turning_point(time))
 
     def _turns_later(self, left: Symbol) -> None:
         """Write that the last half-oscillation takes longer than the remaining time."""
-        formula = self.harmonic.angle_of_turning(self._ends_after(self.harmonic)) / self.harmonic.rate
+        formula = self.harmonic.angle_of_turning(self._ends_after(self.harmonic)) / self.harmonic.angular_frequency
         tell_rest_only_later(self.book, formula, left, self._half, again=bool(self._times))
 
-    def _turns_beyond(self, held: Harmonic) -> None:
+    def _turns_beyond(self, held: HarmonicOscillation) -> None:
         """Write that the body comes to rest only beyond its position at the moment, if need be at the end."""
         formula, place, later = held.turning(self._ends_after(held)), self._place, len(self._places) > 1
         if not self.book.in_symbols and any(map(self.book.is_hidden, (formula, place))):
@@ -266,7 +275,7 @@ class _Swinging(Oscillating):
         else:
             tell_beyond(self, held, formula, place, later=later)
 
-    def _verify_others(self, held: Harmonic) -> None:
+    def _verify_others(self, held: HarmonicOscillation) -> None:
         """Write that bodies at rest stay at rest while this one moves between its turning points."""
         motion = held.motion
         assert isinstance(motion, LinearMotion)
@@ -275,11 +284,11 @@ class _Swinging(Oscillating):
         span, places = self._ends_after(held), [*self._places]
         if len(places) == 1:
             said, name = "It first comes to rest at", self.book.fresh("x", "1")
-            places.append(self.book.told("turning", said, name, held.turning(span), METRES))
-        self._checks.others_rest(motion, places, self.book.value(self.begin) + held.where(span)[0])
+            places.append(self.book.add_step("turning", said, name, held.turning(span), METRES))
+        self._checks.others_rest(motion, places, self.book.value(self.begin) + held.state_at(span)[0])
 
     @property
-    def stretches(self) -> Sequence[Stretch]:
+    def stretches(self) -> Sequence[MotionPart]:
         """Return all half-oscillations as one motion with friction."""
         last = self.whole_place
-        return [Rubbing(self, [*self._places, last])]
+        return [FrictionTravel(self, [*self._places, last])]

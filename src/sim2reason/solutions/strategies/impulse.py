@@ -19,23 +19,23 @@ from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.collisions.free_flight import (
     FlightPart,
     StruckBodies,
-    at_top,
     height_at_rest,
-    tell_nearer,
-    tell_top,
-    tell_uninvolved,
+    question_at_top,
+    write_highest_point,
+    write_nearer_before,
+    write_omitted_collisions,
 )
-from sim2reason.solutions.collisions.legs import Impact, Leg
+from sim2reason.solutions.collisions.legs import Flight, Impact
 from sim2reason.solutions.collisions.oblique import Flights, tell_side
 from sim2reason.solutions.collisions.order import CollisionOrder
-from sim2reason.solutions.goals import Stretch, Struck
+from sim2reason.solutions.goals import CollisionTerm, MotionPart
 from sim2reason.solutions.laws.newton import Newton
-from sim2reason.solutions.laws.straight_way import Way
-from sim2reason.solutions.setting import Setting, capital
-from sim2reason.solutions.strategies import Strategy, no_goal, strategy, varying_acceleration
+from sim2reason.solutions.laws.straight_way import StraightMotion
+from sim2reason.solutions.setting import ProblemContext, capitalized
+from sim2reason.solutions.strategies import Strategy, missing_goal, strategy, varying_acceleration
 from sim2reason.solutions.writing.comparing import why_this_time
-from sim2reason.solutions.writing.numeric_roots import told_root
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.numeric_roots import root_sentence
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
 
 MOMENTS = (AtStart, AtTime, Collided, Bounced, Moved, Stopped, HighestPoint, Away, Landed, LastCollision)
@@ -58,18 +58,18 @@ class Impulse(Strategy):
         oblique = any(meeting.normal is None for meeting in mechanism.meetings)
         return frozenset[str]() if oblique else self.kinds
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         if setting.query.kind == "extremum":
-            return "" if at_top(setting) is not None else "it is no extreme value at the top of a path"
-        return no_goal(setting, MOMENTS)
+            return "" if question_at_top(setting) is not None else "it is no extreme value at the top of a path"
+        return missing_goal(setting, MOMENTS)
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the flights and impacts that the answer needs, and return its symbol."""
-        return _Struck(at_top(setting) or setting, book).write()
+        return _Struck(question_at_top(setting) or setting, book).write()
 
 
-class _Struck(Way):
+class _Struck(StraightMotion):
     """The motion of colliding bodies, as flights between impacts."""
 
     @cached_property
@@ -91,10 +91,12 @@ class _Struck(Way):
         if not self.book.in_symbols and self.setting.most == Need.INTEGRATION:
             self._follow()
         if isinstance(self.query.moment, HighestPoint) and self.uses == "v":
-            tell_top(self.flights, self.query.moment.name)
+            write_highest_point(self.flights, self.query.moment.name)
         found = self.time if self.target is None or self.goal is None else self.goal.write(self.target, self)
         met = self.impact.bodies if self.impact is not None else ()
-        tell_uninvolved(self.flights, {*met, *(self.goal.bodies(self.target) if self.goal and self.target else ())})
+        write_omitted_collisions(
+            self.flights, {*met, *(self.goal.bodies(self.target) if self.goal and self.target else ())}
+        )
         return found.name
 
     def _follow(self) -> None:
@@ -111,13 +113,13 @@ class _Struck(Way):
         raise UnsolvedError(f"no {kind} of {name} in flight")
 
     @property
-    def impacts(self) -> Sequence[Struck]:
+    def impacts(self) -> Sequence[CollisionTerm]:
         """Return all collisions up to and including the moment."""
         held = [impact for impact in self.flights.impacts if impact.time <= self.setting.time]
         return [StruckBodies(self.flights, impact) for impact in held]
 
     @property
-    def stretches(self) -> Sequence[Stretch]:
+    def stretches(self) -> Sequence[MotionPart]:
         """Return all flights of the body in question, each as a part of the motion."""
         assert self.target is not None
         body, held = self.target.subject, self.flights
@@ -155,7 +157,7 @@ class _Struck(Way):
             return self.flights.when(self.impact)
         if isinstance(moment, AtTime):
             name = self.book.fresh("t")
-            self.book.say_given(name.name, moment.after, SECONDS)
+            self.book.state_given(name.name, moment.after, SECONDS)
             return name
         if isinstance(moment, Moved):
             return self._after_distance(moment)
@@ -197,7 +199,7 @@ class _Struck(Way):
         """Write the time at which a body has moved a stated distance and return its symbol."""
         k, *_ = self.moving([moment.name])
         name = self.book.fresh("d")
-        self.book.say_given(name.name, moment.value, METRES)
+        self.book.state_given(name.name, moment.value, METRES)
         number = self.flights.count(moment.name, None)
         leg = self.flights.leg(moment.name, number)
         there = float(self.setting.motion.state(np.array([self.setting.time])).q[0, k])
@@ -205,7 +207,7 @@ class _Struck(Way):
         target = Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0)
         if number and not self.flights.acceleration(k):
             tell_side(self.flights, moment.name, k, name)
-        said = f"{capital(moment.told(self.setting.words, f'${name.name}$'))} when"
+        said = f"{capitalized(moment.told(self.setting.words, f'${name.name}$'))} when"
         return self._flown(leg.speeds[k], (before - target, target), k, said, leg)
 
     def _landing(self, body: str) -> Symbol:
@@ -213,21 +215,21 @@ class _Struck(Way):
         k = next(k for k in self.moving([body]) if self.mechanism.coordinates[k].lower > -inf)
         height = self.setting.lexicon.of(lambda m: -m.coordinates[k].lower)
         leg = self.flights.leg(body, self.flights.count(body, None))
-        said = f"{capital(self.setting.called(body))} reaches the ground when"
+        said = f"{capitalized(self.setting.display_name(body))} reaches the ground when"
         return self._flown(leg.speeds[k], (height, NIL), k, said, leg)
 
     def _at_distance(self, moment: Away) -> Symbol:
         """Write the time at which a body is at a stated distance from its start; a numerical root."""
         body, number = moment.name, self.flights.count(moment.name, None)
         leg, name = self.flights.leg(body, number), self.book.fresh("d")
-        self.book.say_given(name.name, moment.value, METRES)
+        self.book.state_given(name.name, moment.value, METRES)
         paths: list[Polynomial] = []
         moves = self.moving([body])
         if number == 0 and not any(self.flights.acceleration(k) for k in moves):
             return self._straight([leg.speeds[k] for k in moves if k in leg.speeds], name, body)
         before = {k: self.flights.place(body, number, k, None) for k in moves}
-        tell_nearer(self.flights, body, leg, name)
-        step, time = self.book.open("time"), self.book.fresh("t")
+        write_nearer_before(self.flights, body, leg, name)
+        step, time = self.book.begin_step("time"), self.book.fresh("t")
         t = Polynomial.of(time)
         for k in moves:
             path = before[k] + leg.speeds[k] * t + (self.flights.acceleration(k) * t * t).scaled(0.5)
@@ -239,21 +241,21 @@ class _Struck(Way):
         begins = self.flights.begins(leg)
         near = self.setting.time - (self.book.values[begins.name] if begins is not None else 0.0)
         residual = added(squares, -Power(name, 2))
-        step.say(f"{capital(self.setting.called(body))} is at the distance ${name.name}$ when {law}.")
+        step.add_text(f"{capitalized(self.setting.display_name(body))} is at the distance ${name.name}$ when {law}.")
         said = "The numerical solution for the first such time is"
-        step.say(told_root(self.book, step, time, residual, near, SECONDS, said))
+        step.add_text(root_sentence(self.book, step, time, residual, near, SECONDS, said))
         step.close()
-        return self.flights.counted(self.flights.begins(leg), time)
+        return self.flights.time_since_start(self.flights.begins(leg), time)
 
     def _straight(self, speeds: list[Polynomial], distance: Symbol, body: str) -> Symbol:
         """Write the time to cover a distance at constant velocity and return its symbol."""
         squares: Expression = ZERO
         for speed in speeds:
             squares = added(squares, Power(speed.expression(), 2))
-        step, speed, time = self.book.open("time"), self.book.fresh("v"), self.book.fresh("t")
+        step, speed, time = self.book.begin_step("time"), self.book.fresh("v"), self.book.fresh("t")
         fast = step.result(speed, Root(squares), SPEED, law=True)
-        step.say(f"Until then the speed of {self.setting.called(body)} is constant, {fast},")
-        step.say(f"so that {step.result(time, ratio(distance, speed), SECONDS, law=True)}.")
+        step.add_text(f"Until then the speed of {self.setting.display_name(body)} is constant, {fast},")
+        step.add_text(f"so that {step.result(time, ratio(distance, speed), SECONDS, law=True)}.")
         step.close()
         return time
 
@@ -264,21 +266,21 @@ class _Struck(Way):
             raise UnsolvedError("nothing turns it back")
         k, number = found[0], self.flights.count(body, None)
         leg = self.flights.leg(body, number)
-        step, name = self.book.open("time"), self.book.fresh("t")
+        step, name = self.book.begin_step("time"), self.book.fresh("t")
         a = self.flights.acceleration(k)
         law = step.law((leg.speeds[k] + a * Polynomial.of(name)).expression(), NIL.expression())
         formula = ratio(leg.speeds[k].scaled(-1.0).expression(), a.expression())
-        who = capital(self.setting.called(body))
+        who = capitalized(self.setting.display_name(body))
         turns = "reaches its highest point" if isinstance(self.query.moment, HighestPoint) else "comes to rest"
-        step.say(f"{who} {turns} when {law}, so {step.result(name, formula, SECONDS)}.")
+        step.add_text(f"{who} {turns} when {law}, so {step.result(name, formula, SECONDS)}.")
         step.close()
-        return self.flights.counted(self.flights.begins(leg), name)
+        return self.flights.time_since_start(self.flights.begins(leg), name)
 
-    def _flown(self, speed: Polynomial, way: tuple[Polynomial, Polynomial], k: int, said: str, leg: Leg) -> Symbol:
+    def _flown(self, speed: Polynomial, way: tuple[Polynomial, Polynomial], k: int, said: str, leg: Flight) -> Symbol:
         """Write the time at which a body reaches a target; `way` is the remaining displacement and the target."""
         (gap, target), a = way, self.flights.acceleration(k)
         parts: tuple[Polynomial, Polynomial, Polynomial] | None = None
-        step, name = self.book.open("time"), self.book.fresh("t")
+        step, name = self.book.begin_step("time"), self.book.fresh("t")
         t = Polynomial.of(name)
         law = step.law((gap + target + speed * t + (a * t * t).scaled(0.5)).expression(), target.expression())
         if a and not gap:  # it comes back to where it began
@@ -293,6 +295,6 @@ class _Struck(Way):
         later = f" after {self.flights.collision(leg.after)}" if leg.after is not None else ""
         result = step.result(name, formula, SECONDS)
         why = why_this_time(self.book, step, name, self.flights.root(*parts, first=False)) if parts and speed else ""
-        step.say(f"{said} {law}, so {result}{later}{why}.")
+        step.add_text(f"{said} {law}, so {result}{later}{why}.")
         step.close()
-        return self.flights.counted(self.flights.begins(leg), name)
+        return self.flights.time_since_start(self.flights.begins(leg), name)

@@ -7,10 +7,10 @@ from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.laws.newton import Newton
-from sim2reason.solutions.laws.straight_way import Way
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.laws.straight_way import StraightMotion
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 
 QUANTITIES = frozenset({"velocity", "kinetic energy"})
 
@@ -28,21 +28,21 @@ class InitialValue(Strategy):
         del mechanism
         return frozenset()
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why it does not apply: questions about a moment do not ask for what the text gives."""
         target = setting.target
         if setting.extreme is None or not isinstance(setting.query.moment, AtStart) or target is None:
             return "it is about no extreme value at the start"
         return "" if target.quantity in QUANTITIES else f"no way to the quantity {target.quantity}"
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Return the value by the components of the initial velocity."""
         way = _AtStart(setting, book)
         assert way.target is not None
         return GOALS[way.target.quantity].write(way.target, way).name
 
 
-class _AtStart(Way):
+class _AtStart(StraightMotion):
     """Velocities at t = 0."""
 
     @property

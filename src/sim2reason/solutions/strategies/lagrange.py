@@ -15,11 +15,11 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, S
 from sim2reason.solutions.algebra.fractions import cramer
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
-from sim2reason.solutions.oscillations.linear_motion import nonlinear
-from sim2reason.solutions.oscillations.linear_way import LinearWay
-from sim2reason.solutions.setting import Setting, joined
-from sim2reason.solutions.strategies import Strategy, no_goal, strategy
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.oscillations.linear_motion import nonlinear_reason
+from sim2reason.solutions.oscillations.linear_way import LinearMotionModel
+from sim2reason.solutions.setting import ProblemContext, join_words
+from sim2reason.solutions.strategies import Strategy, missing_goal, strategy
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, SECONDS, SPEED
 
 MOMENTS = (AtStart, AtTime, Moved)
@@ -36,19 +36,19 @@ class Lagrange(Strategy):
 
     def unfit(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism: collisions or nonlinear equations; empty if it may."""
-        return "something may collide" if mechanism.meetings else nonlinear(mechanism)
+        return "something may collide" if mechanism.meetings else nonlinear_reason(mechanism)
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
         """Return the question kinds with formulas; with springs only those about the start."""
         return frozenset({"start"}) if _springy(mechanism) else self.kinds
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         if _springy(setting.mechanism) and not isinstance(setting.query.moment, AtStart):
             return "accelerations change as it moves"
-        return no_goal(setting, MOMENTS)
+        return missing_goal(setting, MOMENTS)
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the equations, the accelerations and the answer, and return its symbol."""
         way = _Together(setting, book)
         if way.target is None or way.goal is None:
@@ -60,7 +60,7 @@ def _springy(mechanism: Mechanism) -> bool:
     return any(isinstance(line.law, Elastic) for line in mechanism.lines)
 
 
-class _Together(LinearWay):
+class _Together(LinearMotionModel):
     """A motion model with all accelerations from one system of equations."""
 
     @cached_property
@@ -78,27 +78,27 @@ class _Together(LinearWay):
     def _accelerations(self) -> Mapping[int, Symbol]:
         """Write Lagrange's equations and their solution by Cramer's rule; return the symbols."""
         free = self._free
-        marks = {i: self.setting.mark(self.mechanism.coordinates[i].body) for i in free}
+        marks = {i: self.setting.subscript_of(self.mechanism.coordinates[i].body) for i in free}
         places = {i: self.book.fresh("x", mark) for i, mark in marks.items()}
         names = {i: self.book.fresh("a", mark) for i, mark in marks.items()}
         self.introduce(places)
         rows = [[self.linear.mass(i, j) for j in free] for i in free]
         loads = [self.linear.load(i) for i in free]
         said: list[str] = []
-        step = self.book.open("newton")
+        step = self.book.begin_step("newton")
         for row, load in zip(rows, loads, strict=True):
             left = total(part * Polynomial.of(names[j]) for part, j in zip(row, free, strict=True))
             said.append(step.law(left.collected([names[j].name for j in free]), load.factored()))
-        step.say(
-            f"With the accelerations {joined([f'${name.name}$' for name in names.values()])}, Lagrange's equations"
+        step.add_text(
+            f"With the accelerations {join_words([f'${name.name}$' for name in names.values()])}, Lagrange's equations"
         )
-        step.say(f"are {joined(said)}.")
+        step.add_text(f"are {join_words(said)}.")
         step.label("equations")
         step.close()
         for i, formula in zip(free, cramer(rows, loads), strict=True):
-            step = self.book.open("solve")
+            step = self.book.begin_step("solve")
             step.rest_on("equations")
-            step.say(f"By Cramer's rule {step.result(names[i], self.book.worked(formula), ACCELERATION)}.")
+            step.add_text(f"By Cramer's rule {step.result(names[i], self.book.worked(formula), ACCELERATION)}.")
             step.close()
         return names
 
@@ -109,7 +109,7 @@ class _Together(LinearWay):
         """Write the time of the moment, s, and return its symbol; UnsolvedError for the start."""
         moment, name = self.query.moment, self.book.fresh("t")
         if isinstance(moment, AtTime):
-            self.book.say_given(name.name, moment.after, SECONDS)
+            self.book.state_given(name.name, moment.after, SECONDS)
             return name
         if not isinstance(moment, Moved):
             raise UnsolvedError("it is the start")
@@ -117,15 +117,15 @@ class _Together(LinearWay):
         if any(self.first(i) for i in self.linear.ratios[k]):
             raise UnsolvedError("it does not begin at rest")
         far = self.book.fresh("d")
-        self.book.say_given(far.name, moment.value, METRES)
+        self.book.state_given(far.name, moment.value, METRES)
         rise = self.rate("a", k)
         there = self.setting.motion.state(np.array([self.setting.time])).q[0, k]
         rise = rise if there > 0.0 else rise.scaled(-1.0)
-        step = self.book.open("time")
+        step = self.book.begin_step("time")
         law = step.law(far, HALF * rise.expression() * Power(name, 2))
-        who = self.setting.called(moment.name)
-        step.say(f"Starting from rest, {who} has covered this distance when {law},")
-        step.say(f"so {step.result(name, Root(2.0 * far / rise.expression()), SECONDS)}.")
+        who = self.setting.display_name(moment.name)
+        step.add_text(f"Starting from rest, {who} has covered this distance when {law},")
+        step.add_text(f"so {step.result(name, Root(2.0 * far / rise.expression()), SECONDS)}.")
         step.close()
         return name
 
@@ -137,9 +137,9 @@ class _Together(LinearWay):
         if formula == ZERO:
             return NIL
         if (base, i) not in self._known:
-            mark = self.setting.mark(self.mechanism.coordinates[i].body)
+            mark = self.setting.subscript_of(self.mechanism.coordinates[i].body)
             name = self.book.fresh(base, mark)
-            self._known[base, i] = Polynomial.of(self.book.told(base, said, name, formula, unit))
+            self._known[base, i] = Polynomial.of(self.book.add_step(base, said, name, formula, unit))
         return self._known[base, i]
 
     def place(self, i: int) -> Polynomial:

@@ -13,14 +13,14 @@ from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.laws.limiting_balance import LimitingBalance, LimitingDynamics
 from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
 from sim2reason.solutions.reverse import Inversion
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy, varying_acceleration
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION
 
-ASIDE = 1e-5  # relative distance from the threshold at which the motion is simulated
+THRESHOLD_OFFSET = 1e-5  # relative distance from the threshold at which the motion is simulated
 INSTANT = 1e-6  # s, duration of that simulation
-NEAR = 1e-3  # relative tolerance between the thresholds of the laws and of the engine
+THRESHOLD_RTOL = 1e-3  # relative tolerance between the thresholds of the laws and of the engine
 
 
 @strategy
@@ -38,14 +38,14 @@ class LimitingCase(Strategy):
             return "nothing is let go that could stay at rest"
         return varying_acceleration(mechanism)
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if not isinstance(query, ThresholdQuery) or not isinstance(query.outcome, Slides | Rises):
             return "the outcome does not show at once"
         return "" if setting.sought is not None else "there is no such value"
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write Newton's laws for impending motion with zero acceleration; return the symbol of the threshold."""
         path, sought = setting.unknown, book.sought
         query = setting.query
@@ -58,42 +58,42 @@ class LimitingCase(Strategy):
             draft = book.copy()
             self._accelerated(setting, query, draft)
             write = self._accelerated
-        if abs(draft.values[sought] - book.values[sought]) > NEAR * abs(book.values[sought]):
+        if abs(draft.values[sought] - book.values[sought]) > THRESHOLD_RTOL * abs(book.values[sought]):
             raise UnsolvedError("in the limiting case the unknown has another value")
         value = draft.values[sought] / setting.lexicon.givens[path].scale
         book.values[sought] = draft.values[sought]  # the engine has it as well as it sees what moves
         return write(replace(setting, scene=setting.scene.having(path, value)), query, book)
 
-    def _balanced(self, setting: Setting, query: ThresholdQuery, book: Book) -> str:
+    def _balanced(self, setting: ProblemContext, query: ThresholdQuery, book: SolutionBuilder) -> str:
         """Write the laws without the terms that vanish at the threshold."""
         assert query.outcome is not None
         balance = LimitingBalance(setting, book, _moving(setting, query), query.outcome.name)
         return balance.write(slides=isinstance(query.outcome, Slides))
 
-    def _accelerated(self, setting: Setting, query: ThresholdQuery, book: Book) -> str:
+    def _accelerated(self, setting: ProblemContext, query: ThresholdQuery, book: SolutionBuilder) -> str:
         """Write the laws as if it moved, their acceleration, and that this is zero."""
         assert query.outcome is not None
         dynamics, name = LimitingDynamics(setting, book, _moving(setting, query)), query.outcome.name
         goals = _rate(dynamics, name, slides=isinstance(query.outcome, Slides))
         dynamics.reach([f"q{k}" for k in goals])
         rate = total(dynamics.names[f"q{k}"] * part for k, part in goals.items())
-        who = setting.called(name)
-        step = book.open("limit")
+        who = setting.display_name(name)
+        step = book.begin_step("limit")
         what = "slip: friction has its greatest value" if isinstance(query.outcome, Slides) else "move up"
-        step.say(f"In the limiting case {who} is just about to {what}, and its acceleration is still zero:")
+        step.add_text(f"In the limiting case {who} is just about to {what}, and its acceleration is still zero:")
         symbol = rate.symbol
         if symbol is None:
             symbol = book.fresh("a", r"\text{rel}")
-            step.say(f"{step.result(symbol, rate.expression(), ACCELERATION, law=True)}, and")
-        step.say(f"{step.law(symbol, ZERO)}.")
+            step.add_text(f"{step.result(symbol, rate.expression(), ACCELERATION, law=True)}, and")
+        step.add_text(f"{step.law(symbol, ZERO)}.")
         step.close()
         return Inversion(book, symbol.name, 0.0, book.sought).write()
 
 
-def _moving(setting: Setting, query: ThresholdQuery) -> Segment:
+def _moving(setting: ProblemContext, query: ThresholdQuery) -> Segment:
     """Return the initial segment of a motion next to the threshold, on the side on which it occurs."""
     trial, limit = query.trial(setting.study), float(setting.scene.value(query.parameter))
-    for side in (1.0 + ASIDE, 1.0 - ASIDE):
+    for side in (1.0 + THRESHOLD_OFFSET, 1.0 - THRESHOLD_OFFSET):
         if trial(limit * side):
             scene = setting.scene.having(query.parameter, limit * side)
             return motion(scene.mechanism, INSTANT).segments[0]
@@ -110,7 +110,7 @@ def _rate(dynamics: WrittenDynamics, name: str, *, slides: bool) -> dict[int, Po
                 j, sign = dynamics.carried[k]
                 found[j] = found.get(j, Polynomial({})) - found[k].scaled(sign)
         return found
-    own = dynamics.enough(dynamics.newton.moved(name))
+    own = dynamics.sufficient_coordinates(dynamics.newton.moving_coordinates(name))
     if len(own) != 1:
         raise UnsolvedError("it moves along no line of its own")
     return {own[0]: Polynomial.of(1.0)}

@@ -7,13 +7,13 @@ from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes.strings import GoesRound, GoesSlack
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.functions import Call, Power, squares
+from sim2reason.solutions.algebra.functions import Call, Power, sum_of_squares
 from sim2reason.solutions.reverse import Inversion
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.arm import Arm, lone_axle
 from sim2reason.solutions.swings.pendulum import geometry, pivot
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.steps import SolutionBuilder
 from sim2reason.solutions.writing.unit_latex import JOULES, latex
 
 HALF, TWO, THREE = Number(0.5), Number(2.0), Number(3.0)
@@ -37,23 +37,23 @@ class LimitingSwing(Strategy):
         swings = pivot(mechanism) is not None or lone_axle(mechanism)
         return "" if swings else "nothing swings about a fixed point by itself"
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if not isinstance(query, ThresholdQuery) or not isinstance(query.outcome, GoesRound | GoesSlack):
             return "it is not about going round or slack"
         return "" if setting.sought is not None else "there is no such value"
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the energy in excess, which is zero at the threshold, and return the symbol of the threshold."""
         left = _of_body(setting, book) if pivot(setting.mechanism) is not None else _of_axle(setting, book)
-        step = book.open("limit")
-        step.say(f"In the limiting case, {step.law(left, ZERO)}.")
+        step = book.begin_step("limit")
+        step.add_text(f"In the limiting case, {step.law(left, ZERO)}.")
         step.close()
         return Inversion(book, left.name, 0.0, book.sought).write()
 
 
-def _of_axle(setting: Setting, book: Book) -> Symbol:
+def _of_axle(setting: ProblemContext, book: SolutionBuilder) -> Symbol:
     """Write the kinetic energy of a rigid body at the top, J, and return its symbol."""
     arm = Arm(setting, book)
     first: Expression = Call("cos", arm.first)
@@ -61,24 +61,24 @@ def _of_axle(setting: Setting, book: Book) -> Symbol:
     formula = HALF * arm.inertia * Power(arm.launch, 2) - lift * arm.gravity
     said = "By conservation of energy, the kinetic energy at the highest point of the centre of mass is"
     name = book.fresh("K")
-    book.told("energy", said, name, formula, JOULES)
-    step = book.open("extreme")
+    book.add_step("energy", said, name, formula, JOULES)
+    step = book.begin_step("extreme")
     varied = _varied(setting, book)
     changes = "increases" if _grows(book, name, varied) else "decreases"
-    step.say(f"{arm.noun()} goes right round if ${name.name}$ is positive.")
-    step.say(f"Near the limiting case ${name.name}$ {changes} when ${varied}$ increases.")
+    step.add_text(f"{arm.noun()} goes right round if ${name.name}$ is positive.")
+    step.add_text(f"Near the limiting case ${name.name}$ {changes} when ${varied}$ increases.")
     step.close()
     return name
 
 
-def _varied(setting: Setting, book: Book) -> str:
+def _varied(setting: ProblemContext, book: SolutionBuilder) -> str:
     """Return the symbol of the parameter with the threshold, whether that is given or asked for."""
     assert isinstance(setting.query, ThresholdQuery)
     given = setting.given(setting.query.parameter)
     return given.symbol if given is not None else book.sought
 
 
-def _grows(book: Book, name: Symbol, varied: str) -> bool:
+def _grows(book: SolutionBuilder, name: Symbol, varied: str) -> bool:
     """Return whether the last result increases with a parameter."""
     values = {**book.values, varied: book.values[varied] * (1.0 + STEP)}
     for step in book.steps:
@@ -88,12 +88,12 @@ def _grows(book: Book, name: Symbol, varied: str) -> bool:
     return values[name.name] > book.values[name.name]
 
 
-def _of_body(setting: Setting, book: Book) -> Symbol:
+def _of_body(setting: ProblemContext, book: SolutionBuilder) -> Symbol:
     """Write v² of a small body at the top, or less its value for a slack string, and return its symbol."""
     lexicon, query = setting.lexicon, setting.query
     length, angle, launch = (lexicon.of(lambda m, n=n: geometry(m)[n]).expression() for n in range(3))
     gravity = lexicon.of(lambda m: -m.gravity[2]).expression()
-    level = (squares([launch])) - TWO * gravity * length * Call("cos", angle)
+    level = (sum_of_squares([launch])) - TWO * gravity * length * Call("cos", angle)
     assert isinstance(query, ThresholdQuery)
     if isinstance(query.outcome, GoesRound):
         said, formula = (
@@ -103,4 +103,4 @@ def _of_body(setting: Setting, book: Book) -> Symbol:
     else:
         ways = (level, BELOW), (level - THREE * gravity * length, ON_TOP)
         formula, said = min(ways, key=lambda way: abs(book.value(way[0])))
-    return book.told("energy", said, book.fresh("w"), formula, latex("m^2/s^2"))
+    return book.add_step("energy", said, book.fresh("w"), formula, latex("m^2/s^2"))

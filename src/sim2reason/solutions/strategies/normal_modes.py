@@ -15,19 +15,19 @@ from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.quantities.subjects.pairs import members
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
-from sim2reason.solutions.goals import Stretch
-from sim2reason.solutions.oscillations.linear_motion import fewest_free
-from sim2reason.solutions.oscillations.linear_way import LinearWay
+from sim2reason.solutions.goals import MotionPart
+from sim2reason.solutions.oscillations.linear_motion import min_free_coordinates
+from sim2reason.solutions.oscillations.linear_way import LinearMotionModel
 from sim2reason.solutions.oscillations.measured_period import measured_period
 from sim2reason.solutions.oscillations.mode import Mode, acceleration, jerk, place, plain, speed
 from sim2reason.solutions.oscillations.net_force import time_of_greatest
 from sim2reason.solutions.oscillations.normal_modes import Form, NormalModes, natural_frequency
-from sim2reason.solutions.oscillations.to_and_fro import Travelled, turning_times
-from sim2reason.solutions.setting import Setting, capital, joined
+from sim2reason.solutions.oscillations.to_and_fro import BackAndForthTravel, turning_times
+from sim2reason.solutions.setting import ProblemContext, capitalized, join_words
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
-from sim2reason.solutions.strategies.oscillation import PAIR, not_driven_back
-from sim2reason.solutions.writing.numeric_roots import told_root, told_roots
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.strategies.oscillation import PAIR, no_oscillation_reason
+from sim2reason.solutions.writing.numeric_roots import root_sentence, roots_sentence
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, SECONDS, SPEED
 
 Law = Callable[[list[Mode], int, Symbol], Expression]
@@ -46,22 +46,22 @@ class SeveralModes(Strategy):
 
     def unfit(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
-        return not_driven_back(mechanism)
+        return no_oscillation_reason(mechanism)
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
         """Return the periods of at most two modes, since amplitudes need more than one quadratic equation."""
-        return frozenset({"period"} if fewest_free(mechanism) <= PAIR else ())
+        return frozenset({"period"} if min_free_coordinates(mechanism) <= PAIR else ())
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the oscillation strategy does not apply to a question; empty if it does."""
         return STRATEGIES["oscillation"].refusal(setting)
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the modes, their excitation, the moment and the answer, and return its symbol."""
         return _Modal(setting, book).write().name
 
 
-class _Modal(LinearWay):
+class _Modal(LinearMotionModel):
     """A motion model with displacements as sums over modes."""
 
     @cached_property
@@ -69,9 +69,9 @@ class _Modal(LinearWay):
         motion = self.linear
         if not motion.free:
             raise UnsolvedError("nothing moves")
-        if motion.damped or any(motion.laws.rough.values()):
+        if motion.damped or any(motion.laws.slip_directions.values()):
             raise UnsolvedError("it is damped")
-        marks = {i: self.setting.mark(self.mechanism.coordinates[i].body) for i in motion.free}
+        marks = {i: self.setting.subscript_of(self.mechanism.coordinates[i].body) for i in motion.free}
         self.names = {i: self.book.fresh("x", mark) for i, mark in marks.items()}
         small = isinstance(self.query, PeriodQuery)
         self.introduce(self.names, " from equilibrium" if small else "")
@@ -140,7 +140,7 @@ class _Modal(LinearWay):
         """Write the time of the moment, s, given or as a root, and return its symbol."""
         moment, name = self.query.moment, self.book.fresh("t")
         if isinstance(moment, AtTime) and not self.greatest:
-            self.book.say_given(name.name, moment.after, SECONDS)
+            self.book.state_given(name.name, moment.after, SECONDS)
             return name
         said, held, law = self._condition
         modes = self._modes if self._goes_on != ZERO else plain(self._modes)
@@ -153,10 +153,10 @@ class _Modal(LinearWay):
         if modes is not self._modes:
             value = law(modes, 0, name)
         value = value + self._goes_on
-        step = self.book.open("time")
-        step.say(f"{capital(said)} when {step.law(value, ZERO)}.")
+        step = self.book.begin_step("time")
+        step.add_text(f"{capitalized(said)} when {step.law(value, ZERO)}.")
         near = time_of_greatest(self.setting) if self.greatest else self.setting.time
-        step.say(told_root(self.book, step, name, value, near, SECONDS, "The numerical solution is"))
+        step.add_text(root_sentence(self.book, step, name, value, near, SECONDS, "The numerical solution is"))
         step.close()
         return name
 
@@ -180,7 +180,7 @@ class _Modal(LinearWay):
         """Return the symbol of the stated distance of a body from its starting point, m."""
         assert isinstance(self.query.moment, Moved)
         name = self.book.fresh("d")
-        self.book.say_given(name.name, self.query.moment.value, METRES)
+        self.book.state_given(name.name, self.query.moment.value, METRES)
         return name
 
     @cached_property
@@ -194,18 +194,18 @@ class _Modal(LinearWay):
             return moment.told(self.setting.words, f"${self._distance.name}$"), {k: 1.0}, place
         if isinstance(moment, Stopped):
             k, *_ = self.moving([moment.name])
-            return f"{self.setting.called(moment.name)} comes to rest", {k: 1.0}, speed
+            return f"{self.setting.display_name(moment.name)} comes to rest", {k: 1.0}, speed
         if isinstance(moment, NaturalLength):
-            name = self.setting.springs[moment.name]
+            name = self.setting.spring_phrases[moment.name]
             return f"{name} has its natural length", self._grows(moment.name), place
         if isinstance(moment, MostStretched | MostCompressed):
-            name = self.setting.springs[moment.name]
+            name = self.setting.spring_phrases[moment.name]
             return f"{name} is no longer growing or shrinking", self._grows(moment.name), speed
         raise UnsolvedError(f"no way to the moment {type(moment).__name__}")
 
     def _grows(self, line: str) -> dict[int, float]:
         number = self._number(line)
-        return {i: part for i in self.motion.free if (part := self.motion.drawn(number, i))}
+        return {i: part for i in self.motion.free if (part := self.motion.extension_ratio(number, i))}
 
     def _extreme(self) -> tuple[str, dict[int, float], Law]:
         """Return the condition at a greatest value: the next derivative of the quantity is zero."""
@@ -234,7 +234,7 @@ class _Modal(LinearWay):
         return self._time
 
     @property
-    def stretches(self) -> Sequence[Stretch]:
+    def stretches(self) -> Sequence[MotionPart]:
         """Return the whole motion, with the turning points of the body in question."""
         assert self.target is not None
         own = self.moving([self.target.subject])
@@ -242,28 +242,28 @@ class _Modal(LinearWay):
             raise UnsolvedError("its path is no line of its own")
         i, last = own[0], self._time
         times = self._turned(i)
-        return [Travelled(self, [ZERO, *self._at(i, [*times, last])])]
+        return [BackAndForthTravel(self, [ZERO, *self._at(i, [*times, last])])]
 
     def _turned(self, i: int) -> list[Symbol]:
         """Write the times at which a free coordinate turns back before the moment."""
         nears = turning_times(self.setting.study.trace, i, self.setting.time)
         if not nears:
             return []
-        step, names = self.book.open("turning"), [self.book.fresh("t") for _ in nears]
+        step, names = self.book.begin_step("turning"), [self.book.fresh("t") for _ in nears]
         rates = [speed(self._modes, self.motion.free.index(i), name) for name in names]
-        told = joined([step.law(rate, ZERO) for rate in rates])
-        step.say(f"It turns back {'when' if len(names) == 1 else 'at the roots of'} {told}.")
+        told = join_words([step.law(rate, ZERO) for rate in rates])
+        step.add_text(f"It turns back {'when' if len(names) == 1 else 'at the roots of'} {told}.")
         roots = list(zip(names, rates, nears, strict=True))
-        step.say(told_roots(self.book, step, roots, SECONDS, "The numerical solution is"))
+        step.add_text(roots_sentence(self.book, step, roots, SECONDS, "The numerical solution is"))
         step.close()
         return names
 
     def _at(self, i: int, times: list[Symbol]) -> list[Symbol]:
         """Write the values of a free coordinate at some times."""
-        step, names = self.book.open("place"), [self.book.fresh("x") for _ in times]
+        step, names = self.book.begin_step("place"), [self.book.fresh("x") for _ in times]
         formulas = [place(self._modes, self.motion.free.index(i), time) for time in times]
         told = [step.result(n, formula, METRES, law=True) for n, formula in zip(names, formulas, strict=True)]
-        step.say(f"Its displacement is then {joined(told)}.")
+        step.add_text(f"Its displacement is then {join_words(told)}.")
         step.close()
         return names
 
@@ -272,12 +272,12 @@ class _Modal(LinearWay):
         if (base, i) not in self._known:
             body, number = self.mechanism.coordinates[i].body, self.motion.free.index(i)
             own = base == "x" and self.setting.stated is None  # a value that is given is no function of time
-            name = self.names[i] if own else self.book.fresh(base, self.setting.mark(body))
+            name = self.names[i] if own else self.book.fresh(base, self.setting.subscript_of(body))
             whole, formula = (LAWS[n](self._modes, number, self._time) for n in (0, order))
             course = f"${whole.latex()}$; " if order else ""
             apart = ", apart from the common motion," if self._all.common else ""
-            said = f"The displacement of {self.setting.called(body)}{apart} is {course}{WAYS[order]}"
-            self._known[base, i] = Polynomial.of(self.book.told("sum of modes", said, name, formula, unit))
+            said = f"The displacement of {self.setting.display_name(body)}{apart} is {course}{WAYS[order]}"
+            self._known[base, i] = Polynomial.of(self.book.add_step("sum of modes", said, name, formula, unit))
         return self._known[base, i]
 
     def place(self, i: int) -> Polynomial:

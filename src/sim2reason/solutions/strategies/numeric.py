@@ -1,9 +1,9 @@
 """Numerical integration: the initial-value problem of each phase, and the answer from its solution."""
 
 from sim2reason.solutions.phases.integrated import IntegratedPhases
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.steps import SolutionBuilder
 
 
 @strategy
@@ -15,12 +15,12 @@ class NumericalIntegration(Strategy):
     kinds = frozenset({"state", "event", "time_to_event", "sum", "extremum"})
     integrates = True
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         if setting.formula is not None:
             return "integration gives no formula"
         return "" if setting.answer is not None else "there is no answer"
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the phases in order and the answer, and return its symbol."""
         return IntegratedPhases(setting, book).write()

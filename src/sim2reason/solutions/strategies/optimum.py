@@ -12,21 +12,21 @@ from sim2reason.solutions.algebra.expressions import (
     Symbol,
 )
 from sim2reason.solutions.algebra.functions import Root
-from sim2reason.solutions.closed_forms import ClosedFormError, shortened
+from sim2reason.solutions.closed_forms import ClosedFormError, simplified_form
 from sim2reason.solutions.laws.nested import (
     inner_setting,
     inserted,
     lone_symbol,
     short_formula,
-    solved,
     with_changed_scene,
+    write_inner_answer,
 )
 from sim2reason.solutions.reverse import Inversion
-from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.strategies import Strategy, deriving, strategy
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.setting import ProblemContext
+from sim2reason.solutions.strategies import Strategy, deriving_strategies, strategy
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 
-LONGEST = 200  # maximum length of the LaTeX of the numerator of a derivative
+MAX_NUMERATOR_LENGTH = 200  # maximum length of the LaTeX of the numerator of a derivative
 
 
 @strategy
@@ -40,28 +40,28 @@ class Optimum(Strategy):
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
         """Return the optima, if some strategy has a formula for the optimised question."""
-        return self.kinds if any(deriving(kind, mechanism) for kind in OptimumKind.inner) else frozenset()
+        return self.kinds if any(deriving_strategies(kind, mechanism) for kind in OptimumKind.inner) else frozenset()
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if not isinstance(query, OptimumQuery) or setting.sought is None:
             return "there is no such value"
         inner = inner_setting(setting)
-        offered = any(not held.refusal(inner) for held in deriving(inner.query.kind, inner.mechanism))
+        offered = any(not held.refusal(inner) for held in deriving_strategies(inner.query.kind, inner.mechanism))
         return "" if offered else f"no formula for the kind {inner.query.kind}"
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the formula, its derivative, the optimal parameter and, if asked for, the extreme value."""
         query = setting.query
         assert isinstance(query, OptimumQuery)
         symbol, inner = lone_symbol(setting, query.path), inner_setting(setting)
         place = query.place(setting.study)
-        there = setting.study.likewise({query.path: place}) if place is not None else None
+        there = setting.study.with_same_change({query.path: place}) if place is not None else None
         if there is None:
             raise UnsolvedError("there is no motion with that value")
         inner = with_changed_scene(inner, there, query.path, symbol)
-        goal = solved(inner, book, deriving(inner.query.kind, inner.mechanism))
+        goal = write_inner_answer(inner, book, deriving_strategies(inner.query.kind, inner.mechanism))
         whole = short_formula(inner, book, goal)
         if whole is None or symbol not in whole.symbols():
             raise UnsolvedError("the formula for it is too long")
@@ -69,14 +69,14 @@ class Optimum(Strategy):
         if query.asks_place:
             return symbol
         extreme = book.fresh(goal, r"\text{max}" if query.greatest else r"\text{min}")
-        step = book.open("extreme value")
+        step = book.begin_step("extreme value")
         step.rest_on(symbol)
-        step.say(f"With this value, {step.result(extreme, whole, book.units.get(goal, ''), law=True)}.")
+        step.add_text(f"With this value, {step.result(extreme, whole, book.units.get(goal, ''), law=True)}.")
         step.close()
         return extreme.name
 
 
-def _stationary(book: Book, query: OptimumQuery, goal: str, whole: Expression, symbol: str) -> None:
+def _stationary(book: SolutionBuilder, query: OptimumQuery, goal: str, whole: Expression, symbol: str) -> None:
     """Write the value of a symbol at which a formula is greatest or least."""
     core, turned = _core(whole, symbol)
     greatest = query.greatest is not turned
@@ -84,14 +84,14 @@ def _stationary(book: Book, query: OptimumQuery, goal: str, whole: Expression, s
         slope = _numerator(derivative(core, symbol))
     except TypeError as error:
         raise UnsolvedError(str(error)) from error
-    step, name = book.open("derivative"), book.fresh("D")
+    step, name = book.begin_step("derivative"), book.fresh("D")
     step.rest_on(goal)
-    step.say(inserted(book, goal, step.derived(Symbol(goal), whole)))
+    step.add_text(inserted(book, goal, step.derived(Symbol(goal), whole)))
     said = rf"\frac{{\mathrm{{d}}}}{{\mathrm{{d}} {symbol}}} \left({core.latex()}\right)"
     extreme = "greatest" if query.greatest else "least"
     where = "" if core == whole else f", just where ${core.latex()}$ is {'greatest' if greatest else 'least'}"
-    step.say(f"It is {extreme}{where}. There the derivative ${said}$ vanishes; but for a factor that does not")
-    step.say(f"vanish, it is {step.result(name, slope, '', law=True)}, so that {step.law(name, ZERO)}.")
+    step.add_text(f"It is {extreme}{where}. There the derivative ${said}$ vanishes; but for a factor that does not")
+    step.add_text(f"vanish, it is {step.result(name, slope, '', law=True)}, so that {step.law(name, ZERO)}.")
     step.close()
     Inversion(book, name.name, 0.0, symbol).write()
 
@@ -118,11 +118,11 @@ def _core(held: Expression, symbol: str) -> tuple[Expression, bool]:
 def _numerator(slope: Expression) -> Expression:
     """Return the numerator of a derivative; raise UnsolvedError if it is too long."""
     try:
-        found = shortened(fraction(slope).above.factored()).expression
+        found = simplified_form(fraction(slope).above.factored()).expression
     except (OverflowError, ClosedFormError) as error:
         raise UnsolvedError("its derivative is too long") from error
     if isinstance(found, Quotient):
         found = found.above
-    if len(found.latex()) > LONGEST:
+    if len(found.latex()) > MAX_NUMERATOR_LENGTH:
         raise UnsolvedError("its derivative is too long")
     return found

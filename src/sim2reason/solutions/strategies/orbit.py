@@ -17,10 +17,10 @@ from sim2reason.solutions.fields.orbit_place import AtAnomaly, OrbitPlace
 from sim2reason.solutions.fields.turned_line import Turned
 from sim2reason.solutions.goals import GOALS, modulus
 from sim2reason.solutions.laws.newton import Newton
-from sim2reason.solutions.laws.straight_way import Way
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.laws.straight_way import StraightMotion
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS
 
 MOMENTS = (AtTime, Away, Closest, Farthest, Orbited)
@@ -47,7 +47,7 @@ class Orbit(Strategy):
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         return "" if _by_itself(mechanism) else "no light body goes round a fixed one by itself"
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if isinstance(query, PeriodQuery):
@@ -60,7 +60,7 @@ class Orbit(Strategy):
         quantity = query.target.quantity if query.target is not None else ""
         return "" if quantity in ("", *QUANTITIES) else f"no way to the quantity {quantity}"
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the orbit, the position on it and the answer, and return its symbol."""
         return _OnOrbit(setting, book).write().name
 
@@ -77,10 +77,10 @@ def _by_itself(m: Mechanism) -> bool:
     return bool(moving) and lone and fixed and level and flat and not other
 
 
-class _OnOrbit(Way):
+class _OnOrbit(StraightMotion):
     """The quantities of bodies on orbits."""
 
-    def __init__(self, setting: Setting, book: Book) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
         """Start without orbits and positions."""
         super().__init__(setting, book)
         self._orbits: dict[str, KeplerOrbit] = {}
@@ -145,7 +145,7 @@ class _OnOrbit(Way):
         moment, orbit = self.query.moment, self.orbit(self._mover)
         if isinstance(moment, Away):
             distance = self.book.fresh("d")
-            self.book.say_given(distance.name, moment.value, METRES)
+            self.book.state_given(distance.name, moment.value, METRES)
             return AtAnomaly(orbit, lambda: orbit.to_distance(distance))
         if isinstance(moment, Orbited):
             if moment.degrees == ALL_ROUND:
@@ -165,7 +165,7 @@ class _OnOrbit(Way):
         moment = self.query.moment
         if isinstance(moment, AtTime):
             name = self.book.fresh("t")
-            self.book.say_given(name.name, moment.after, SECONDS)
+            self.book.state_given(name.name, moment.after, SECONDS)
             return name
         orbit = self.orbit(self._mover)
         if isinstance(moment, Orbited) and moment.degrees == ALL_ROUND:
@@ -182,7 +182,7 @@ class _OnOrbit(Way):
             )
             round_once = isinstance(query.moment, Orbited) and query.moment.degrees == ALL_ROUND
             said = f"{said} {'one period' if round_once else 'this time'} it is"
-            return orbit.book.told("area", said, orbit.named("A"), HALF * swift * self.time, AREA)
+            return orbit.book.add_step("area", said, orbit.named("A"), HALF * swift * self.time, AREA)
         if query.functional == "greatest displacement":
             return orbit.farthest()
         which, far = FUNCTIONALS[query.functional]
@@ -190,10 +190,10 @@ class _OnOrbit(Way):
         if part or isinstance(query.moment, Farthest | Closest):
             orbit.tell_approach(far=far)
         if which in ("speed", "pull"):
-            step, where = self.book.open("extreme"), "greatest" if far else "least"
+            step, where = self.book.begin_step("extreme"), "greatest" if far else "least"
             superlative, why = query.functional.partition(" ")[0], "the inverse-square law"
             why, what = ("conservation of energy", "speed") if which == "speed" else (why, "acceleration")
-            step.say(f"By {why}, the {what} is {superlative} at the {where} distance.")
+            step.add_text(f"By {why}, the {what} is {superlative} at the {where} distance.")
             step.close()
         given = self.setting.stated is not None and which == "radius"
         at = AtAnomaly(

@@ -19,16 +19,21 @@ from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
-from sim2reason.solutions.goals import GOALS, Stretch
-from sim2reason.solutions.oscillations.harmonic import Harmonic
-from sim2reason.solutions.oscillations.linear_motion import fewest_free, nonlinear
+from sim2reason.solutions.goals import GOALS, MotionPart
+from sim2reason.solutions.oscillations.harmonic import HarmonicOscillation
+from sim2reason.solutions.oscillations.linear_motion import min_free_coordinates, nonlinear_reason
 from sim2reason.solutions.oscillations.measured_period import measured_period
 from sim2reason.solutions.oscillations.net_force import greatest_target
-from sim2reason.solutions.oscillations.single_way import PairWay, SingleWay, signed
-from sim2reason.solutions.oscillations.to_and_fro import EARLY, Travelled, tell_first_move, verify_taut
-from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.oscillations.single_way import OneCoordinateModel, TwoBodyModel, signed
+from sim2reason.solutions.oscillations.to_and_fro import (
+    REST_SPEED_RTOL,
+    BackAndForthTravel,
+    tell_first_move,
+    verify_taut,
+)
+from sim2reason.solutions.setting import ProblemContext, capitalized
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, SECONDS, SPEED
 
 SUMS = (
@@ -48,9 +53,11 @@ class Oscillation(Strategy):
 
     def unfit(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
-        return not_driven_back(mechanism) or ("there are several modes" if fewest_free(mechanism) > PAIR else "")
+        return no_oscillation_reason(mechanism) or (
+            "there are several modes" if min_free_coordinates(mechanism) > PAIR else ""
+        )
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if isinstance(query, StretchQuery) and query.kind == "sum" and query.functional not in SUMS:
@@ -58,20 +65,20 @@ class Oscillation(Strategy):
         target = greatest_target(setting) or setting.target
         return f"no way to the quantity {target.quantity}" if target and target.quantity not in GOALS else ""
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the equilibrium, the angular frequency, the moment and the answer, and return its symbol."""
         way = Oscillating(setting, book)
         return (_Pair(setting, book) if len(way.linear.free) == 2 else way).write().name
 
 
-def not_driven_back(mechanism: Mechanism) -> str:
+def no_oscillation_reason(mechanism: Mechanism) -> str:
     """Return why no linear oscillation is possible, such as *there is no spring*; empty if one may be."""
     if not any(isinstance(line.law, Elastic) for line in mechanism.lines):
         return "there is no spring"
-    return "something may collide" if mechanism.meetings else nonlinear(mechanism)
+    return "something may collide" if mechanism.meetings else nonlinear_reason(mechanism)
 
 
-class Oscillating(SingleWay):
+class Oscillating(OneCoordinateModel):
     """A motion model of one free coordinate, counted from `begin` at `started` s after `turned` turning points."""
 
     begin: Expression = ZERO
@@ -84,17 +91,17 @@ class Oscillating(SingleWay):
         return self.harmonic.name
 
     @cached_property
-    def harmonic(self) -> Harmonic:
+    def harmonic(self) -> HarmonicOscillation:
         """Return the oscillation; raise UnsolvedError unless there is exactly one undamped mode."""
         motion = self.motion
         if len(motion.free) != 1:
             raise UnsolvedError("there are several modes")
-        if motion.damped or any(motion.laws.rough.values()):
+        if motion.damped or any(motion.laws.slip_directions.values()):
             raise UnsolvedError("it is damped")
         i = motion.free[0]
         name = self.book.fresh("x")
         self.introduce({i: name})
-        return Harmonic(self.book, motion, name, self.first(i))
+        return HarmonicOscillation(self.book, motion, name, self.first(i))
 
     def write(self) -> Symbol:
         """Write the answer to the query and return its symbol."""
@@ -102,7 +109,7 @@ class Oscillating(SingleWay):
         _ = held.numbers
         self.stops_alone()
         if isinstance(query, PeriodQuery):
-            return measured_period(self.book, query, self.harmonic.rate)
+            return measured_period(self.book, query, self.harmonic.angular_frequency)
         verify_taut(self.setting, self.book, held)
         if self.target is None or self.goal is None:
             return self._time
@@ -128,8 +135,8 @@ class Oscillating(SingleWay):
         """Return the phase ωt at the moment."""
         moment, held = self.query.moment, self.harmonic
         if isinstance(moment, AtTime):
-            return held.rate * self.since(self._given_time)
-        if held.turns(self.since_begun):
+            return held.angular_frequency * self.since(self._given_time)
+        if held.is_turning_point(self.since_begun):
             return held.angle_of_turning(self.since_begun)
         return held.angle_of(self._place, self.since_begun)
 
@@ -150,7 +157,7 @@ class Oscillating(SingleWay):
     def _given_time(self) -> Symbol:
         moment, name = self.query.moment, self.book.fresh("t")
         assert isinstance(moment, AtTime)
-        self.book.say_given(name.name, moment.after, SECONDS)
+        self.book.state_given(name.name, moment.after, SECONDS)
         return name
 
     def clock(self) -> Symbol:
@@ -165,11 +172,13 @@ class Oscillating(SingleWay):
     def time_since(self) -> Symbol:
         """Write the time of the moment counted from `begin`, s, and return its symbol."""
         held, angle, place = self.harmonic, self._angle, self._place
-        rate, turns = held.rate, held.turns(self.since_begun)
+        rate, turns = held.angular_frequency, held.is_turning_point(self.since_begun)
         _ = self._first_move if turns else None
-        step, time = self.book.open("time"), self.time_name()
+        step, time = self.book.begin_step("time"), self.time_name()
         motion = (rate * time, angle) if turns else (place, held.displacement(time))
-        step.say(f"{self._reached(turns=turns)} {step.law(*motion)}, so {step.result(time, angle / rate, SECONDS)}.")
+        step.add_text(
+            f"{self._reached(turns=turns)} {step.law(*motion)}, so {step.result(time, angle / rate, SECONDS)}."
+        )
         step.close()
         return time
 
@@ -188,10 +197,10 @@ class Oscillating(SingleWay):
         if turns:
             return f"{self.standing} when"
         if isinstance(moment, Moved):
-            return f"{capital(moment.told(self.setting.words, f'${self._given_distance}$'))} when"
-        if isinstance(moment, NaturalLength) and self._place != self.harmonic.rest:
-            return f"{capital(self.setting.springs[moment.name])} has its natural length when"
-        return f"{capital(self.harmonic.balance)} is reached when"
+            return f"{capitalized(moment.told(self.setting.words, f'${self._given_distance}$'))} when"
+        if isinstance(moment, NaturalLength) and self._place != self.harmonic.equilibrium:
+            return f"{capitalized(self.setting.spring_phrases[moment.name])} has its natural length when"
+        return f"{capitalized(self.harmonic.balance)} is reached when"
 
     @cached_property
     def _timed(self) -> bool:
@@ -202,50 +211,56 @@ class Oscillating(SingleWay):
         """Write the displacement at the moment counted from `begin`, m, and return it."""
         held, moment = self.harmonic, self.query.moment
         if self._timed:
-            formula = held.swinging(self._angle)
-            return self.book.told("place", "The displacement is then", held.name, formula, METRES)
+            formula = held.displacement_at_phase(self._angle)
+            return self.book.add_step("place", "The displacement is then", held.name, formula, METRES)
         if not self.greatest:
             if isinstance(moment, NaturalLength):
                 return self._relaxed(moment.name)
             if isinstance(moment, Moved):
                 whole = self.moved_to(moment)
                 return whole - self.begin
-        if held.turns(self.since_begun):
+        if held.is_turning_point(self.since_begun):
             _ = self._first_move
-            return self.book.told("place", f"{self.standing} at", held.name, held.turning(self.since_begun), METRES)
-        if abs(held.where(self.since_begun)[0] - held.numbers[1]) > 1e-6 * held.size:
+            return self.book.add_step("place", f"{self.standing} at", held.name, held.turning(self.since_begun), METRES)
+        if abs(held.state_at(self.since_begun)[0] - held.numbers[1]) > 1e-6 * held.amplitude_value:
             raise UnsolvedError("the moment is no mark of an oscillation")
-        return held.rest
+        return held.equilibrium
 
     def _relaxed(self, spring: str) -> Expression:
         """Write the displacement at which a spring has its natural length, m, and return it."""
         formula = self.relaxed_place(spring) - self.begin
         if formula == ZERO:
             return ZERO
-        name = self.setting.springs[spring]
+        name = self.setting.spring_phrases[spring]
         what = f"{name[:1].upper()}{name[1:]} has its natural length at"
-        return self.book.told("place", what, self.harmonic.name, formula, METRES)
+        return self.book.add_step("place", what, self.harmonic.name, formula, METRES)
 
     @cached_property
     def _speed(self) -> Expression:
         """Write the velocity of the free coordinate at the moment, m/s, and return it."""
         held = self.harmonic
-        if not self._timed and held.turns(self.since_begun):
+        if not self._timed and held.is_turning_point(self.since_begun):
             return ZERO
-        step, name, forward = self.book.open("speed"), self.book.fresh("v"), held.where(self.since_begun)[1] > 0.0
+        step, name, forward = (
+            self.book.begin_step("speed"),
+            self.book.fresh("v"),
+            held.state_at(self.since_begun)[1] > 0.0,
+        )
         if self._timed:
             formula: Expression = ZERO
-            if held.rest != ZERO:
-                formula = held.rest * held.rate * Call("sin", self._angle)
+            if held.equilibrium != ZERO:
+                formula = held.equilibrium * held.angular_frequency * Call("sin", self._angle)
             if held.begun != ZERO:
                 formula = formula + held.first.expression() * Call("cos", self._angle)
-            shift = held.swinging(self._angle).latex()  # as a function of time
-            step.say(f"The displacement is ${shift}$; its derivative is {step.result(name, formula, SPEED, law=True)}.")
+            shift = held.displacement_at_phase(self._angle).latex()  # as a function of time
+            step.add_text(
+                f"The displacement is ${shift}$; its derivative is {step.result(name, formula, SPEED, law=True)}."
+            )
         else:
             changes = f"${held.name.name}$ {'increases' if forward else 'decreases'} at the rate"
             changes = f"At the moment in question {changes}"
-            said = capital(self.fastest(held.balance)) if self._place == held.rest else changes
-            step.say(f"{said} {step.result(name, held.speed_at(self._place), SPEED, law=True)}.")
+            said = capitalized(self.fastest(held.balance)) if self._place == held.equilibrium else changes
+            step.add_text(f"{said} {step.result(name, held.speed_at(self._place), SPEED, law=True)}.")
         step.close()
         return name if self._timed or forward else -name
 
@@ -258,38 +273,42 @@ class Oscillating(SingleWay):
             return self._place
         said = "The displacement from the start is then"
         name = self.book.fresh("x", str(self.turned + 1))
-        return self.book.told("place", said, name, self.begin + self._place, METRES)
+        return self.book.add_step("place", said, name, self.begin + self._place, METRES)
 
     @property
-    def stretches(self) -> Sequence[Stretch]:
+    def stretches(self) -> Sequence[MotionPart]:
         """Return the whole motion with its turning points."""
         held, until = self.harmonic, self.setting.time
-        turns = [time for time in held.instants(until) if held.turns(time) and time < until * (1.0 - EARLY)]
+        turns = [
+            time
+            for time in held.instants(until)
+            if held.is_turning_point(time) and time < until * (1.0 - REST_SPEED_RTOL)
+        ]
         places: list[Expression] = [ZERO]
         for time in turns:
             name = self.book.fresh(held.name.name.partition("_")[0])
-            places.append(self.book.told("turning", f"{self.standing} at", name, held.turning(time), METRES))
-        return [Travelled(self, [*places, self._place])]
+            places.append(self.book.add_step("turning", f"{self.standing} at", name, held.turning(time), METRES))
+        return [BackAndForthTravel(self, [*places, self._place])]
 
     @cached_property
     def _acceleration(self) -> Symbol:
-        held, place, rest = self.harmonic, self._place, self.harmonic.rest
+        held, place, rest = self.harmonic, self._place, self.harmonic.equilibrium
         apart = rest - place
-        formula = Power(held.rate, 2) * apart
+        formula = Power(held.angular_frequency, 2) * apart
         said = f"The acceleration in the direction of increasing ${held.name.name}$ is"
-        return self.book.told("acceleration", said, self.book.fresh("a"), formula, ACCELERATION)
+        return self.book.add_step("acceleration", said, self.book.fresh("a"), formula, ACCELERATION)
 
     def along(self, kind: str) -> Polynomial:
         """Return the displacement ``s``, velocity ``v`` or acceleration ``a`` of the free coordinate."""
         if kind == "a":
-            return NIL if self._place == self.harmonic.rest else Polynomial.of(self._acceleration)
+            return NIL if self._place == self.harmonic.equilibrium else Polynomial.of(self._acceleration)
         return signed(self.whole_place if kind == "s" else self._speed)
 
 
-class _Pair(PairWay, Oscillating):
+class _Pair(TwoBodyModel, Oscillating):
     """A motion model of two bodies joined by a spring, whose relative motion oscillates."""
 
     @property
-    def stretches(self) -> Sequence[Stretch]:
+    def stretches(self) -> Sequence[MotionPart]:
         """Raise UnsolvedError, since the paths of the bodies are not paths of the relative motion."""
         raise UnsolvedError("its path is no path of the relative motion")

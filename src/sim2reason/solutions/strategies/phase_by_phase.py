@@ -2,9 +2,9 @@
 
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.phases.integrated import IntegratedPhases
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy, varying_acceleration
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 
 
 @strategy
@@ -24,13 +24,13 @@ class PhaseByPhase(Strategy):
         del mechanism
         return frozenset()
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         if setting.formula is not None or setting.unknown:
             return "equations of phases lead to numbers, and to no unknown"
         return "" if setting.answer is not None else "there is no answer"
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the phases in order and the answer, and return its symbol; UnsolvedError after other steps."""
         if book.steps:
             raise UnsolvedError("phases begin a solution")

@@ -11,23 +11,23 @@ from math import atan2, pi, sin
 from sim2reason.base.lazy import cached_property
 from sim2reason.questions.need import Need
 from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Elastic, Line, Mechanism
 from sim2reason.simulation.rest.equilibrium import equilibrium
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
-from sim2reason.solutions.algebra.inverse import put
+from sim2reason.solutions.algebra.inverse import substitute
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.laws.newton import Newton
-from sim2reason.solutions.laws.straight_way import Way
+from sim2reason.solutions.laws.straight_way import StraightMotion
 from sim2reason.solutions.oscillations.measured_period import measured_period
-from sim2reason.solutions.setting import LEVEL, Setting, joined
+from sim2reason.solutions.setting import DIRECTION_TOLERANCE, ProblemContext, join_words
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.writing.lexicon import Both
-from sim2reason.solutions.writing.numeric_roots import told_roots
-from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
+from sim2reason.solutions.writing.lexicon import DualValue
+from sim2reason.solutions.writing.numeric_roots import roots_sentence
+from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, DEGREES, METRES, STIFFNESS
 
 HALF, TWO = Number(0.5), Number(2.0)
@@ -53,7 +53,7 @@ class PlaneSprings(Strategy):
         del mechanism
         return frozenset()
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query, target = setting.query, setting.target
         if isinstance(query, PeriodQuery):
@@ -61,7 +61,7 @@ class PlaneSprings(Strategy):
         known = target is not None and target.quantity in GOALS
         return "" if known else f"no way to the quantity {target.quantity if target is not None else ''}"
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the equilibrium and the answer, and return its symbol."""
         way = _Held(setting, book)
         if isinstance(setting.query, PeriodQuery):
@@ -72,7 +72,7 @@ class PlaneSprings(Strategy):
 
 def _held_in_a_plane(m: Mechanism) -> bool:
     others = m.faces or m.forces or m.attractions or m.burns or m.meetings or m.feet
-    slides = all(c.kind == "slide" and abs(c.axis[2]) < LEVEL for c in m.coordinates)
+    slides = all(c.kind == "slide" and abs(c.axis[2]) < DIRECTION_TOLERANCE for c in m.coordinates)
     if others or len(m.bodies) != 1 or len(m.coordinates) != PLANE or not slides:
         return False
     return all(isinstance(line.law, Elastic) and not line.law.side and _nail(m, line) for line in m.lines)
@@ -94,7 +94,7 @@ class _Spring:
     length: Symbol  # in equilibrium
 
 
-class _Held(Way):
+class _Held(StraightMotion):
     """The body in equilibrium at the position (X, Y)."""
 
     @property
@@ -136,10 +136,10 @@ class _Held(Way):
         found: list[list[Polynomial]] = []
         for axis in range(PLANE):
             pairs: list[tuple[float, ...]] = []
-            for f in (start(m), start(lexicon.twin)):
+            for f in (initial_frames(m), initial_frames(lexicon.twin)):
                 points = [f.center(body).place, *(f.site(nail).place for nail in nails)]
                 pairs.append(tuple(float(point[axis]) for point in points))
-            found.append(_unshifted([lexicon.read(Both(*pair)) for pair in zip(*pairs, strict=True)]))
+            found.append(_unshifted([lexicon.read(DualValue(*pair)) for pair in zip(*pairs, strict=True)]))
         return found
 
     @cached_property
@@ -151,8 +151,8 @@ class _Held(Way):
             assert isinstance(line.law, Elastic)
             assert isinstance(twin.law, Elastic)
             x, y = (places[number + 1].expression() for places in self._places)
-            stiffness = lexicon.read(Both(line.law.stiffness, twin.law.stiffness)).expression()
-            natural = lexicon.read(Both(line.law.length, twin.law.length)).expression()
+            stiffness = lexicon.read(DualValue(line.law.stiffness, twin.law.stiffness)).expression()
+            natural = lexicon.read(DualValue(line.law.length, twin.law.length)).expression()
             length = self.book.fresh(r"\ell", str(number + 1) if len(m.lines) > 1 else "")
             found.append(_Spring(line.name, stiffness, natural, (x, y), length))
         return found
@@ -170,21 +170,23 @@ class _Held(Way):
     def place(self) -> tuple[Symbol, Symbol]:
         """Write both balances of forces and their solution, and return the symbols X and Y."""
         names = self.book.fresh("X"), self.book.fresh("Y")
-        step, who = self.book.open("balance"), self.setting.called(self.mechanism.bodies[0].name)
+        step, who = self.book.begin_step("balance"), self.setting.display_name(self.mechanism.bodies[0].name)
         lengths = {held.length: Root(_square(held, names)) for held in self.springs}
         told = [step.law(name, formula) for name, formula in lengths.items()]
         place = f"$({names[0].name}, {names[1].name})$"
-        step.say(f"With {who} at {place} the springs have the lengths {joined(told)}.")
+        step.add_text(f"With {who} at {place} the springs have the lengths {join_words(told)}.")
         sums = [self._sum(names, axis) for axis in range(2)]
         said = [step.law(held, ZERO) for held in sums]
-        step.say(f"In equilibrium their forces cancel along both axes: {joined(said)}.")
+        step.add_text(f"In equilibrium their forces cancel along both axes: {join_words(said)}.")
         across, along = (_without(held, lengths) for held in sums)
         inner = NumericRoot(along, names[1].name, self._there[1])
-        outer = put(across, names[1].name, inner)
-        step.say(told_roots(self.book, step, [(names[0], outer, self._there[0])], METRES, "Solved numerically,"))
-        step.say(told_roots(self.book, step, [(names[1], along, self._there[1])], METRES, "With it,"))
+        outer = substitute(across, names[1].name, inner)
+        step.add_text(
+            roots_sentence(self.book, step, [(names[0], outer, self._there[0])], METRES, "Solved numerically,")
+        )
+        step.add_text(roots_sentence(self.book, step, [(names[1], along, self._there[1])], METRES, "With it,"))
         shown = [self._told_length(step, name, formula) for name, formula in lengths.items()]
-        step.say(f"There {joined(shown)}.")
+        step.add_text(f"There {join_words(shown)}.")
         step.close()
         return names
 
@@ -195,11 +197,11 @@ class _Held(Way):
             found = added(found, held.stiffness * (ONE - held.natural / held.length) * (names[axis] - held.end[axis]))
         return found
 
-    def _told_length(self, step: Writing, name: Symbol, formula: Expression) -> str:
+    def _told_length(self, step: StepBuilder, name: Symbol, formula: Expression) -> str:
         """Record the length of a spring and return it in LaTeX, as a number or as a formula."""
         if self.book.is_hidden(formula):
             return step.result(name, formula, METRES)
-        self.book.know(name.name, self.book.value(formula), self.book.unit_in_text(METRES))
+        self.book.set_value(name.name, self.book.value(formula), self.book.unit_in_text(METRES))
         step.label(name.name)
         return step.stated(name, METRES)
 
@@ -208,17 +210,17 @@ class _Held(Way):
     def oscillate(self, query: PeriodQuery) -> Symbol:
         """Write the direction and stiffness of a mode of small oscillations, and return the answer's symbol."""
         turn = self._direction(query.rank)
-        step, stiff, whole = self.book.open("stiffness"), self.book.fresh(r"\kappa"), ZERO
+        step, stiff, whole = self.book.begin_step("stiffness"), self.book.fresh(r"\kappa"), ZERO
         for held in self.springs:
             weight, bearing = self._weights[held.name]
             across = held.stiffness - weight
             whole = whole + across + weight * Power(Call("cos", bearing - turn), 2)
         said = "Including the tensions, which resist a transverse displacement, the stiffness in this direction is"
-        step.say(f"{said} {step.result(stiff, whole, STIFFNESS, law=True)}.")
+        step.add_text(f"{said} {step.result(stiff, whole, STIFFNESS, law=True)}.")
         step.close()
         mass = self.mass(self.mechanism.bodies[0].name).expression()
         rate = self.book.fresh(r"\omega")
-        self.book.told("rate", "The angular frequency is", rate, Root(stiff / mass), ANGULAR_SPEED)
+        self.book.add_step("rate", "The angular frequency is", rate, Root(stiff / mass), ANGULAR_SPEED)
         return measured_period(self.book, query, rate)
 
     @cached_property
@@ -229,10 +231,10 @@ class _Held(Way):
         for number, held in enumerate(self.springs, start=1):
             mark = str(number) if len(self.springs) > 1 else ""
             weight, bearing = self.book.fresh("w", mark), self.book.fresh(r"\beta", mark)
-            step = self.book.open("bearing")
+            step = self.book.begin_step("bearing")
             told = step.result(bearing, self._slope(place[1] - held.end[1], place[0] - held.end[0]), DEGREES, law=True)
             part = step.result(weight, held.stiffness * held.natural / held.length, STIFFNESS, law=True)
-            step.say(f"Spring {mark} is at {told} to the x axis; let {part}.")
+            step.add_text(f"Spring {mark} is at {told} to the x axis; let {part}.")
             step.close()
             found[held.name] = weight, bearing
         return found
@@ -257,7 +259,7 @@ class _Held(Way):
             formula = formula + PI / TWO
         which = "stiffest" if rank else "softest"
         said = f"The force is antiparallel to the displacement in the {which} direction, at the angle"
-        return self.book.told("direction", said, angle, formula, DEGREES)
+        return self.book.add_step("direction", said, angle, formula, DEGREES)
 
 
 def _square(held: _Spring, place: tuple[Symbol, Symbol]) -> Expression:
@@ -269,7 +271,7 @@ def _square(held: _Spring, place: tuple[Symbol, Symbol]) -> Expression:
 def _without(formula: Expression, lengths: Mapping[Symbol, Expression]) -> Expression:
     """Return a formula with the lengths of springs substituted for their symbols."""
     for name, length in lengths.items():
-        formula = put(formula, name.name, length)
+        formula = substitute(formula, name.name, length)
     return formula
 
 

@@ -11,17 +11,17 @@ from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import Number, Symbol
-from sim2reason.solutions.collisions.placing import SOLVED
+from sim2reason.solutions.collisions.placing import SOLVE_KIND
 from sim2reason.solutions.multipart.in_sequence import LAWS
-from sim2reason.solutions.multipart.one_text import enter, in_one_text
-from sim2reason.solutions.multipart.recall import given_for
-from sim2reason.solutions.multipart.renaming import renamed_step, spoken
+from sim2reason.solutions.multipart.one_text import enter, merge_into_one_text
+from sim2reason.solutions.multipart.recall import reduce_givens
+from sim2reason.solutions.multipart.renaming import names_in_text, renamed_step
 from sim2reason.solutions.reached_values import instants, is_number_of, number_unit
-from sim2reason.solutions.setting import Setting, joined
-from sim2reason.solutions.solution import CHECKS, WELL, Relation, Solution, Step
+from sim2reason.solutions.setting import ProblemContext, join_words
+from sim2reason.solutions.solution import CHECKS, RELATION_RTOL, Relation, Solution, Step
 from sim2reason.solutions.solve import solve
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import DEGREES
 
 _SENTENCES = re.compile(r"(?<=[.]) (?=[A-Z])")
@@ -42,7 +42,7 @@ class ValueReached(Strategy):
         del mechanism
         return frozenset()
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply; empty if it does."""
         moment = setting.query.moment
         if not isinstance(moment, Reached):
@@ -53,7 +53,7 @@ class ValueReached(Strategy):
             return "the question says the value"
         return ""
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the way to the moment and on from there, by the first number of the moment that leads to the answer."""
         reasons: list[str] = []
         for moment, value in instants(setting):
@@ -64,7 +64,7 @@ class ValueReached(Strategy):
                 reasons.append(failed.reason or "only an integration leads to it")
                 continue
             told = [solutions[0], *(_with_found(part, moment, value) for part in solutions[1:])]
-            found, steps = in_one_text(parts, told)
+            found, steps = merge_into_one_text(parts, told)
             if steps:
                 for part in found:
                     enter(part, book)
@@ -75,7 +75,7 @@ class ValueReached(Strategy):
         raise UnsolvedError(reasons[-1])
 
 
-def _parts(setting: Setting, moment: Moment, value: float) -> Iterator[Setting]:
+def _parts(setting: ProblemContext, moment: Moment, value: float) -> Iterator[ProblemContext]:
     """Yield the question about the number of a moment, then that about the quantity at this moment."""
     reached = setting.query.moment
     assert isinstance(reached, Reached)
@@ -89,11 +89,11 @@ def _with_found(part: Solution, moment: Moment, value: float) -> Solution:
     """Return a solution in which the number of a moment is no given, but a result from elsewhere."""
     unit = number_unit(moment)
     counted = radians(value) if unit == DEGREES else value
-    name = next((n for n in part.stated if isclose(part.values[n], counted, rel_tol=WELL)), "")
+    name = next((n for n in part.stated if isclose(part.values[n], counted, rel_tol=RELATION_RTOL)), "")
     if not name:
         return part
     used = {n for step in part.steps for n in step.symbols()} - {name}
-    steps = [given_for(step, used) if step.kind == "givens" else step for step in part.steps]
+    steps = [reduce_givens(step, used) if step.kind == "givens" else step for step in part.steps]
     relation = Relation(Symbol(name), Number(part.values[name]), "result", unit)
     found = Step(len(steps), "moment", "", (relation,), (name,), ())
     return replace(part, steps=tuple(_after_givens(steps, found)), stated=tuple(n for n in part.stated if n != name))
@@ -136,7 +136,7 @@ def _with_found_values(steps: Sequence[Step], first: Solution) -> list[Step]:
     """Return steps with the values of names that were written before the moment was known and are used after it."""
     place = max((n for n, step in enumerate(steps) if first.goal in step.gives), default=len(steps))
     formulas = {r.left.latex(): r for step in steps[:place] for r in step.relations if r.left.latex() in step.gives}
-    found = {name for step in steps[:place] if step.kind == SOLVED for name in step.gives} | {*first.stated}
+    found = {name for step in steps[:place] if step.kind == SOLVE_KIND for name in step.gives} | {*first.stated}
     open_names = {first.goal}
     for name, relation in formulas.items():
         if not open_names.isdisjoint(relation.right.symbols()) and name not in found:
@@ -145,7 +145,7 @@ def _with_found_values(steps: Sequence[Step], first: Solution) -> list[Step]:
     told = [formulas[name] for name in formulas if name in open_names & used]
     if not told:
         return [*steps]
-    said = joined([relation.latex(first.values[relation.left.latex()]) for relation in told])
+    said = join_words([relation.latex(first.values[relation.left.latex()]) for relation in told])
     sources = tuple(n for n, step in enumerate(steps) if {r.left.latex() for r in told} & {*step.gives})
     relations = tuple(replace(relation, role="derived") for relation in told)
     step = Step(len(steps), "moment", f"At this moment, {said}.", relations, (), (*sources, place))
@@ -154,7 +154,7 @@ def _with_found_values(steps: Sequence[Step], first: Solution) -> list[Step]:
 
 def _without(step: Step, name: str) -> Step:
     """Return a step without the sentences and checks about a name that is not told."""
-    said = (sentence for sentence in _SENTENCES.split(step.text) if name not in spoken(sentence))
+    said = (sentence for sentence in _SENTENCES.split(step.text) if name not in names_in_text(sentence))
     checks = (r for r in step.relations if r.role not in CHECKS or name not in r.symbols())
     return replace(step, text=" ".join(said), relations=tuple(checks))
 
@@ -185,7 +185,7 @@ def _needed(goal: str, steps: Sequence[Step], stated: AbstractSet[str]) -> list[
         if step.id in kept:
             continue
         kept[step.id] = step
-        solves = step.kind == SOLVED
+        solves = step.kind == SOLVE_KIND
         waiting += [source[name] for name in step.symbols() if name in source and name not in stated]
         waiting += [steps[need] for need in step.needs if need in labels or (solves and stated & {*steps[need].gives})]
     ids, by_laws = kept.keys(), any(step.kind in LAWS for step in kept.values())

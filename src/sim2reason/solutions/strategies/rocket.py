@@ -16,9 +16,9 @@ from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.laws.rocket import Burning
 from sim2reason.solutions.laws.rocket_checks import exclude_burning, tell_in_the_air
-from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.strategies import Strategy, no_goal, strategy
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.setting import ProblemContext
+from sim2reason.solutions.strategies import Strategy, missing_goal, strategy
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, KILOGRAMS, METRES, NEWTONS, SECONDS, SPEED
 
 MOMENTS = (AtStart, AtTime, BurnedOut, Moved, Stopped)
@@ -43,19 +43,19 @@ class RocketFlight(Strategy):
         """Return the question kinds with formulas; none above a planet, whose pull varies."""
         return frozenset[str]() if mechanism.attractions else self.kinds
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         m = setting.mechanism
         if isinstance(setting.query, StretchQuery):
             found = m.attractions or not any(m.gravity) or not _tops(setting)
             return "it is not about the highest point of a flight in a uniform field" if found else ""
-        if unknown := no_goal(setting, MOMENTS):
+        if unknown := missing_goal(setting, MOMENTS):
             return unknown
         if m.attractions and not isinstance(setting.query.moment, AtStart | BurnedOut):
             return "the pull of the planet changes as it rises"
         return ""
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the remaining mass and the answer, and return its symbol."""
         return _Burning(setting, book).write()
 
@@ -87,12 +87,14 @@ class _Burning(Burning):
             return self.burned
         if isinstance(moment, AtTime):
             name = self.book.fresh("t")
-            self.book.say_given(name.name, moment.after, SECONDS)
+            self.book.state_given(name.name, moment.after, SECONDS)
             return name
         if isinstance(moment, Stopped):
             return self._stopping
         if self.out:
-            return self.book.told("time", "The total time is", self.book.fresh("t"), self.burned + self.coast, SECONDS)
+            return self.book.add_step(
+                "time", "The total time is", self.book.fresh("t"), self.burned + self.coast, SECONDS
+            )
         if not isinstance(moment, Moved):
             raise UnsolvedError("no way to the time of that moment")
         return self._after(moment)
@@ -100,16 +102,18 @@ class _Burning(Burning):
     @cached_property
     def _stopping(self) -> Symbol:
         """Write the time at which gravity has used up the speed gained in the burn, and return its symbol."""
-        name, step = self.book.fresh("t"), self.book.open("time")
+        name, step = self.book.fresh("t"), self.book.begin_step("time")
         g, given = self.gravity.expression(), self.exhaust * Call("ln", ratio(self.full, self.dry))
         risen = self._risen(name)
         law = step.law(given, g * risen)
         formula = given / g + self._wait if self.waits else given / g
         velocity = (given - g * risen).latex()
-        step.say("While the engine is on after lift-off, the thrust exceeds the weight, so the speed grows and")
-        step.say(f"{self.name} can come to rest only after burnout. By the rocket equation with gravity, its velocity")
-        step.say(f"is then ${velocity}$ at the time ${name.latex()}$. {self.who} comes to rest when {law},")
-        step.say(f"so {step.result(name, formula, SECONDS)}.")
+        step.add_text("While the engine is on after lift-off, the thrust exceeds the weight, so the speed grows and")
+        step.add_text(
+            f"{self.name} can come to rest only after burnout. By the rocket equation with gravity, its velocity"
+        )
+        step.add_text(f"is then ${velocity}$ at the time ${name.latex()}$. {self.who} comes to rest when {law},")
+        step.add_text(f"so {step.result(name, formula, SECONDS)}.")
         step.close()
         if self.waits and self.book.is_hidden(self.first) and not self.book.is_hidden(given):
             self.book.afterwards.append(lambda: self.exclude_rising(name, given / g))
@@ -117,15 +121,15 @@ class _Burning(Burning):
 
     def _after(self, moment: Moved) -> Symbol:
         distance, name = self.book.fresh("d"), self.book.fresh("t")
-        self.book.say_given(distance.name, moment.value, METRES)
+        self.book.state_given(distance.name, moment.value, METRES)
         left = self.first - self.rate_of_burning * name
         path, course = self._path(left, self._risen(name)), self.course
-        step = self.book.open("time")
-        step.say(f"{course}.")
+        step = self.book.begin_step("time")
+        step.add_text(f"{course}.")
         law = step.law(distance, path)
         root = NumericRoot(path - distance, name.name, self.setting.time)
-        step.say(f"By integration, {self.name} has covered the distance ${distance.latex()}$ when {law};")
-        step.say(f"the numerical solution is {step.result(name, root, SECONDS)}.")
+        step.add_text(f"By integration, {self.name} has covered the distance ${distance.latex()}$ when {law};")
+        step.add_text(f"the numerical solution is {step.result(name, root, SECONDS)}.")
         step.close()
         spent = (self.first - self.dry) / self.rate_of_burning
         self.told_when_known(lambda: self.verify_burning(name, spent), name, spent)
@@ -137,21 +141,21 @@ class _Burning(Burning):
         moment, name = self.query.moment, self.book.fresh("t", r"\text{off}")
         g, (fast, high) = self.gravity.expression(), self._at_end
         if isinstance(moment, Stopped) or isinstance(self.query, StretchQuery):
-            return self.book.told("time", "Gravity then stops it after a further", name, fast / g, SECONDS)
+            return self.book.add_step("time", "Gravity then stops it after a further", name, fast / g, SECONDS)
         if isinstance(moment, AtTime):
             if self.book.is_hidden(self.time - self.burned):
                 self.tell_spent(self.time)
                 self.book.afterwards.append(lambda: exclude_burning(self, self.time))
             said = f"{self.who} then moves with its engine off for"
-            return self.book.told("time", said, name, self.time - self.burned, SECONDS)
+            return self.book.add_step("time", said, name, self.time - self.burned, SECONDS)
         assert isinstance(moment, Moved)
         distance = self.book.fresh("d")
-        self.book.say_given(distance.name, moment.value, METRES)
+        self.book.state_given(distance.name, moment.value, METRES)
         rest = distance - high
         self.told_when_known(lambda: self.verify_farther(distance, high), distance, high)
         if not self.gravity:
             said = f"{self.who} covers the rest of the distance ${distance.latex()}$ at the speed ${fast.latex()}$, in"
-            return self.book.told("time", said, name, rest / fast, SECONDS)
+            return self.book.add_step("time", said, name, rest / fast, SECONDS)
         later = self.setting.time - self.burn.until
         falls = later > self.book.value(fast) / self.book.value(g)
         root = Root(Power(fast, 2) - 2.0 * g * rest)
@@ -160,10 +164,12 @@ class _Burning(Burning):
 
     def _fallen(self, name: Symbol, distance: Symbol, formula: Expression, which: str) -> Symbol:
         """Write the time of free flight to a distance and return its symbol."""
-        step = self.book.open("time")
+        step = self.book.begin_step("time")
         law = step.law(distance, self._thrown(name))
-        step.say(f"With its engine off {self.name} moves under gravity alone and has covered")
-        step.say(f"the distance ${distance.latex()}$ when {law}. The {which} is {step.result(name, formula, SECONDS)}.")
+        step.add_text(f"With its engine off {self.name} moves under gravity alone and has covered")
+        step.add_text(
+            f"the distance ${distance.latex()}$ when {law}. The {which} is {step.result(name, formula, SECONDS)}."
+        )
         step.close()
         return name
 
@@ -181,9 +187,9 @@ class _Burning(Burning):
             return self.full
         if isinstance(moment, BurnedOut) or self.out:
             return self.dry
-        step, name = self.book.open("mass"), self.book.fresh("m", r"\text{left}")
+        step, name = self.book.begin_step("mass"), self.book.fresh("m", r"\text{left}")
         formula = added(self.first, -multiplied(self.rate_of_burning, self.time))
-        step.say(f"The mass of {self.name} is then {step.result(name, formula, KILOGRAMS, law=True)}.")
+        step.add_text(f"The mass of {self.name} is then {step.result(name, formula, KILOGRAMS, law=True)}.")
         step.close()
         return name
 
@@ -214,14 +220,14 @@ class _Burning(Burning):
     def _a(self) -> Symbol:
         if self.out:
             said, formula = "With its engine off, gravity alone acts:", -self.gravity.expression()
-            return self.book.told("newton", said, self.book.fresh("a"), formula, ACCELERATION)
+            return self.book.add_step("newton", said, self.book.fresh("a"), formula, ACCELERATION)
         thrust, name = self.book.fresh("F"), self.book.fresh("a")
         force = multiplied(self.rate_of_burning, self.exhaust)
         left = self.left
-        step = self.book.open("newton")
-        step.say(f"The thrust is {step.result(thrust, force, NEWTONS, law=True)}.")
+        step = self.book.begin_step("newton")
+        step.add_text(f"The thrust is {step.result(thrust, force, NEWTONS, law=True)}.")
         formula = added(ratio(thrust, left), -self.gravity.expression())
-        step.say(f"So {step.result(name, formula, ACCELERATION, law=True)}.")
+        step.add_text(f"So {step.result(name, formula, ACCELERATION, law=True)}.")
         step.close()
         return name
 
@@ -239,14 +245,14 @@ class _Burning(Burning):
             formula = formula - self.gravity.expression() * risen
         when = "at burnout is" if mark else f"at ${self.time.name}$ is" if self.out else "is then"
         said = f"{before}{self.rocket_equation}, the velocity {when}"
-        return self.book.told("velocity", said, self.book.fresh(base, mark), formula, SPEED)
+        return self.book.add_step("velocity", said, self.book.fresh(base, mark), formula, SPEED)
 
     def _gone(self, risen: Expression, mark: str) -> Symbol:
         """Write the distance covered under power in a time of rising; return its symbol."""
         left = self.dry if self.out else self.left
         path, by_then = self._path(left, risen), " by burnout" if mark else ""
         said = f"{self.course}. {self.integrated(left, risen)} So the distance covered{by_then} is"
-        return self.book.told("distance", said, self.book.fresh("s", mark), path, METRES)
+        return self.book.add_step("distance", said, self.book.fresh("s", mark), path, METRES)
 
     @cached_property
     def _v(self) -> Symbol:
@@ -262,7 +268,7 @@ class _Burning(Burning):
         if not self.gravity:
             return fast
         said, formula = "Its velocity is then", fast - self.gravity.expression() * self.coast
-        return self.book.told("velocity", said, self.book.fresh("v"), formula, SPEED)
+        return self.book.add_step("velocity", said, self.book.fresh("v"), formula, SPEED)
 
     @cached_property
     def _s(self) -> Symbol:
@@ -277,9 +283,9 @@ class _Burning(Burning):
             if isinstance(self.query.moment, Stopped):
                 powered = "While the engine is on after lift-off, the thrust exceeds the weight, so the speed grows and"
                 said = f"{powered} {self.name} can come to rest only after burnout. {said}"
-            return self.book.told("distance", said, name, high + Power(fast, 2) / fall, METRES)
+            return self.book.add_step("distance", said, name, high + Power(fast, 2) / fall, METRES)
         said = "height above the ground" if self.gravity else "distance from its starting point"
-        return self.book.told("distance", f"Its {said} is then", name, self._thrown(self.coast), METRES)
+        return self.book.add_step("distance", f"Its {said} is then", name, self._thrown(self.coast), METRES)
 
     @property
     def _now(self) -> Expression:
@@ -293,7 +299,7 @@ class _Burning(Burning):
         return self.rate(kind, 0).scaled(round(along)) if abs(along) > 0.5 and body == self.burn.body else NIL
 
 
-def _tops(setting: Setting) -> bool:
+def _tops(setting: ProblemContext) -> bool:
     """Return whether the greatest displacement or height is asked for, and the highest point has been passed."""
     query = setting.query
     asked = isinstance(query, StretchQuery) and query.functional in ("greatest displacement", "greatest height")

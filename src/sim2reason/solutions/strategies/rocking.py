@@ -8,15 +8,15 @@ from sim2reason.questions.moments.times import AtStart
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.solids import Shape
-from sim2reason.scenes.dsl.vectors import applied, product
+from sim2reason.scenes.dsl.vectors import applied, dot
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.functions import Call, Power, Root, squares
+from sim2reason.solutions.algebra.functions import Call, Power, Root, sum_of_squares
 from sim2reason.solutions.oscillations.measured_period import measured_period
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swings.mass_spread import candidates, mass_spread
+from sim2reason.solutions.swings.mass_spread import candidates, mean_squares
 from sim2reason.solutions.writing.lexicon import UnreadError
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import (
     ACCELERATION,
     ANGULAR_ACCELERATION,
@@ -28,7 +28,7 @@ from sim2reason.solutions.writing.unit_latex import (
     TORQUE,
 )
 
-SAME = 1e-9
+INERTIA_RTOL = 1e-9
 TWO = Number(2.0)
 QUANTITIES = ("acceleration", "angular acceleration", "net force", "friction force", "normal force", "torque")
 
@@ -52,7 +52,7 @@ class Rocking(Strategy):
             return "it may slip, or its centre of mass lies on its axis"
         return ""
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if isinstance(query, PeriodQuery):
@@ -61,7 +61,7 @@ class Rocking(Strategy):
             return "it is not about the start"
         return "" if query.target.quantity in QUANTITIES else f"no way to the quantity {query.target.quantity}"
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the centre of mass, the moment of inertia about the contact and the answer; return its symbol."""
         return _Rocking(setting, book).write().name
 
@@ -69,7 +69,7 @@ class Rocking(Strategy):
 class _Rocking:
     """The quantities of a rocking body; x points right, z up, and it rolls clockwise to the right."""
 
-    def __init__(self, setting: Setting, book: Book) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
         """Read the parameters; raise UnreadError if one is not a simple function of the numbers in the text."""
         self.setting, self.book = setting, book
         self.body = setting.mechanism.bodies[0].name
@@ -96,29 +96,29 @@ class _Rocking:
     def _spread(self) -> tuple[Expression, Expression]:
         """Return the distance of the centre of mass from the axis, and its moment of inertia over the mass."""
         held, shape = self.setting.mechanism.bodies[0], self.setting.scene.bodies.get(self.body)
-        spread = mass_spread(shape, self._size) if isinstance(shape, Shape) else None
+        spread = mean_squares(shape, self._size) if isinstance(shape, Shape) else None
         if spread is None:
-            raise UnreadError(f"{self.setting.called(self.body)} is in no table")
+            raise UnreadError(f"{self.setting.display_name(self.body)} is in no table")
         axis = next(c.axis for c in self.setting.mechanism.coordinates if c.kind == "hinge")
-        actual = float(product(axis, applied(held.inertia, axis)))
+        actual = float(dot(axis, applied(held.inertia, axis)))
         for formula in candidates(spread):
-            if abs(self.book.value(formula) * held.mass - actual) <= SAME * actual:
+            if abs(self.book.value(formula) * held.mass - actual) <= INERTIA_RTOL * actual:
                 positive = self.book.value(spread.center) > 0.0
                 return spread.center if positive else -spread.center, formula
-        raise UnreadError(f"the moment of inertia of {self.setting.called(self.body)} is in no table")
+        raise UnreadError(f"the moment of inertia of {self.setting.display_name(self.body)} is in no table")
 
     @cached_property
     def offset(self) -> Symbol:
         """Write the distance of the centre of mass from the axis, m, and return its symbol."""
         said = "Because of the hole, the centre of mass lies on the other side of the axis, at the distance"
-        return self.book.told("table", said, self.book.fresh("c"), self._spread[0], METRES)
+        return self.book.add_step("table", said, self.book.fresh("c"), self._spread[0], METRES)
 
     @cached_property
     def own(self) -> Symbol:
         """Write the moment of inertia about the centre of mass and return its symbol."""
         _ = self.offset
         said = "The moment of inertia about the centre of mass, that of the full body less that of the hole, is"
-        return self.book.told("table", said, self.book.fresh("I", "0"), self.mass * self._spread[1], INERTIA)
+        return self.book.add_step("table", said, self.book.fresh("I", "0"), self.mass * self._spread[1], INERTIA)
 
     @cached_property
     def about(self) -> Symbol:
@@ -127,7 +127,7 @@ class _Rocking:
         across = ez * ux - ex * uz
         square = Power(self.radius, 2) + Power(self.offset, 2) + TWO * self.radius * self.offset * across
         said = "By the parallel-axis theorem and the law of cosines, the moment of inertia about the line of contact is"
-        return self.book.told("inertia", said, self.book.fresh("I"), self.own + self.mass * square, INERTIA)
+        return self.book.add_step("inertia", said, self.book.fresh("I"), self.own + self.mass * square, INERTIA)
 
     @cached_property
     def growth(self) -> Symbol:
@@ -142,7 +142,7 @@ class _Rocking:
         if self.launch != ZERO:
             said = "Taking torques about the line of contact, with the centripetal acceleration of the centre of mass, "
             said += "the clockwise angular acceleration is"
-        return self.book.told("torque", said, self.book.fresh(r"\alpha"), torque / self.about, ANGULAR_ACCELERATION)
+        return self.book.add_step("torque", said, self.book.fresh(r"\alpha"), torque / self.about, ANGULAR_ACCELERATION)
 
     @cached_property
     def acceleration(self) -> list[Expression]:
@@ -150,12 +150,12 @@ class _Rocking:
         (ex, ez), (ux, uz) = self.aside, self.uphill
         grown = self.growth
         found: list[Expression] = []
-        square = squares([self.launch])
+        square = sum_of_squares([self.launch])
         for label, along, turned, inward in (("x", ux, ez, ex), ("z", uz, -ex, ez)):
             formula = self.radius * grown * along + self.offset * grown * turned - self.offset * square * inward
             way = "to the right" if label == "x" else "upward"
             said = f"The acceleration of the centre of mass {way} is that of the axis plus that due to the rotation,"
-            found.append(self.book.told("acceleration", said, self.book.fresh("a", label), formula, ACCELERATION))
+            found.append(self.book.add_step("acceleration", said, self.book.fresh("a", label), formula, ACCELERATION))
         return found
 
     # ---- what is asked
@@ -175,31 +175,31 @@ class _Rocking:
             size = self.book.magnitude(self.growth)
             if quantity == "torque":
                 said = "The magnitude of the torque about the centre of mass is"
-                return self.book.told("answer", said, self.book.fresh("M"), self.own * size, TORQUE)
+                return self.book.add_step("answer", said, self.book.fresh("M"), self.own * size, TORQUE)
             return size if isinstance(size, Symbol) else self._sized(size, r"\alpha", ANGULAR_ACCELERATION)
         return self._contact(quantity)
 
     def _sized(self, formula: Expression, base: str, unit: str) -> Symbol:
-        return self.book.told("answer", "Its magnitude is", self.book.fresh(base), formula, unit)
+        return self.book.add_step("answer", "Its magnitude is", self.book.fresh(base), formula, unit)
 
     def _accelerated(self, quantity: str, way: tuple[float, float, float] | None) -> Symbol:
         if way is None:
             x, z = self.acceleration
             formula: Expression = Root(Power(x, 2) + Power(z, 2))
         else:
-            found = [n for n in (0, 2) if abs(abs(way[n]) - 1.0) < SAME]
+            found = [n for n in (0, 2) if abs(abs(way[n]) - 1.0) < INERTIA_RTOL]
             if not found:
                 raise UnsolvedError("a component along the slope")
             part = self.acceleration[found[0] // 2]
             formula = part if way[found[0]] > 0.0 else -part
         if quantity == "net force":
-            return self.book.told(
+            return self.book.add_step(
                 "answer", "By Newton's second law,", self.book.fresh("F"), self.mass * formula, NEWTONS
             )
         if isinstance(formula, Symbol):
             return formula
         said = "The component asked for is" if way is not None else "Its magnitude is"
-        return self.book.told("answer", said, self.book.fresh("a"), formula, ACCELERATION)
+        return self.book.add_step("answer", said, self.book.fresh("a"), formula, ACCELERATION)
 
     def _contact(self, quantity: str) -> Symbol:
         """Write the friction or normal force from Newton's second law and return its symbol."""
@@ -209,7 +209,7 @@ class _Rocking:
         formula = self.mass * part
         formula = self.book.magnitude(formula)
         said = f"Newton's second law {'along' if along else 'perpendicular to'} the plane gives the {quantity}"
-        return self.book.told("newton", said, self.book.fresh("f" if along else "N"), formula, NEWTONS)
+        return self.book.add_step("newton", said, self.book.fresh("f" if along else "N"), formula, NEWTONS)
 
     def _period(self, query: PeriodQuery) -> Symbol:
         """Write the period of small oscillations, with ω² = m g c cos ψ/I, and return its symbol."""
@@ -217,23 +217,27 @@ class _Rocking:
         level = uz == ZERO
         tilt: Expression = ZERO
         if not level:
-            name, step = self.book.fresh(r"\psi"), self.book.open("equilibrium")
+            name, step = self.book.fresh(r"\psi"), self.book.begin_step("equilibrium")
             law = step.law(self.offset * Call("sin", name), self.radius * uz)
             formula = Call("arcsin", self.radius * uz / self.offset)
-            step.say(
+            step.add_text(
                 "In equilibrium the centre of mass is vertically above the contact; the line to it from the axis makes"
             )
-            step.say(f"an angle with the downward vertical such that {law}, so {step.result(name, formula, DEGREES)}.")
+            step.add_text(
+                f"an angle with the downward vertical such that {law}, so {step.result(name, formula, DEGREES)}."
+            )
             step.close()
             tilt = name
         deep = self.offset if level else self.offset * Call("cos", tilt)
         high = self.radius - deep if level else self.radius * cosine - deep
         said = "In equilibrium the moment of inertia about the line of contact is"
-        about = self.book.told("inertia", said, self.book.fresh("I"), self.own + self.mass * Power(high, 2), INERTIA)
+        about = self.book.add_step(
+            "inertia", said, self.book.fresh("I"), self.own + self.mass * Power(high, 2), INERTIA
+        )
         said = "For a small rotation the restoring torque is proportional to the angle, so the "
         said += "angular frequency is"
         formula = Root(self.mass * self.gravity * deep / about)
-        rate = self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
+        rate = self.book.add_step("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
         return measured_period(self.book, query, rate)
 
 

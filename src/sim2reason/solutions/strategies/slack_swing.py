@@ -12,7 +12,7 @@ from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.trace import Event
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import UP
 from sim2reason.solutions.swings.asked import EXTREMES, quantity_of, where_extreme
@@ -20,18 +20,18 @@ from sim2reason.solutions.swings.pendulum import pivot
 from sim2reason.solutions.swings.slack_chain import (
     FLIES,
     ON_CIRCLE,
-    Instant,
-    SlackChain,
+    MotionState,
+    SlackSwingPhases,
     change,
-    size_of,
     tell_flight,
     tell_velocities,
+    vector_magnitude,
 )
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import LETTERS, SECONDS, SPEED, of_magnitude
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import QUANTITY_SYMBOLS, SECONDS, SPEED, magnitude_words
 
 MOMENTS = (AtTime, HighestPoint, Stopped, WentTaut)
-AT_ONCE = 1e-9  # relative tolerance of equal times
+EVENT_TIME_RTOL = 1e-9  # relative tolerance of equal times
 TWO, HALF = Number(2.0), Number(0.5)
 LOSS = "energy lost in a jerk"
 
@@ -49,17 +49,17 @@ class SlackSwing(Strategy):
         found = pivot(mechanism)
         return "" if found is not None and found[1] is not None else "no small body swings on a string"
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         quantity, query = quantity_of(setting), setting.query
         if quantity and quantity not in _Slack.WAYS:
             return f"no way to the {quantity}"
         if not isinstance(query.moment, MOMENTS):
             return f"no way to the moment {type(query.moment).__name__}"
-        happened = setting.story | ({"taut"} if isinstance(query.moment, WentTaut) else set[str]())
+        happened = setting.earlier_event_kinds | ({"taut"} if isinstance(query.moment, WentTaut) else set[str]())
         return "" if happened & {"slack", "taut"} else "the string stays taut"
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write each phase and the answer, and return its symbol."""
         return _Slack(setting, book).write().name
 
@@ -67,10 +67,10 @@ class SlackSwing(Strategy):
 class _Slack:
     """The quantities of a bob in the last of its phases."""
 
-    def __init__(self, setting: Setting, book: Book) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
         """Take a question, without writing anything."""
         self.setting, self.book = setting, book
-        self.chain = SlackChain(setting, book)
+        self.chain = SlackSwingPhases(setting, book)
         self.swing, self.mass = self.chain.swing, self.chain.swing.mass
         self.quantity = quantity_of(setting)
         self.timed = isinstance(setting.query.moment, AtTime) or not self.quantity
@@ -86,7 +86,7 @@ class _Slack:
         moment, end = self.setting.query.moment, self.setting.time
         if isinstance(moment, WentTaut) and moment.after and self.quantity not in ("", LOSS):
             return self.chain.changes
-        return [event for event in self.chain.changes if event.time < end * (1.0 - AT_ONCE)]
+        return [event for event in self.chain.changes if event.time < end * (1.0 - EVENT_TIME_RTOL)]
 
     @cached_property
     def flies(self) -> bool:
@@ -94,7 +94,7 @@ class _Slack:
         return self._passed[-1].kind == "slack" if self._passed else self.chain.slack_at_once
 
     @cached_property
-    def last(self) -> Instant:
+    def last(self) -> MotionState:
         """Write all phases before that of the moment; return its initial position and velocity."""
         held, flies = self.chain.start, self.chain.slack_at_once
         self.chain.tell_axes()
@@ -115,14 +115,14 @@ class _Slack:
             begins, f"{self.chain.who} {acts} until the string becomes {'taut' if flies else 'slack'}"
         )
 
-    def _slackened(self, held: Instant, time: float) -> Instant:
+    def _slackened(self, held: MotionState, time: float) -> MotionState:
         found = self.chain.goes_slack(held, time)
         if self.timed:
             angle = self.chain.angle(found, self.book.fresh(r"\phi", r"\text{s}"))
             self._later(self.chain.times(held, self.speed).reaches(angle, time - self.begun))
         return found
 
-    def _tightened(self, held: Instant) -> Instant:
+    def _tightened(self, held: MotionState) -> MotionState:
         span, before = self.chain.is_taut_again(held)
         found, self.speed = self.chain.jerked(before)
         if self.timed:
@@ -134,12 +134,12 @@ class _Slack:
         if self.since == ZERO:
             self.since = span
             return
-        self.since = self.book.told("time", "The time is then", self.book.fresh("t"), self.since + span, SECONDS)
+        self.since = self.book.add_step("time", "The time is then", self.book.fresh("t"), self.since + span, SECONDS)
 
     # ---- the moment
 
     @cached_property
-    def there(self) -> Instant:
+    def there(self) -> MotionState:
         """Write the position and velocity at the moment and return them."""
         moment, held = self.setting.query.moment, self.last
         if isinstance(moment, WentTaut):
@@ -148,13 +148,13 @@ class _Slack:
             return self._at_time(moment, held)
         return self.chain.highest(held) if self.flies else self.chain.turns(held)
 
-    def _at_time(self, moment: AtTime, held: Instant) -> Instant:
+    def _at_time(self, moment: AtTime, held: MotionState) -> MotionState:
         name = self.book.fresh("t")
-        self.book.say_given(name.name, moment.after, SECONDS)
+        self.book.state_given(name.name, moment.after, SECONDS)
         left = name
         if self.since != ZERO:
             said = "The time since then is"
-            left = self.book.told("time", said, self.book.fresh("t"), name - self.since, SECONDS)
+            left = self.book.add_step("time", said, self.book.fresh("t"), name - self.since, SECONDS)
         if self.flies:
             return self.chain.after(held, left, f"At that time {self.chain.who} is at")
         return self.chain.swung(held, self.chain.times(held, self.speed), left)
@@ -166,7 +166,7 @@ class _Slack:
             span, _ = self.chain.is_taut_again(held)
         elif self.flies:
             said = "The vertical velocity is zero after"
-            span = self.book.told("time", said, self.book.fresh("t"), held.vy / self.chain.gravity, SECONDS)
+            span = self.book.add_step("time", said, self.book.fresh("t"), held.vy / self.chain.gravity, SECONDS)
         else:
             span = self.chain.times(held, self.speed).upright(self.setting.time - self.begun)
         self._later(span)
@@ -186,10 +186,12 @@ class _Slack:
         way, why = self.WAYS[self.quantity]
         formula: Expression = getattr(self, way)()
         if sense is None and self.book.value(formula) < 0.0:
-            formula, why = -formula, of_magnitude(why, self.quantity)
+            formula, why = -formula, magnitude_words(why, self.quantity)
         if isinstance(formula, Symbol):
             return formula
-        return self.book.told("answer", why, self.book.fresh(LETTERS[self.quantity]), formula, self.setting.unit)
+        return self.book.add_step(
+            "answer", why, self.book.fresh(QUANTITY_SYMBOLS[self.quantity]), formula, self.setting.unit
+        )
 
     @cached_property
     def fastest(self) -> Expression:
@@ -199,12 +201,12 @@ class _Slack:
             raise UnsolvedError("it is not greatest at the lowest point")
         chain, start = self.chain, self.chain.start
         self._phase("the start of the motion", flies=False)
-        step, v = self.book.open("energy"), self.book.fresh("v", r"\text{b}")
+        step, v = self.book.begin_step("energy"), self.book.fresh("v", r"\text{b}")
         square = chain.squared(start) + TWO * chain.gravity * (chain.length + start.y)
         law = step.law(Power(v, 2), square)
         superlative, _, noun = query.functional.partition(" ")
-        step.say(where_extreme(self.quantity, noun, superlative, "at the lowest point"), self._later_slower)
-        step.say(f"There {law}, so {step.result(v, Root(square), SPEED)}.")
+        step.add_text(where_extreme(self.quantity, noun, superlative, "at the lowest point"), self._later_slower)
+        step.add_text(f"There {law}, so {step.result(v, Root(square), SPEED)}.")
         step.close()
         return Power(v, 2)
 
@@ -253,7 +255,7 @@ class _Slack:
     def _displacement(self) -> Expression:
         if self.vertical:
             return self._height()
-        return size_of(self.there.x - self.chain.start.x, self._height())
+        return vector_magnitude(self.there.x - self.chain.start.x, self._height())
 
     def _impulse(self) -> Expression:
         there, start = self.there, self.chain.start
@@ -276,7 +278,7 @@ class _Slack:
         self._on_circle()
         if self.vertical:
             raise UnsolvedError("a component of the acceleration on the circle")
-        return size_of(self.square / ell, g * self.there.x / ell)
+        return vector_magnitude(self.square / ell, g * self.there.x / ell)
 
     def _force(self) -> Expression:
         return self.mass * self._acceleration()

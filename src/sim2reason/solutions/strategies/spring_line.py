@@ -14,12 +14,12 @@ from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
-from sim2reason.solutions.oscillations.lone_spring import LoneSpring, length, lone_spring
+from sim2reason.solutions.oscillations.lone_spring import SingleSpringBody, length, single_spring_law
 from sim2reason.solutions.oscillations.measured_period import measured_period
-from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.setting import ProblemContext, capitalized
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import Way
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import (
     ANGULAR_SPEED,
     METRES,
@@ -42,9 +42,9 @@ class SpringLine(Strategy):
     def unfit(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         rest = not any(coordinate.speed for coordinate in mechanism.coordinates)
-        return "" if rest and lone_spring(mechanism) else "no lone body is let go on a single spring"
+        return "" if rest and single_spring_law(mechanism) else "no lone body is let go on a single spring"
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if _reaches_its_end(setting):
@@ -58,15 +58,15 @@ class SpringLine(Strategy):
         quantity = query.target.quantity if query.target is not None else ""
         return "" if quantity in ("", *_Oscillating.WAYS) else f"no way to the quantity {quantity}"
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the amplitude, the angular frequency, the phase and the answer, and return its symbol."""
         return _Oscillating(setting, book).write().name
 
 
-def _reaches_its_end(setting: Setting) -> bool:
+def _reaches_its_end(setting: ProblemContext) -> bool:
     """Return whether the body reaches the fixed end, where the force reverses, by the moment."""
     m, query = setting.mechanism, setting.query
-    law = lone_spring(m)
+    law = single_spring_law(m)
     assert law is not None
     strain = length(m) - law.length
     if strain < law.length or isinstance(query.moment, NaturalLength):
@@ -78,14 +78,14 @@ def _reaches_its_end(setting: Setting) -> bool:
     return setting.time * sqrt(law.stiffness / m.bodies[0].mass) > acos(-law.length / strain)
 
 
-class _Oscillating(LoneSpring):
+class _Oscillating(SingleSpringBody):
     """The quantities of a body on a spring with the extension x₀ cos ωt."""
 
     @cached_property
     def strain(self) -> Symbol:
         """Write the initial extension, the amplitude up to a sign, and return its symbol."""
         said = "Released from rest, the extension oscillates as a cosine with the initial value"
-        return self.book.told("strain", said, self.book.fresh("x", "0"), self.length - self.natural, METRES)
+        return self.book.add_step("strain", said, self.book.fresh("x", "0"), self.length - self.natural, METRES)
 
     @property
     def amplitude(self) -> Expression:
@@ -97,7 +97,7 @@ class _Oscillating(LoneSpring):
         """Write the angular frequency ω = √(k/m) and return its symbol."""
         said = "The force is proportional to the extension, so the angular frequency is"
         formula = Root(self.stiffness / self.mass)
-        return self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
+        return self.book.add_step("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
 
     @cached_property
     def phase(self) -> Expression:
@@ -105,19 +105,19 @@ class _Oscillating(LoneSpring):
         moment = self.setting.query.moment
         if isinstance(moment, AtTime):
             time = self.book.fresh("t")
-            self.book.say_given(time.name, moment.after, SECONDS)
-            return self.book.told("phase", "The phase is then", self.book.fresh(r"\phi"), self.rate * time, RADIANS)
+            self.book.state_given(time.name, moment.after, SECONDS)
+            return self.book.add_step("phase", "The phase is then", self.book.fresh(r"\phi"), self.rate * time, RADIANS)
         if isinstance(moment, NaturalLength):
             return HALF * PI
         if isinstance(moment, Stopped):
             return PI
         if isinstance(moment, Away):
             name = self.book.fresh("d")
-            self.book.say_given(name.name, moment.value, METRES)
+            self.book.state_given(name.name, moment.value, METRES)
             formula = Call("arccos", ONE - name / self.amplitude)
-            who = capital(self.setting.called(self.setting.mechanism.bodies[0].name))
+            who = capitalized(self.setting.display_name(self.setting.mechanism.bodies[0].name))
             said = f"{who} is this far from its start when the extension has changed by as much, at the phase"
-            return self.book.told("phase", said, self.book.fresh(r"\phi"), formula, RADIANS)
+            return self.book.add_step("phase", said, self.book.fresh(r"\phi"), formula, RADIANS)
         stretched = self.book.value(self.strain) > 0.0
         return TWO * PI if isinstance(moment, MostStretched) == stretched else PI
 
@@ -139,7 +139,7 @@ class _Oscillating(LoneSpring):
             return self.answer(self.GREATEST[query.functional], lambda formula: formula)
         if query.target is None:
             formula = self.phase / self.rate
-            return self.book.told("time", "At this phase the time is", self.book.fresh("t"), formula, SECONDS)
+            return self.book.add_step("time", "At this phase the time is", self.book.fresh("t"), formula, SECONDS)
         return self.answer(self.WAYS[query.target.quantity], self._turned)
 
     def _turned(self, formula: Expression) -> Expression:

@@ -12,11 +12,11 @@ from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.fractions import cramer, determinant
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.goals import GOALS
-from sim2reason.solutions.oscillations.linear_motion import nonlinear
-from sim2reason.solutions.oscillations.linear_way import LinearWay
-from sim2reason.solutions.setting import Setting, joined
+from sim2reason.solutions.oscillations.linear_motion import nonlinear_reason
+from sim2reason.solutions.oscillations.linear_way import LinearMotionModel
+from sim2reason.solutions.setting import ProblemContext, join_words
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES
 
 
@@ -30,16 +30,16 @@ class Statics(Strategy):
 
     def unfit(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
-        return nonlinear(mechanism)
+        return nonlinear_reason(mechanism)
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         target = setting.target
         if target is None or target.quantity not in GOALS:
             return f"no way to the quantity {target.quantity if target is not None else ''}"
         return ""
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the balance of forces and the answer, and return its symbol."""
         way = _AtRest(setting, book)
         way.balance()
@@ -47,7 +47,7 @@ class Statics(Strategy):
         return GOALS[way.target.quantity].write(way.target, way).name
 
 
-class _AtRest(LinearWay):
+class _AtRest(LinearMotionModel):
     """A motion model in which nothing is accelerated."""
 
     def balance(self) -> None:
@@ -56,8 +56,8 @@ class _AtRest(LinearWay):
         if isinstance(self.query.moment, AtStart):
             if free or any(c.speed for c in self.mechanism.coordinates):
                 raise UnsolvedError("something moves")
-            step = self.book.open("rest")
-            step.say("Nothing moves, so the net force on each body is zero.")
+            step = self.book.begin_step("rest")
+            step.add_text("Nothing moves, so the net force on each body is zero.")
             step.close()
         elif not free or not self.motion.springs:
             raise UnsolvedError("there is no restoring force")
@@ -73,18 +73,18 @@ class _AtRest(LinearWay):
         said: list[str] = []
         if not determinant(rows):
             raise UnsolvedError("it has no place of its own to rest")
-        step = self.book.open("balance")
+        step = self.book.begin_step("balance")
         for row, load in zip(rows, loads, strict=True):
             left = total(part * Polynomial.of(names[j]) for part, j in zip(row, free, strict=True))
             said.append(step.law(left.collected([names[j].name for j in free]), load.expression()))
-        step.say(f"In equilibrium the net force {self._where} is zero: {joined(said)}.")
+        step.add_text(f"In equilibrium the net force {self._where} is zero: {join_words(said)}.")
         step.label("balance")
         step.close()
         for i, formula in zip(free, cramer(rows, loads), strict=True):
-            step = self.book.open("solve")
+            step = self.book.begin_step("solve")
             step.rest_on("balance")
             held = formula if len(free) == 1 else self.book.worked(formula)
-            step.say(f"So {step.result(names[i], held, METRES)}.")
+            step.add_text(f"So {step.result(names[i], held, METRES)}.")
             step.close()
         return names
 
@@ -95,10 +95,10 @@ class _AtRest(LinearWay):
         slides = all(len(b.coordinates) == 1 and b.coordinates[0].kind == "slide" and b.parent is None for b in moving)
         if not slides or len(moving) != len(self.motion.free):
             return "along the motion"
-        return "on each body" if len(moving) > 1 else f"on {self.setting.called(moving[0].name)}"
+        return "on each body" if len(moving) > 1 else f"on {self.setting.display_name(moving[0].name)}"
 
     def _mark(self, i: int) -> str:
-        return self.setting.mark(self.mechanism.coordinates[i].body) if len(self.motion.free) > 1 else ""
+        return self.setting.subscript_of(self.mechanism.coordinates[i].body) if len(self.motion.free) > 1 else ""
 
     def place(self, i: int) -> Polynomial:
         """Return the equilibrium value of a free coordinate."""

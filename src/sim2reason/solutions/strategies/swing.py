@@ -6,15 +6,15 @@ from typing import ClassVar
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Call, Power, Root
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import Way
-from sim2reason.solutions.swings.asked import BOTH, Ends, unasked
+from sim2reason.solutions.swings.asked import BOTH, Ends, unsupported_reason
 from sim2reason.solutions.swings.pendulum import pivot
-from sim2reason.solutions.swings.rigid_bodies import swept
+from sim2reason.solutions.swings.rigid_bodies import total_angle
 from sim2reason.solutions.swings.state import SwingState
-from sim2reason.solutions.writing.comparing import exceeds
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.comparing import record_inequality
+from sim2reason.solutions.writing.steps import SolutionBuilder
 
 
 @strategy
@@ -29,13 +29,13 @@ class Swing(Strategy):
         """Return the reason that no small body swings about a fixed point; empty if one does."""
         return "it is no small body that swings about a fixed point" if pivot(mechanism) is None else ""
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
-        if unknown := unasked(setting, _Angular.WAYS):
+        if unknown := unsupported_reason(setting, _Angular.WAYS):
             return unknown
-        return "it leaves its circle" if setting.story & {"slack", "taut"} else ""
+        return "it leaves its circle" if setting.earlier_event_kinds & {"slack", "taut"} else ""
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the angle, the speed and the answer, and return its symbol."""
         return _Angular(setting, book).write().name
 
@@ -70,16 +70,18 @@ class _Angular(SwingState):
 
     def _tell_taut(self) -> None:
         """Write that the string stays taut at the greatest speed: below the fixed point, or all the way round."""
-        book, step, length = self.book, self.book.open("verify"), multiplied(self.gravity, self.length)
+        book, step, length = self.book, self.book.begin_step("verify"), multiplied(self.gravity, self.length)
         low, high = multiplied(Number(2.0), length), multiplied(Number(5.0), length)
         if book.value(self.squared) < book.value(low):
-            exceeds(book, step, low, self.squared)
-            step.say(
+            record_inequality(book, step, low, self.squared)
+            step.add_text(
                 f"As ${self.squared.latex()} < {low.latex()}$, the string never becomes horizontal and stays taut."
             )
         elif book.value(self.squared) > book.value(high):
-            exceeds(book, step, self.squared, high)
-            step.say(f"As ${self.squared.latex()} > {high.latex()}$, the string is taut even at the highest point.")
+            record_inequality(book, step, self.squared, high)
+            step.add_text(
+                f"As ${self.squared.latex()} > {high.latex()}$, the string is taut even at the highest point."
+            )
         step.close()
 
     @property
@@ -120,7 +122,7 @@ class _Angular(SwingState):
         return multiplied(multiplied(Number(2.0), self.length), Call("sin", half))
 
     def _swept(self) -> Expression:
-        return swept(self, self._seen)
+        return total_angle(self, self._seen)
 
     def _travelled(self) -> Expression:
         return multiplied(self.length, self._swept())

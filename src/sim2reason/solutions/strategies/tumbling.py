@@ -9,24 +9,24 @@ from sim2reason.questions.moments.angles import TurnedThrough
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint
 from sim2reason.scenes.dsl.mechanism import Mechanism
-from sim2reason.simulation.trace import Event, happened
+from sim2reason.simulation.trace import Event, events_before
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, sum_of_squares
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings import prism_words
 from sim2reason.solutions.swings.asked import BOTH, of_components, quantity_of
 from sim2reason.solutions.swings.times import SwingTime
 from sim2reason.solutions.writing.lexicon import UnreadError
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import (
     ANGULAR_ACCELERATION,
     ANGULAR_SPEED,
     DEGREES,
     INERTIA,
-    LETTERS,
+    QUANTITY_SYMBOLS,
     SECONDS,
-    of_magnitude,
+    magnitude_words,
 )
 
 MOMENTS = (AtStart, AtTime, HighestPoint, TurnedThrough)
@@ -47,7 +47,7 @@ class Tumbling(Strategy):
         alone = len(mechanism.bodies) == 1 and kinds == ["hinge", "slide", "slide"]
         return "" if alone and mechanism.feet else "no lone prism tumbles"
 
-    def refusal(self, setting: Setting) -> str:
+    def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query, quantity = setting.query, quantity_of(setting)
         if quantity and quantity not in _Tumbling.WAYS:
@@ -56,7 +56,7 @@ class Tumbling(Strategy):
             return f"no way to the moment {type(query.moment).__name__}"
         return ""
 
-    def write(self, setting: Setting, book: Book) -> str:
+    def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the rotation about each edge and the answer, and return its symbol."""
         return _Tumbling(setting, book).write().name
 
@@ -64,14 +64,14 @@ class Tumbling(Strategy):
 class _Tumbling:
     """The quantities of a tumbling prism; angles are those from the upward vertical to the line edge–axis."""
 
-    def __init__(self, setting: Setting, book: Book) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
         """Read the parameters; raise UnreadError if one is not a simple function of the numbers in the text."""
         self.setting, self.book = setting, book
         body, read = setting.mechanism.bodies[0].name, setting.lexicon.of
         radius, sides = setting.given(f"{body}.radius"), getattr(setting.scene.bodies.get(body), "sides", 0)
         if radius is None or not sides:
             raise UnreadError("its shape is not known")
-        self.who, self.radius = setting.called(body), Symbol(radius.symbol)
+        self.who, self.radius = setting.display_name(body), Symbol(radius.symbol)
         self.sides = float(sides)
         self.half: Expression = PI / Number(self.sides)
         self.turn: Expression = PI / Number(0.5 * self.sides)
@@ -96,14 +96,14 @@ class _Tumbling:
         """Write the moment of inertia about the axis and return its symbol."""
         formula = self.mass * Power(self.radius, 2) * (TWO + Call("cos", self.turn)) / SIX
         said = prism_words.shape_words(self.who, round(self.sides), self.turn)
-        return self.book.told("table", said, self.book.fresh("I", "0"), formula, INERTIA)
+        return self.book.add_step("table", said, self.book.fresh("I", "0"), formula, INERTIA)
 
     @cached_property
     def about(self) -> Symbol:
         """Write the moment of inertia about an edge and return its symbol."""
         said = "By the parallel-axis theorem, the moment of inertia about an edge is"
         formula = self.own + self.mass * Power(self.radius, 2)
-        return self.book.told("inertia", said, self.book.fresh("I"), formula, INERTIA)
+        return self.book.add_step("inertia", said, self.book.fresh("I"), formula, INERTIA)
 
     @property
     def weight(self) -> Expression:
@@ -120,14 +120,14 @@ class _Tumbling:
     @cached_property
     def landings(self) -> list[Event]:
         """Return the landings before the moment."""
-        return [e for e in happened(self.setting.motion.events, self.setting.time) if e.kind == "land"]
+        return [e for e in events_before(self.setting.motion.events, self.setting.time) if e.kind == "land"]
 
     @cached_property
     def natural(self) -> Symbol:
         """Write the angular frequency √(m g R/I) and return its symbol."""
         said = "About an edge it moves like a pendulum whose small oscillations have the angular frequency"
         name, formula = self.book.fresh(r"\omega", "n"), Root(self.weight / self.about)
-        return self.book.told("natural", said, name, formula, ANGULAR_SPEED)
+        return self.book.add_step("natural", said, name, formula, ANGULAR_SPEED)
 
     def _times(self) -> SwingTime:
         return SwingTime(self.book, self.natural, PI + self.begins, self.rate, 1.0)
@@ -152,23 +152,29 @@ class _Tumbling:
         if self.since == ZERO:
             self.since = span
         else:
-            self.since = self.book.told("time", "The time is then", self.book.fresh("t"), self.since + span, SECONDS)
+            self.since = self.book.add_step(
+                "time", "The time is then", self.book.fresh("t"), self.since + span, SECONDS
+            )
 
     def _lands(self) -> None:
         """Write the angular velocity just before and just after the next edge lands."""
         book, fast, after = self.book, self.book.fresh(r"\omega"), self.book.fresh(r"\omega")
-        step = book.open("energy")
+        step = book.begin_step("energy")
         drop = FOUR * self.weight * Call("sin", self.half) * Call("sin", self.slope) if self.slope != ZERO else ZERO
-        law = step.law(HALF * self.about * Power(fast, 2), HALF * self.about * squares([self.rate]) + HALF * drop)
-        formula = Root(squares([self.rate]) + drop / self.about)
-        step.say(f"{prism_words.sinking_words(self.radius, self.half, self.slope)}. By conservation of energy, {law},")
-        step.say(f"so {step.result(fast, formula, ANGULAR_SPEED)}.")
+        law = step.law(
+            HALF * self.about * Power(fast, 2), HALF * self.about * sum_of_squares([self.rate]) + HALF * drop
+        )
+        formula = Root(sum_of_squares([self.rate]) + drop / self.about)
+        step.add_text(
+            f"{prism_words.sinking_words(self.radius, self.half, self.slope)}. By conservation of energy, {law},"
+        )
+        step.add_text(f"so {step.result(fast, formula, ANGULAR_SPEED)}.")
         step.close()
-        step = book.open("landing")
+        step = book.begin_step("landing")
         left = self.own + self.mass * Power(self.radius, 2) * Call("cos", self.turn)
         law = step.law(self.about * after, left * fast)
-        step.say(prism_words.landing_words(self.radius * fast, self.turn, law))
-        step.say(f"so {step.result(after, left * fast / self.about, ANGULAR_SPEED)}.")
+        step.add_text(prism_words.landing_words(self.radius * fast, self.turn, law))
+        step.add_text(f"so {step.result(after, left * fast / self.about, ANGULAR_SPEED)}.")
         step.close()
         self.rate = after
 
@@ -185,12 +191,12 @@ class _Tumbling:
             return self._swung - PI - self.begins
         assert isinstance(moment, TurnedThrough)
         name = self.book.fresh(r"\phi")
-        self.book.know(name.name, radians(moment.value), DEGREES)
+        self.book.set_value(name.name, radians(moment.value), DEGREES)
         self.book.stated[name.name] = rf"{moment.value:g}{DEGREES}"
         if not self.edges:
             return name
         said, whole = "Since the last landing it has turned through", Number(2.0 * self.edges / self.sides) * PI
-        return self.book.told("angle", said, self.book.fresh(r"\phi"), name - whole, DEGREES)
+        return self.book.add_step("angle", said, self.book.fresh(r"\phi"), name - whole, DEGREES)
 
     @property
     def angle(self) -> Expression:
@@ -206,11 +212,11 @@ class _Tumbling:
         moment = self.setting.query.moment
         assert isinstance(moment, AtTime)
         name = self.book.fresh("t")
-        self.book.say_given(name.name, moment.after, SECONDS)
+        self.book.state_given(name.name, moment.after, SECONDS)
         left = name
         if self.since != ZERO:
             said = "The time since then is"
-            left = self.book.told("time", said, self.book.fresh("t"), name - self.since, SECONDS)
+            left = self.book.add_step("time", said, self.book.fresh("t"), name - self.since, SECONDS)
         return self._times().angle(left)
 
     @cached_property
@@ -219,13 +225,13 @@ class _Tumbling:
         angle = self.angle
         if isinstance(self.setting.query.moment, AtStart):
             return self.launch
-        step, name = self.book.open("energy"), self.book.fresh(r"\omega")
+        step, name = self.book.begin_step("energy"), self.book.fresh(r"\omega")
         here = Call("cos", angle) if angle != ZERO else ONE
         gained = self.weight * (Call("cos", self.begins) - here)
-        law = step.law(HALF * self.about * Power(name, 2), HALF * self.about * squares([self.rate]) + gained)
-        formula = Root(squares([self.rate]) + TWO * gained / self.about)
+        law = step.law(HALF * self.about * Power(name, 2), HALF * self.about * sum_of_squares([self.rate]) + gained)
+        formula = Root(sum_of_squares([self.rate]) + TWO * gained / self.about)
         where = "At the highest point the axis is straight above the edge. By" if self.highest else "By"
-        step.say(f"{where} conservation of energy, {law}, so {step.result(name, formula, ANGULAR_SPEED)}.")
+        step.add_text(f"{where} conservation of energy, {law}, so {step.result(name, formula, ANGULAR_SPEED)}.")
         step.close()
         return name
 
@@ -237,7 +243,7 @@ class _Tumbling:
         prism_words.tell(self.book, prism_words.angle_words(self.half, self.angle))
         said = "The torque of gravity about the edge divided by the moment of inertia is"
         formula = self.weight * Call("sin", self.angle) / self.about
-        return self.book.told("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
+        return self.book.add_step("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
 
     def write(self) -> Symbol:
         """Write the answer to the query and return its symbol."""
@@ -247,12 +253,16 @@ class _Tumbling:
         held: Expression | Callable[[], Expression] = getattr(self, self.WAYS[quantity][0])
         formula, said = held() if callable(held) else held, self.WAYS[quantity][1]
         if self.book.value(formula) < 0.0:
-            formula, said = -formula, of_magnitude(said, quantity)
+            formula, said = -formula, magnitude_words(said, quantity)
         if isinstance(formula, Symbol):
             return formula
         if quantity in BOTH:
-            said = of_components(quantity, self.radius * squares([self.spin]), self.radius * self.growth, begins=True)
-        return self.book.told("answer", said, self.book.fresh(LETTERS[quantity]), formula, self.setting.unit)
+            said = of_components(
+                quantity, self.radius * sum_of_squares([self.spin]), self.radius * self.growth, begins=True
+            )
+        return self.book.add_step(
+            "answer", said, self.book.fresh(QUANTITY_SYMBOLS[quantity]), formula, self.setting.unit
+        )
 
     def _velocity(self) -> Expression:
         return self.radius * self.spin
@@ -286,7 +296,7 @@ class _Tumbling:
         bent = self.launch * self.spin * Call("cos", self.turned)
         said = prism_words.velocities_words(self.turned, highest=self.highest, landed=self.edges > 0)
         prism_words.tell(self.book, said)
-        return self.mass * self.radius * Root(squares([self.launch]) + squares([self.spin]) - TWO * bent)
+        return self.mass * self.radius * Root(sum_of_squares([self.launch]) + sum_of_squares([self.spin]) - TWO * bent)
 
     WAYS: ClassVar[Mapping[str, tuple[str, str]]] = {
         "velocity": ("_velocity", "The speed of the centre is the angular speed times the radius,"),

@@ -17,7 +17,7 @@ from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
 from sim2reason.solutions.oscillations.net_force import is_slow_at_greatest
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.swings.asked import (
     BOTH,
     EXTREMES,
@@ -25,14 +25,14 @@ from sim2reason.solutions.swings.asked import (
     Ends,
     of_components,
     quantity_of,
-    tell_other_end,
     where_extreme,
+    write_other_end,
 )
 from sim2reason.solutions.swings.times import SwingTime
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import DEGREES, LETTERS, SECONDS, of_magnitude
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import DEGREES, QUANTITY_SYMBOLS, SECONDS, magnitude_words
 
-SLOW, STRAIGHT = 1e-5, 1e-6  # tolerance relative to the greatest speed; tolerance in rad
+REST_SPEED_RTOL, ANGLE_TOLERANCE = 1e-5, 1e-6  # tolerance relative to the greatest speed; tolerance in rad
 TWO = Number(2.0)
 UP = (0.0, 0.0, 1.0)
 SMALL = "The angular frequency of small oscillations is"
@@ -60,7 +60,7 @@ class SwingAngle(ABC):
     one_point = True  # a single small body swings
     falls = True  # the centre of mass is on the side from which the angle is measured
 
-    def __init__(self, setting: Setting, book: Book) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
         """Take a question, without writing anything."""
         self.setting, self.book = setting, book
 
@@ -80,7 +80,7 @@ class SwingAngle(ABC):
         moment = self.setting.query.moment
         if self.extreme:
             return self.extreme == "slowest" and not self.goes_round
-        return isinstance(moment, HighestPoint | LowestPoint | Stopped) and abs(self.turning) <= SLOW
+        return isinstance(moment, HighestPoint | LowestPoint | Stopped) and abs(self.turning) <= REST_SPEED_RTOL
 
     @property
     @abstractmethod
@@ -116,7 +116,7 @@ class SwingAngle(ABC):
 
     def _at_time(self, moment: AtTime) -> Expression:
         name = self.book.fresh("t")
-        self.book.say_given(name.name, moment.after, SECONDS)
+        self.book.state_given(name.name, moment.after, SECONDS)
         angle = self.times.angle(name)
         return angle if self.falls else added(PI, -angle)
 
@@ -141,9 +141,9 @@ class SwingAngle(ABC):
 
     def _upright(self) -> Expression:
         """Return the angle at the lowest or highest point."""
-        if abs(self.now) < STRAIGHT:
+        if abs(self.now) < ANGLE_TOLERANCE:
             return ZERO
-        if abs(abs(self.now) - pi) > STRAIGHT:
+        if abs(abs(self.now) - pi) > ANGLE_TOLERANCE:
             raise UnsolvedError("the angle at that moment is not known")
         return Number(pi)
 
@@ -159,7 +159,7 @@ class SwingAngle(ABC):
         """Return the symbol of the angle that the question states: a deflection or an angle turned."""
         moment, name = self.setting.query.moment, self.book.fresh(r"\phi")
         assert isinstance(moment, Deflected | TurnedThrough)
-        self.book.say_given(name.name, float(np.radians(moment.value)), DEGREES)
+        self.book.state_given(name.name, float(np.radians(moment.value)), DEGREES)
         return name
 
     @abstractmethod
@@ -239,8 +239,10 @@ class SwingAngle(ABC):
         if isinstance(formula, Symbol) and (self.setting.unit != DEGREES or self.book.units[formula.name] == DEGREES):
             return formula  # an angle that the text says is counted in radians
         said = self.said(quantity) or "So"
-        said = LOST if turned and quantity == "height" else of_magnitude(said, quantity) if turned else said
-        found = self.book.told("answer", said, self.book.fresh(LETTERS[quantity]), formula, self.setting.unit)
+        said = LOST if turned and quantity == "height" else magnitude_words(said, quantity) if turned else said
+        found = self.book.add_step(
+            "answer", said, self.book.fresh(QUANTITY_SYMBOLS[quantity]), formula, self.setting.unit
+        )
         self._compare_ends(quantity, found)
         return found
 
@@ -267,8 +269,10 @@ class SwingAngle(ABC):
         at = "at the {} point" if self.one_point else "where the centre of mass is {}"
         lowest, highest = at.format("lowest"), at.format("highest")
         still = highest if self.goes_round else "at the turning points"
-        where, step = lowest if self.extreme == "fastest" else still, self.book.open("extreme")
-        step.say(where_extreme(quantity, noun, superlative, where, loops=self.goes_round, free=self.book.in_symbols))
+        where, step = lowest if self.extreme == "fastest" else still, self.book.begin_step("extreme")
+        step.add_text(
+            where_extreme(quantity, noun, superlative, where, loops=self.goes_round, free=self.book.in_symbols)
+        )
         step.close()
 
     def _compare_ends(self, quantity: str, found: Symbol) -> None:
@@ -277,9 +281,9 @@ class SwingAngle(ABC):
         if quantity != "acceleration" or not swings or book.in_symbols or (ends := self.ends) is None:
             return
         if book.is_hidden(found) or any(map(book.is_hidden, ends)):
-            book.afterwards.append(lambda: tell_other_end(book, found, ends))
+            book.afterwards.append(lambda: write_other_end(book, found, ends))
         else:
-            tell_other_end(book, found, ends)
+            write_other_end(book, found, ends)
 
     @property
     def ends(self) -> Ends | None:

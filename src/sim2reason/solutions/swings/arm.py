@@ -8,22 +8,22 @@ import numpy as np
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.questions.regimes.directions import SideOfCenterOfMass
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.solids import Shape
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.scenes.dsl.vectors import Vector, applied, minus, product
+from sim2reason.scenes.dsl.vectors import Vector, applied, dot, minus
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Power
-from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.setting import ProblemContext, capitalized
 from sim2reason.solutions.solution import with_unit
-from sim2reason.solutions.swings.mass_spread import MassSpread, candidates, mass_spread, tilted
-from sim2reason.solutions.writing.comparing import exceeds
+from sim2reason.solutions.swings.mass_spread import MeanSquares, candidates, mean_squares, tilted
+from sim2reason.solutions.writing.comparing import record_inequality
 from sim2reason.solutions.writing.lexicon import UnreadError
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.steps import SolutionBuilder
 from sim2reason.solutions.writing.unit_latex import INERTIA, METRES, latex
 
-SAME = 1e-9  # relative tolerance of moments of inertia, and tolerance of lengths in m
+INERTIA_RTOL = 1e-9  # relative tolerance of moments of inertia, and tolerance of lengths in m
 MOMENT = latex("kg m")
 POINTS = {  # reference points of bodies in the text
     "Hemisphere": "the centre of its flat face",
@@ -34,7 +34,7 @@ POINTS = {  # reference points of bodies in the text
 
 def lone_axle(m: Mechanism) -> str:
     """Return the only body on a fixed horizontal axle, which may carry others fixed to it; else empty."""
-    if len(m.coordinates) != 1 or m.coordinates[0].kind != "hinge" or abs(m.coordinates[0].axis[2]) > SAME:
+    if len(m.coordinates) != 1 or m.coordinates[0].kind != "hinge" or abs(m.coordinates[0].axis[2]) > INERTIA_RTOL:
         return ""
     other = m.lines or m.faces or m.forces or m.attractions or m.burns or m.meetings or m.feet
     carrier = m.coordinates[0].body
@@ -58,7 +58,7 @@ FLAT = ("Disc", "Hoop")  # thin bodies, in which a line across the axis is a dia
 class Arm:
     """The pieces of a rigid body on an axle, in the symbols of the text, written as needed."""
 
-    def __init__(self, setting: Setting, book: Book, carrier: str = "") -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder, carrier: str = "") -> None:
         """Take the arm of a carrier, by default that on the only axle; UnreadError for an unknown number."""
         self.setting, self.book, self.carrier = setting, book, carrier or lone_axle(setting.mechanism)
         self.axis: Vector = setting.mechanism.body[self.carrier].coordinates[0].axis
@@ -73,10 +73,10 @@ class Arm:
 
     def way(self, m: Mechanism) -> Vector:
         """Return the unit vector along the arm at the start, towards the first piece."""
-        frames = start(m)
+        frames = initial_frames(m)
         first = self.bodies[0]
         apart = minus(frames[first].origin, frames[self.carrier].origin)
-        if hypot(*apart) < SAME:
+        if hypot(*apart) < INERTIA_RTOL:
             apart = minus(frames.center(first).place, frames[self.carrier].origin)
         x, y, z = (float(part) / hypot(*apart) for part in apart)
         return x, y, z
@@ -151,32 +151,32 @@ class Arm:
         """Return the position of a body's centre of mass along the arm, from the axle."""
 
         def origin(m: Mechanism) -> float:
-            frames = start(m)
-            return float(product(minus(frames[body].origin, frames[self.carrier].origin), self.way(m)))
+            frames = initial_frames(m)
+            return float(dot(minus(frames[body].origin, frames[self.carrier].origin), self.way(m)))
 
         def center(m: Mechanism) -> float:
-            frames = start(m)
-            return float(product(minus(frames.center(body).place, frames[self.carrier].origin), self.way(m)))
+            frames = initial_frames(m)
+            return float(dot(minus(frames.center(body).place, frames[self.carrier].origin), self.way(m)))
 
         if not any(self.setting.mechanism.body[body].inertia):
             return self._read(center)  # a small body at the end of a rod
         plain = self._read(origin)
         here, aside = center(self.setting.mechanism), center(self.setting.mechanism) - origin(self.setting.mechanism)
-        if abs(aside) <= SAME:
+        if abs(aside) <= INERTIA_RTOL:
             return plain
         shape = self._shape(body)
-        spread = mass_spread(shape, self._size(body)) if shape is not None else None
+        spread = mean_squares(shape, self._size(body)) if shape is not None else None
         if spread is None:
-            raise UnreadError(f"the centre of mass of {self.setting.called(body)} is in no table")
-        name = self.book.fresh("c", self.setting.mark(body))
+            raise UnreadError(f"the centre of mass of {self.setting.display_name(body)} is in no table")
+        name = self.book.fresh("c", self.setting.subscript_of(body))
         point = POINTS.get(type(shape).__name__, "its own centre")
-        said = f"The distance of the centre of mass of {self.setting.called(body)} from {point} is"
-        shift: Expression = self.book.told("table", said, name, spread.center, METRES)
+        said = f"The distance of the centre of mass of {self.setting.display_name(body)} from {point} is"
+        shift: Expression = self.book.add_step("table", said, name, spread.center, METRES)
         shift = shift if aside * self.book.value(shift) > 0.0 else -shift
-        whole = self.book.fresh("r", self.setting.mark(body))
-        self.book.told("place", self._place_words(body, plain + shift, plain, shift), whole, plain + shift, METRES)
-        if abs(self.book.value(whole) - here) > SAME:
-            raise UnreadError(f"the centre of mass of {self.setting.called(body)} is beside the arm")
+        whole = self.book.fresh("r", self.setting.subscript_of(body))
+        self.book.add_step("place", self._place_words(body, plain + shift, plain, shift), whole, plain + shift, METRES)
+        if abs(self.book.value(whole) - here) > INERTIA_RTOL:
+            raise UnreadError(f"the centre of mass of {self.setting.display_name(body)} is beside the arm")
         return whole
 
     def _place_words(self, body: str, place: Expression, *parts: Expression) -> str:
@@ -184,28 +184,28 @@ class Arm:
         plain = not any(part.negative for part in parts)
         if plain or (self.book.value(place) > 0.0 and not self.book.is_hidden(place)):
             return "Its distance from the axle is"
-        whose, first = self.setting.called(body), self.setting.called(self.bodies[0])
+        whose, first = self.setting.display_name(body), self.setting.display_name(self.bodies[0])
         return f"Along the arm, from the axle and positive on the side of {first}, the centre of mass of {whose} is at"
 
     def _own(self, body: str, mass: Expression) -> Expression:
         """Write the moment of inertia of a body about its own centre of mass, parallel to the axle; return it."""
         held = self.setting.mechanism.body[body]
-        actual = float(product(self.axis, applied(held.inertia, self.axis)))
+        actual = float(dot(self.axis, applied(held.inertia, self.axis)))
         if actual <= 0.0:
             return ZERO
         shape = self._shape(body)
-        spread = mass_spread(shape, self._size(body)) if shape is not None else None
+        spread = mean_squares(shape, self._size(body)) if shape is not None else None
         for formula, why in self._inertias(spread):
-            if abs(self.book.value(formula) * held.mass - actual) <= SAME * actual:
+            if abs(self.book.value(formula) * held.mass - actual) <= INERTIA_RTOL * actual:
                 line = "the line through its centre of mass parallel to the axle"
                 flat = type(shape).__name__ in FLAT and spread is not None and formula == candidates(spread)[0]
                 line = f"{line}, a diameter of it," if flat else line
-                said = f"The moment of inertia of {self.setting.called(body)} about {line} is"
-                name = self.book.fresh("I", ",".join(p for p in ("0", self.setting.mark(body)) if p))
-                return self.book.told("table", f"{why} {said}".lstrip(), name, mass * formula, INERTIA)
-        raise UnreadError(f"the moment of inertia of {self.setting.called(body)} is in no table")
+                said = f"The moment of inertia of {self.setting.display_name(body)} about {line} is"
+                name = self.book.fresh("I", ",".join(p for p in ("0", self.setting.subscript_of(body)) if p))
+                return self.book.add_step("table", f"{why} {said}".lstrip(), name, mass * formula, INERTIA)
+        raise UnreadError(f"the moment of inertia of {self.setting.display_name(body)} is in no table")
 
-    def _inertias(self, spread: MassSpread | None) -> Iterator[tuple[Expression, str]]:
+    def _inertias(self, spread: MeanSquares | None) -> Iterator[tuple[Expression, str]]:
         """Yield moments of inertia over the mass about a body's axes and tilted lines, each with its reason."""
         if spread is None:
             return
@@ -225,11 +225,11 @@ class Arm:
             total = total + piece.inertia + piece.mass * _squared(piece.place)
         points = [body for body in self.bodies if not any(self.setting.mechanism.body[body].inertia)]
         as_points = "a point mass" if len(points) == 1 else "point masses"
-        added = f", with {self.setting.listed(points)} as {as_points}" if points else ""
+        added = f", with {self.setting.bodies_phrase(points)} as {as_points}" if points else ""
         said = f"By the parallel-axis theorem{added}, the moment of inertia about the axle is"
         if all(self.piece(body).inertia == ZERO for body in self.bodies):
             said = "The moment of inertia about the axle is"
-        return self.book.told("inertia", said, self.book.fresh("I"), total, INERTIA)
+        return self.book.add_step("inertia", said, self.book.fresh("I"), total, INERTIA)
 
     @cached_property
     def moment(self) -> Expression:
@@ -242,33 +242,33 @@ class Arm:
             return total
         said, name = "The sum of the masses times their distances from the axle is", self.book.fresh("S")
         if all(self.book.value(piece.place) > 0.0 for piece in parts):
-            return self.book.told("moment", said, name, total, MOMENT)
-        step, first = self.book.open("moment"), self.setting.called(self.bodies[0])
+            return self.book.add_step("moment", said, name, total, MOMENT)
+        step, first = self.book.begin_step("moment"), self.setting.display_name(self.bodies[0])
         counted = f"distances on the side of {first} being counted as positive,"
-        step.say(f"{said[:-3]}, {counted} is {step.result(name, total, MOMENT, law=True)}.")
+        step.add_text(f"{said[:-3]}, {counted} is {step.result(name, total, MOMENT, law=True)}.")
         sign, side = ("> 0", "this") if self.book.value(name) > 0.0 else ("< 0", "the opposite")
         if any(isinstance(held, SideOfCenterOfMass) for held in self.setting.assumed):
-            step.say(f"By assumption, the centre of mass is on {side} side, so ${name.name} {sign}$.")
+            step.add_text(f"By assumption, the centre of mass is on {side} side, so ${name.name} {sign}$.")
         elif not self.book.is_hidden(total):
-            step.say(f"As ${name.name} {sign}$, the centre of mass is on {side} side.")
+            step.add_text(f"As ${name.name} {sign}$, the centre of mass is on {side} side.")
         elif not self.book.in_symbols:
-            step.say(f"Assume that ${name.name} {sign}$, so that the centre of mass is on {side} side.")
+            step.add_text(f"Assume that ${name.name} {sign}$, so that the centre of mass is on {side} side.")
             self.book.afterwards.append(lambda: self._tell_side(name, sign))
         step.close()
         return name
 
     def _tell_side(self, moment: Symbol, sign: str) -> None:
         """Write that the centre of mass is on the assumed side, once all numbers are known."""
-        step = self.book.open("verify")
-        exceeds(self.book, step, *((moment, ZERO) if sign == "> 0" else (ZERO, moment)))
+        step = self.book.begin_step("verify")
+        record_inequality(self.book, step, *((moment, ZERO) if sign == "> 0" else (ZERO, moment)))
         value = with_unit(self.book.value(moment), MOMENT)
-        step.say(f"With this, ${moment.name} = {value} {sign}$, as was assumed.")
+        step.add_text(f"With this, ${moment.name} = {value} {sign}$, as was assumed.")
         step.close()
 
     def noun(self) -> str:
         """Return the capitalised noun phrase of the rotating body."""
         lone = self.bodies[0] if len(self.bodies) == 1 else self.carrier
-        return capital(self.setting.called(lone if lone in self.setting.words.mentions else self.bodies[0]))
+        return capitalized(self.setting.display_name(lone if lone in self.setting.words.mentions else self.bodies[0]))
 
 
 def _squared(held: Expression) -> Expression:

@@ -10,9 +10,9 @@ from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoin
 from sim2reason.simulation.quantities.positions import HeightAboveStart
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
-from sim2reason.solutions.setting import Setting, capital
-from sim2reason.solutions.writing.comparing import exceeds
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.setting import ProblemContext, capitalized
+from sim2reason.solutions.writing.comparing import record_inequality
+from sim2reason.solutions.writing.steps import SolutionBuilder
 from sim2reason.solutions.writing.unit_latex import ACCELERATION
 
 MOMENTS = (AtStart, AtTime, Deflected, HighestPoint, LowestPoint, Stopped, TurnedThrough, WentSlack)
@@ -33,7 +33,7 @@ EXTREMES = {  # by functional: the quantity, and whether it is extreme where the
 PLACES = frozenset({"deflection", "height", "displacement"})  # quantities whose greatest value needs no reason
 
 
-def quantity_of(setting: Setting) -> str:
+def quantity_of(setting: ProblemContext) -> str:
     """Return the quantity that is asked for, or whose extreme value is."""
     query = setting.query
     if isinstance(query, StretchQuery):
@@ -42,23 +42,23 @@ def quantity_of(setting: Setting) -> str:
     return "height" if named == HeightAboveStart.name else named
 
 
-def turns_back(setting: Setting, noun: str) -> str:
+def turns_back(setting: ProblemContext, noun: str) -> str:
     """Return the words before the law of the turning point of a `noun`, such as *The arm turns back where ...:*."""
     moment, highest = setting.query.moment, ""
     if isinstance(moment, HighestPoint):
-        body = setting.called(moment.name)
-        highest = " at its highest point," if capital(body) == noun else f", with {body} at its highest point,"
+        body = setting.display_name(moment.name)
+        highest = " at its highest point," if capitalized(body) == noun else f", with {body} at its highest point,"
     return f"{noun} turns back{highest} where all kinetic energy has become potential energy:"
 
 
-def straight(setting: Setting, *, below: bool) -> str:
+def straight(setting: ProblemContext, *, below: bool) -> str:
     """Return a clause about an arm when one of its bodies is at its highest or lowest point, or at another moment."""
     if isinstance(setting.query.moment, LowestPoint | HighestPoint):
         return f"with the centre of mass straight {'below' if below else 'above'} the axle"
     return "at that moment"
 
 
-def by_energy(setting: Setting, noun: str, name: Symbol, *, extreme: bool, where: str = "") -> str:
+def by_energy(setting: ProblemContext, noun: str, name: Symbol, *, extreme: bool, where: str = "") -> str:
     """Return the beginning of a sentence that gives a speed at the moment by conservation of energy.
 
     With `extreme`, an earlier sentence gives the position; `where` is the position of a body that is not a point mass.
@@ -71,7 +71,7 @@ def by_energy(setting: Setting, noun: str, name: Symbol, *, extreme: bool, where
     return f"By conservation of energy, the {noun} ${name.latex()}$ {at} is given by"
 
 
-def unasked(setting: Setting, quantities: Collection[str]) -> str:
+def unsupported_reason(setting: ProblemContext, quantities: Collection[str]) -> str:
     """Return the part of a query for which there is no formula, in words; empty if there is none."""
     query = setting.query
     if isinstance(query, StretchQuery):
@@ -150,7 +150,7 @@ def where_extreme(
     return f"By conservation of energy, the {noun} is {superlative} {where}."
 
 
-def tell_other_end(book: Book, found: Expression, ends: Ends) -> None:
+def write_other_end(book: SolutionBuilder, found: Expression, ends: Ends) -> None:
     """Write the acceleration at the other end of a swing, which is smaller than the greatest one."""
     pull, first, excess = ends
     cosine = Call("cos", first) if first != ZERO else ONE
@@ -158,7 +158,9 @@ def tell_other_end(book: Book, found: Expression, ends: Ends) -> None:
     lowest, turning = 2.0 * pull * (ONE - cosine + excess), pull * sine
     less = min(lowest, turning, key=book.value)
     where = "At the lowest point" if less is lowest else "At a turning point"
-    step, name = book.open("verify"), book.fresh("a", r"\text{end}")
-    exceeds(book, step, found, less)
-    step.say(f"{where} the acceleration is {step.verified(name, less, ACCELERATION)}, less than ${found.latex()}$.")
+    step, name = book.begin_step("verify"), book.fresh("a", r"\text{end}")
+    record_inequality(book, step, found, less)
+    step.add_text(
+        f"{where} the acceleration is {step.verified(name, less, ACCELERATION)}, less than ${found.latex()}$."
+    )
     step.close()

@@ -5,14 +5,14 @@ from dataclasses import dataclass
 from math import copysign
 
 from sim2reason.base.lazy import cached_property
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Coordinate, Inextensible, Line, Mechanism
-from sim2reason.scenes.dsl.vectors import minus, product
+from sim2reason.scenes.dsl.vectors import dot, minus
 from sim2reason.solutions.algebra.expressions import ZERO, Expression
 from sim2reason.solutions.algebra.functions import summed
-from sim2reason.solutions.setting import LEVEL, Setting, capital
+from sim2reason.solutions.setting import DIRECTION_TOLERANCE, ProblemContext, capitalized
 from sim2reason.solutions.swings.arm import Arm
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.steps import SolutionBuilder
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +25,7 @@ class Pull:
 
 
 @dataclass(frozen=True, slots=True)
-class Riding:
+class CarriageSystem:
     """The carriage, the arm that swings on it, and the strings that pull it."""
 
     carriage: str
@@ -33,7 +33,7 @@ class Riding:
     pulls: tuple[Pull, ...]
 
 
-def riding(m: Mechanism) -> Riding | None:
+def carriage_system(m: Mechanism) -> CarriageSystem | None:
     """Return the carriage, arm and strings of a mechanism that starts from rest; None for other mechanisms."""
     hinges = [c for c in m.coordinates if c.kind == "hinge"]
     other = m.faces or m.forces or m.attractions or m.burns or m.meetings or m.feet
@@ -45,11 +45,15 @@ def riding(m: Mechanism) -> Riding | None:
         return None
     pulls = [_pull(m, line, slides[0]) for line in m.lines]
     along = slides[0].axis
-    upright = abs(along[2]) < LEVEL and abs(hinge.axis[2]) < LEVEL and abs(product(along, hinge.axis)) < LEVEL
+    upright = (
+        abs(along[2]) < DIRECTION_TOLERANCE
+        and abs(hinge.axis[2]) < DIRECTION_TOLERANCE
+        and abs(dot(along, hinge.axis)) < DIRECTION_TOLERANCE
+    )
     found = tuple(pull for pull in pulls if pull is not None)
     known = {carriage, hinge.body, *(pull.body for pull in found if pull.body)}
     whole = len(m.coordinates) == len(known) and all(body.name in known or body.parent in known for body in m.bodies)
-    return Riding(carriage, hinge.body, found) if upright and whole and len(found) == len(pulls) else None
+    return CarriageSystem(carriage, hinge.body, found) if upright and whole and len(found) == len(pulls) else None
 
 
 def _pull(m: Mechanism, line: Line, rail: Coordinate) -> Pull | None:
@@ -59,39 +63,41 @@ def _pull(m: Mechanism, line: Line, rail: Coordinate) -> Pull | None:
         return None
     names = line.through if on[0] == 0 else line.through[::-1]
     inner, outer = names[:-1], m.site[names[-1]]
-    frames = start(m)
+    frames = initial_frames(m)
     way = minus(frames.site(names[1]).place, frames.site(names[0]).place)
     fixed = all(m.site[site].body is None for site in inner[1:])
-    if not fixed or abs(abs(product(way, rail.axis)) - product(way, way) ** 0.5) > LEVEL:
+    if not fixed or abs(abs(dot(way, rail.axis)) - dot(way, way) ** 0.5) > DIRECTION_TOLERANCE:
         return None
-    side = copysign(1.0, float(product(way, rail.axis)))
+    side = copysign(1.0, float(dot(way, rail.axis)))
     if isinstance(line.law, ConstantTension):
         return Pull(line.name, side) if outer.body is None else None
     plain = isinstance(line.law, Inextensible) and not line.law.slack and not line.law.reel
     down = minus(frames.site(names[-1]).place, frames.site(names[-2]).place)
-    hangs = outer.body is not None and down[2] < 0.0 and abs(abs(down[2]) - product(down, down) ** 0.5) < LEVEL
+    hangs = (
+        outer.body is not None and down[2] < 0.0 and abs(abs(down[2]) - dot(down, down) ** 0.5) < DIRECTION_TOLERANCE
+    )
     own = m.body[outer.body].coordinates if outer.body is not None else ()
-    free = len(own) == 1 and own[0].kind == "slide" and abs(own[0].axis[2]) > 1.0 - LEVEL
+    free = len(own) == 1 and own[0].kind == "slide" and abs(own[0].axis[2]) > 1.0 - DIRECTION_TOLERANCE
     return Pull(line.name, side, outer.body) if plain and hangs and free and outer.body else None
 
 
 class Carriage:
     """The masses and forces of a carriage, in the symbols of the text; forward is the arm's initial side."""
 
-    def __init__(self, setting: Setting, book: Book) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
         """Read the parameters; raise UnreadError if one is not a simple function of the numbers in the text."""
-        found = riding(setting.mechanism)
+        found = carriage_system(setting.mechanism)
         assert found is not None, "who asks has seen that something swings on it"
         self.setting, self.riding = setting, found
         self.arm = Arm(setting, book, found.arm)
         self._rail = setting.mechanism.body[found.carriage].coordinates[0].axis
-        self.forward = copysign(1.0, float(product(self._rail, self.arm.way(setting.mechanism))))
+        self.forward = copysign(1.0, float(dot(self._rail, self.arm.way(setting.mechanism))))
 
     @property
     def way(self) -> str:
         """Return the forward direction of the rail, in words."""
         x, y, z = self._rail
-        return self.setting.towards((self.forward * x, self.forward * y, self.forward * z))
+        return self.setting.direction_words((self.forward * x, self.forward * y, self.forward * z))
 
     @property
     def turning(self) -> str:
@@ -159,16 +165,16 @@ class Carriage:
     @property
     def noun(self) -> str:
         """Return the noun phrase of the carriage, such as *the cart*."""
-        return self.setting.called(self.riding.carriage)
+        return self.setting.display_name(self.riding.carriage)
 
     def hanging(self) -> Iterator[str]:
         """Yield a sentence for each hanging body, which adds to the mass of the carriage."""
         x, y, z = (self.forward * part for part in self._rail)
         for pull in self.riding.pulls:
             if pull.body:
-                way = self.setting.towards((x, y, z) if self.towards(pull.line) > 0.0 else (-x, -y, -z))
+                way = self.setting.direction_words((x, y, z) if self.towards(pull.line) > 0.0 else (-x, -y, -z))
                 mass, weight = (held.latex() for held in (self.mass(pull.body), self._weight(pull.body)))
                 yield (
-                    f"{capital(self.setting.called(pull.body))} moves vertically as fast as {self.noun} along the "
+                    f"{capitalized(self.setting.display_name(pull.body))} moves vertically as fast as {self.noun} along the "
                     f"rail, so it acts as a mass ${mass}$ fixed to {self.noun} that a force ${weight}$ pulls {way}."
                 )

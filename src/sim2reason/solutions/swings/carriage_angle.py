@@ -7,23 +7,23 @@ from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.functions import Call, Power, squares
+from sim2reason.solutions.algebra.functions import Call, Power, sum_of_squares
 from sim2reason.solutions.oscillations.net_force import time_of_greatest
-from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.swings.angle import STRAIGHT, SwingAngle
+from sim2reason.solutions.setting import ProblemContext
+from sim2reason.solutions.swings.angle import ANGLE_TOLERANCE, SwingAngle
 from sim2reason.solutions.swings.carriage import Carriage
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import DEGREES, METRES
 
 TWO = Number(2.0)
-REST = 1e-4  # rad/s, tolerance for times found by a search
-NEAR = 1e-3  # rad, tolerance for times found by a search
+REST_RATE = 1e-4  # rad/s, tolerance for times found by a search
+SEARCH_TOLERANCE = 1e-3  # rad, tolerance for times found by a search
 
 
 class CarriageAngle(SwingAngle):
     """The angle of an arm on a carriage, positive on its initial side, written as needed."""
 
-    def __init__(self, setting: Setting, book: Book) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
         """Read the parameters; raise UnreadError if one is not a simple function of the numbers in the text."""
         super().__init__(setting, book)
         self.carriage = Carriage(setting, book)
@@ -33,7 +33,13 @@ class CarriageAngle(SwingAngle):
         query = setting.query
         searched = isinstance(query, StretchQuery) and query.kind == "extremum"
         moment = query.moment
-        when = time_of_greatest(setting) if searched else moment.side(setting.time) if moment is not None else 0.0
+        when = (
+            time_of_greatest(setting)
+            if searched
+            else moment.evaluation_time(setting.time)
+            if moment is not None
+            else 0.0
+        )
         self.now, self.turned, self.turning = self.arm.at(when)
         self.way = -1.0
         self.begins = isinstance(moment, AtStart) or when == 0.0
@@ -51,7 +57,7 @@ class CarriageAngle(SwingAngle):
     @property
     def still(self) -> bool:
         """Return whether the arm is at rest relative to the carriage at the moment."""
-        return abs(self.turning) <= REST
+        return abs(self.turning) <= REST_RATE
 
     @cached_property
     def natural(self) -> Symbol:
@@ -74,7 +80,7 @@ class CarriageAngle(SwingAngle):
         return super().angle
 
     def _at_extreme(self) -> Expression:
-        if abs(self.now) < NEAR:
+        if abs(self.now) < SEARCH_TOLERANCE:
             self._tell_greatest()
             self._say(f"{self.swings} hangs straight down")
             return ZERO
@@ -87,17 +93,19 @@ class CarriageAngle(SwingAngle):
         """Write why the carriage is fastest where the arm hangs straight down."""
         if self.setting.query.subject not in self.carriage.moving_along or self.driving_force != ZERO:
             return
-        step, angle, total = self.book.open("extreme"), self.book.fresh(r"\varphi"), self.carriage.total_mass
+        step, angle, total = self.book.begin_step("extreme"), self.book.fresh(r"\varphi"), self.carriage.total_mass
         if self.lone:
             inertia = self.carriage.sliding_mass + self.mass * Power(Call("sin", angle), 2)
         else:
             inertia = total * self.arm.inertia - Power(self.moment * Call("cos", angle), 2)
         fallen = Power(Call("cos", angle), 2) * (Call("cos", angle) - self.cosine_first)
-        step.say(f"Where {self.swings} makes the angle ${angle.name}$ with the downward vertical, momentum and energy")
-        step.say(
+        step.add_text(
+            f"Where {self.swings} makes the angle ${angle.name}$ with the downward vertical, momentum and energy"
+        )
+        step.add_text(
             f"make the square of the speed of {self.carriage.noun} proportional to ${(fallen / inertia).latex()}$."
         )
-        step.say(f"The numerator is greatest, and the denominator least, at ${angle.name} = 0$.")
+        step.add_text(f"The numerator is greatest, and the denominator least, at ${angle.name} = 0$.")
         step.close()
 
     def _hanging(self) -> list[str]:
@@ -109,15 +117,15 @@ class CarriageAngle(SwingAngle):
     @property
     def swings(self) -> str:
         """Return the noun phrase of the arm, such as *the rod*."""
-        return "the rod" if self.arm.carrier in self.arm.bodies else self.setting.called(self.arm.carrier)
+        return "the rod" if self.arm.carrier in self.arm.bodies else self.setting.display_name(self.arm.carrier)
 
     def _say(self, where: str) -> None:
         query = self.setting.query
         assert isinstance(query, StretchQuery)
         superlative, _, noun = query.functional.partition(" ")
-        step = self.book.open("extreme")
-        whose = f" of {self.setting.called(query.subject)}" if noun in ("speed", "kinetic energy") else ""
-        step.say(f"The {noun}{whose} is {superlative} where {where}.")
+        step = self.book.begin_step("extreme")
+        whose = f" of {self.setting.display_name(query.subject)}" if noun in ("speed", "kinetic energy") else ""
+        step.add_text(f"The {noun}{whose} is {superlative} where {where}.")
         step.close()
 
     def _tell_where(self, quantity: str) -> None:
@@ -126,7 +134,7 @@ class CarriageAngle(SwingAngle):
 
     def _turned(self) -> Expression:
         """Write the angle at which the arm turns back, symmetric about the effective gravity, and return it."""
-        if abs(self.now - self.began) < NEAR:
+        if abs(self.now - self.began) < SEARCH_TOLERANCE:
             return self.first
         if self.driving_force == ZERO:
             return -self.first
@@ -134,13 +142,13 @@ class CarriageAngle(SwingAngle):
         formula = Call("arctan", self.driving_force / (self.carriage.total_mass * self.gravity))
         lead = "In the frame that accelerates along the rail with the common centre of mass,"
         said = " ".join([*self._hanging(), lead, "the effective gravity is tilted by the angle"])
-        self.book.told("tilt", said, tilt, formula, DEGREES)
+        self.book.add_step("tilt", said, tilt, formula, DEGREES)
         said, whole = (
             f"About this direction {self.swings} oscillates symmetrically, so it turns back at",
             self.first + TWO * tilt,
         )
         beyond = self.book.value(whole) > 0.0  # on the other side of the lowest point
-        name = self.book.told("turning", said, self.book.fresh(r"\phi"), whole if beyond else -whole, DEGREES)
+        name = self.book.add_step("turning", said, self.book.fresh(r"\phi"), whole if beyond else -whole, DEGREES)
         return -name if beyond else name
 
     def _where_moved(self, moment: Moved) -> Expression:
@@ -149,20 +157,24 @@ class CarriageAngle(SwingAngle):
             raise UnsolvedError("only integration gives the time")
         self.unloaded()
         far, name = self.book.fresh("d"), self.book.fresh(r"\phi")
-        self.book.say_given(far.name, moment.value, METRES)
+        self.book.state_given(far.name, moment.value, METRES)
         formula = Call("arcsin", self.sine_first - far * self.carriage.total_mass / self.moment)
-        step = self.book.open("place")
+        step = self.book.begin_step("place")
         gone = self.moment * (self.sine_first - Call("sin", name))
         law = step.law(self.carriage.total_mass * far, gone)
-        step.say(f"Let ${name.name}$ be the angle of {self.swings} with the downward vertical at this moment, positive")
-        step.say("on the side on which it begins.")
+        step.add_text(
+            f"Let ${name.name}$ be the angle of {self.swings} with the downward vertical at this moment, positive"
+        )
+        step.add_text("on the side on which it begins.")
         if self.began < 0.5 * pi and not self.book.in_symbols:
-            step.say(f"It rises no higher than at the start, so $|{name.name}| \\le {self.first.latex()} < 90^\\circ$.")
+            step.add_text(
+                f"It rises no higher than at the start, so $|{name.name}| \\le {self.first.latex()} < 90^\\circ$."
+            )
         said = "No external force acts along the rail, so the common centre of mass does not move along it:"
-        step.say(f"{said} {law}, so {step.result(name, formula, DEGREES)}.")
+        step.add_text(f"{said} {law}, so {step.result(name, formula, DEGREES)}.")
         self._far = far
         step.close()
-        if abs(self.book.values[name.name] - self.now) > STRAIGHT:
+        if abs(self.book.values[name.name] - self.now) > ANGLE_TOLERANCE:
             raise UnsolvedError("the arm is above its axle")
         return name
 
@@ -213,7 +225,7 @@ class CarriageAngle(SwingAngle):
     @cached_property
     def effective_inertia(self) -> Expression:
         """Return the effective inertia of the motion along the rail: M + m sin² φ, or (M + m) I − S² cos² φ."""
-        across = squares([self.sine])
+        across = sum_of_squares([self.sine])
         if self.lone:
             return self.carriage.sliding_mass + self.mass * across
         return self.carriage.total_mass * self.arm.inertia - Power(self.moment * self.cosine, 2)

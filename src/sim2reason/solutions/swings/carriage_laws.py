@@ -8,7 +8,7 @@ accelerates all bodies: in the frame with this acceleration, momentum is conserv
 from sim2reason.base.lazy import cached_property
 from sim2reason.questions.moments.angles import Deflected
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.functions import Power, Root, squares
+from sim2reason.solutions.algebra.functions import Power, Root, sum_of_squares
 from sim2reason.solutions.swings.carriage_angle import TWO, CarriageAngle
 from sim2reason.solutions.writing.unit_latex import (
     ACCELERATION,
@@ -47,7 +47,7 @@ class CarriageLaws(CarriageAngle):
         """Write conservation of momentum and energy, and return the angular speed and the carriage speed."""
         c, book, there = self.carriage, self.book, self.cosine
         drift = self._drift
-        step, turns, runs = book.open("energy"), book.fresh(r"\omega"), book.fresh("V")
+        step, turns, runs = book.begin_step("energy"), book.fresh(r"\omega"), book.fresh("V")
         fallen, ahead = there - self.cosine_first, self.signed - self.sine_first
         work = self.moment * self.gravity * fallen
         work = work - self.moment * drift * ahead
@@ -57,21 +57,23 @@ class CarriageLaws(CarriageAngle):
             square = TWO * self.moment * c.total_mass * worth / self.effective_inertia
         momentum, energy = self._kept(turns, runs)
         kept, held = step.law(*momentum), step.law(energy, work)
-        step.say(*self._named(turns, runs))
+        step.add_text(*self._named(turns, runs))
         inertial = " with the work of the pull and of the inertial forces" if drift != ZERO else ""
-        step.say(f"The momentum along the rail stays zero, {kept}, and energy is conserved{inertial}: {held}. Together")
+        step.add_text(
+            f"The momentum along the rail stays zero, {kept}, and energy is conserved{inertial}: {held}. Together"
+        )
         solved = step.result(turns, Root(square), ANGULAR_SPEED)
         formula = self.moment * turns * there / c.total_mass
         if self.lone and self.sine == ZERO:
             formula = self.mass * Root(TWO * self.length * worth / (c.total_mass * c.sliding_mass))
-        step.say(f"{solved} and {step.result(runs, formula, SPEED)}.")
+        step.add_text(f"{solved} and {step.result(runs, formula, SPEED)}.")
         step.close()
         return turns, runs
 
     def _named(self, turns: Symbol, runs: Symbol) -> tuple[str, ...]:
         """Return sentences that name the rates at the moment and give the velocities."""
         c, lowest = self.carriage, self.angle == ZERO
-        who = self.setting.called(self.arm.bodies[0]) if self.lone else f"the centre of mass of {self.swings}"
+        who = self.setting.display_name(self.arm.bodies[0]) if self.lone else f"the centre of mass of {self.swings}"
         seen = "in the frame with this acceleration, " if self._drift != ZERO else ""
         beyond = isinstance(self.setting.query.moment, Deflected) and self.now < 0.0
         side = f", {self.swings} being on the other side of the vertical" if beyond else ""
@@ -96,7 +98,7 @@ class CarriageLaws(CarriageAngle):
         c, along = self.carriage, turns * self.cosine
         if self.lone:
             ahead = self.length * along - runs
-            squared = squares([ahead, self.length * turns * self.sine])
+            squared = sum_of_squares([ahead, self.length * turns * self.sine])
             moving = HALF * c.sliding_mass * Power(runs, 2) + HALF * self.mass * squared
             return (c.sliding_mass * runs, self.mass * ahead), moving
         crossed = self.moment * along * runs
@@ -110,7 +112,7 @@ class CarriageLaws(CarriageAngle):
             return ZERO
         lead = "The force along the rail gives the common centre of mass the acceleration"
         said, name = " ".join([*self._hanging(), lead]), self.book.fresh("a", "0")
-        return self.book.told("frame", said, name, self.driving_force / self.carriage.total_mass, ACCELERATION)
+        return self.book.add_step("frame", said, name, self.driving_force / self.carriage.total_mass, ACCELERATION)
 
     @cached_property
     def place(self) -> Expression:
@@ -124,7 +126,7 @@ class CarriageLaws(CarriageAngle):
         formula = self.moment * over / self.carriage.total_mass
         said = "The common centre of mass does not move along the rail, so the displacement of "
         said += f"{self.carriage.noun} is"
-        return self.book.told("place", said, self.book.fresh("x"), formula, METRES)
+        return self.book.add_step("place", said, self.book.fresh("x"), formula, METRES)
 
     # ---- how that changes
 
@@ -132,7 +134,7 @@ class CarriageLaws(CarriageAngle):
     def radial_pull(self) -> Expression:
         """Return the force in the rod per unit mass, m/s², for an unaccelerated carriage."""
         plain = self.gravity * self.cosine
-        return plain + self.length * squares([self.rate])
+        return plain + self.length * sum_of_squares([self.rate])
 
     @cached_property
     def rod(self) -> Symbol:
@@ -144,21 +146,21 @@ class CarriageLaws(CarriageAngle):
         """Write the force in the rod, N, and the acceleration of the carriage, m/s²; return both."""
         name, book, c = self.book.fresh("T"), self.book, self.carriage
         pull, mass = self.radial_pull, self.mass
-        who = self.setting.called(self.arm.bodies[0])
+        who = self.setting.display_name(self.arm.bodies[0])
         if self.sine == ZERO:
             said = f"By Newton's second law along {self.swings} for {who}, in the frame of {c.noun},"
-            return book.told("rod", said, name, mass * pull, NEWTONS), ZERO
-        step, a = book.open("rod"), book.fresh("a", r"\text{c}")
+            return book.add_step("rod", said, name, mass * pull, NEWTONS), ZERO
+        step, a = book.begin_step("rod"), book.fresh("a", r"\text{c}")
         pulled = self.driving_force + name * self.signed
         along = step.law(name, mass * (pull - a * self.signed))
         rail = step.law(c.sliding_mass * a, pulled)
-        step.say(*self._hanging())
-        step.say(f"Let ${name.name}$ be the force in {self.swings} and ${a.name}$ the acceleration of {c.noun}")
-        step.say(f"{c.way}, which causes an inertial force in its frame. Along {self.swings}, for {who}: {along}.")
-        step.say("Along the rail, for")
+        step.add_text(*self._hanging())
+        step.add_text(f"Let ${name.name}$ be the force in {self.swings} and ${a.name}$ the acceleration of {c.noun}")
+        step.add_text(f"{c.way}, which causes an inertial force in its frame. Along {self.swings}, for {who}: {along}.")
+        step.add_text("Along the rail, for")
         over = c.sliding_mass * pull - self.driving_force * self.signed
-        step.say(f"{c.noun}: {rail}. Together {step.result(name, mass * over / self.effective_inertia, NEWTONS)}")
-        step.say(f"and {step.result(a, pulled / c.sliding_mass, ACCELERATION)}.")
+        step.add_text(f"{c.noun}: {rail}. Together {step.result(name, mass * over / self.effective_inertia, NEWTONS)}")
+        step.add_text(f"and {step.result(a, pulled / c.sliding_mass, ACCELERATION)}.")
         step.close()
         return name, a
 
@@ -176,7 +178,7 @@ class CarriageLaws(CarriageAngle):
         )
         said = " ".join([*self._hanging(), f"{lead} {self.carriage.way} is"])
         name = self.book.fresh("a", r"\text{c}")
-        return self.book.told("newton", said, name, self.driving_force / self.carriage.sliding_mass, ACCELERATION)
+        return self.book.add_step("newton", said, name, self.driving_force / self.carriage.sliding_mass, ACCELERATION)
 
     @cached_property
     def angular_acceleration(self) -> Expression:
@@ -190,25 +192,27 @@ class CarriageLaws(CarriageAngle):
             return ZERO
         counted = f"the angular acceleration of {self.swings}, {self.carriage.turning}, is"
         said = f"Along the circle, with weight and inertial force, {counted}"
-        return self.book.told("growth", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
+        return self.book.add_step("growth", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
 
     @cached_property
     def _turned_up(self) -> tuple[Symbol, Symbol]:
         """Write the angular acceleration of an arm and the acceleration of its carriage; return both."""
         c, book, s, inertia = self.carriage, self.book, self.moment, self.arm.inertia
-        step, turns, a = book.open("torque"), book.fresh(r"\alpha"), book.fresh("a", r"\text{c}")
-        bent = squares([self.rate]) * self.signed
+        step, turns, a = book.begin_step("torque"), book.fresh(r"\alpha"), book.fresh("a", r"\text{c}")
+        bent = sum_of_squares([self.rate]) * self.signed
         held = self.driving_force + s * bent
         weight = self.gravity * self.signed
         rail = step.law(c.total_mass * a, self.driving_force + s * (turns * self.cosine + bent))
         torque = step.law(inertia * turns, s * (weight + a * self.cosine))
-        step.say(*self._hanging())
-        step.say(f"Let ${turns.name}$ be the angular acceleration of {self.swings}, {c.turning}, and ${a.name}$")
-        step.say(f"the acceleration of {c.noun} {c.way}. Along the rail, with all masses: {rail}.")
-        step.say("About the axle, with the inertial")
+        step.add_text(*self._hanging())
+        step.add_text(f"Let ${turns.name}$ be the angular acceleration of {self.swings}, {c.turning}, and ${a.name}$")
+        step.add_text(f"the acceleration of {c.noun} {c.way}. Along the rail, with all masses: {rail}.")
+        step.add_text("About the axle, with the inertial")
         over = s * (c.total_mass * weight + self.cosine * held)
-        step.say(f"force: {torque}. Together {step.result(turns, over / self.effective_inertia, ANGULAR_ACCELERATION)}")
+        step.add_text(
+            f"force: {torque}. Together {step.result(turns, over / self.effective_inertia, ANGULAR_ACCELERATION)}"
+        )
         formula = (held + s * turns * self.cosine) / c.total_mass
-        step.say(f"and {step.result(a, formula, ACCELERATION)}.")
+        step.add_text(f"and {step.result(a, formula, ACCELERATION)}.")
         step.close()
         return turns, a

@@ -12,13 +12,13 @@ from math import cos, pi, prod
 from sim2reason.scenes.dsl.solids import Shape
 from sim2reason.solutions.algebra.digits import simple_fraction
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Product, Sum, multiplied
-from sim2reason.solutions.algebra.functions import PI, Call, Power, squares, summed
+from sim2reason.solutions.algebra.functions import PI, Call, Power, sum_of_squares, summed
 
 Sizes = Callable[[str], Expression]  # from a parameter of the body to its symbol
 
 
 @dataclass(frozen=True, slots=True)
-class MassSpread:
+class MeanSquares:
     """The mean squares of distances in a body with an axis; `yy` differs from `xx` only for a bar."""
 
     xx: Expression
@@ -40,7 +40,7 @@ class Part:
     """A part of a body, or a hole in it: its share of the mass, negative for a hole."""
 
     share: Expression
-    spread: MassSpread
+    spread: MeanSquares
     height: Expression = ZERO  # of the centre of mass along z
 
 
@@ -49,18 +49,18 @@ def of(share: float, length: Expression) -> Expression:
     return Number(share) * Power(length, 2)
 
 
-def joined(parts: list[Part]) -> MassSpread:
+def joined(parts: list[Part]) -> MeanSquares:
     """Return parts of one density as one body, by the parallel-axis theorem along z."""
     center, xx, zz = ZERO, ZERO, ZERO
     for part in parts:
         center = center + part.share * part.height
         xx = xx + part.share * part.spread.xx
-        zz = zz + part.share * part.spread.zz + part.share * squares([part.height])
-    return MassSpread(xx, zz - squares([-center if center.negative else center]), center)
+        zz = zz + part.share * part.spread.zz + part.share * sum_of_squares([part.height])
+    return MeanSquares(xx, zz - sum_of_squares([-center if center.negative else center]), center)
 
 
-def _ball(radius: Expression) -> MassSpread:
-    return MassSpread(of(0.2, radius), of(0.2, radius))
+def _ball(radius: Expression) -> MeanSquares:
+    return MeanSquares(of(0.2, radius), of(0.2, radius))
 
 
 def _less(power: int, outer: Expression, inner: Expression) -> tuple[Expression, Expression]:
@@ -69,15 +69,15 @@ def _less(power: int, outer: Expression, inner: Expression) -> tuple[Expression,
     return Power(outer, power) / rest, -(Power(inner, power) / rest)
 
 
-def _hollow(size: Sizes) -> MassSpread:
+def _hollow(size: Sizes) -> MeanSquares:
     outer = size("radius")
     inner = outer - size("thickness")
     ratio = (Power(outer, 5) - Power(inner, 5)) / (Power(outer, 3) - Power(inner, 3))
     why = "A hollow sphere is a solid ball less the one that would fill it, of the same density."
-    return MassSpread(Number(0.2) * ratio, Number(0.2) * ratio, why=why, why_own=why)
+    return MeanSquares(Number(0.2) * ratio, Number(0.2) * ratio, why=why, why_own=why)
 
 
-def _segment(radius: Expression, height: Expression) -> tuple[MassSpread, Expression]:
+def _segment(radius: Expression, height: Expression) -> tuple[MeanSquares, Expression]:
     """Return a solid spherical cap above its flat face, and the height of its centre of mass."""
     r, h = radius, height
     below = 3.0 * r - h
@@ -85,10 +85,10 @@ def _segment(radius: Expression, height: Expression) -> tuple[MassSpread, Expres
     across = h * (20.0 * Power(r, 2) - 15.0 * r * h + 3.0 * Power(h, 2)) / (20.0 * below)
     depth = h * (8.0 * r - 3.0 * h) / (4.0 * below)
     along = 3.0 * Power(h, 2) * (5.0 * r - 2.0 * h) / (10.0 * below) - Power(depth, 2)
-    return MassSpread(across, along), center
+    return MeanSquares(across, along), center
 
 
-def _hemisphere(size: Sizes) -> MassSpread:
+def _hemisphere(size: Sizes) -> MeanSquares:
     radius, center = size("radius"), Number(3.0 / 8.0)
     square = (Number(0.4) - Power(center, 2)) * Power(radius, 2)
     why = (
@@ -97,16 +97,16 @@ def _hemisphere(size: Sizes) -> MassSpread:
         f"it is less by ${Power(center * radius, 2).latex()}$ times the mass."
     )
     along = of(0.2, radius) - of(9.0 / 64.0, radius)
-    return MassSpread(of(0.2, radius), along, center * radius, square=square, why=why)
+    return MeanSquares(of(0.2, radius), along, center * radius, square=square, why=why)
 
 
-def _cap(size: Sizes) -> MassSpread:
+def _cap(size: Sizes) -> MeanSquares:
     spread, center = _segment(size("radius"), size("height"))
     why = "The moments of inertia of a cap follow by integration over thin discs parallel to its flat face."
     return replace(spread, center=center, why=why, why_own=why)
 
 
-def _bowl(size: Sizes) -> MassSpread:
+def _bowl(size: Sizes) -> MeanSquares:
     outer, height, wall = size("radius"), size("height"), size("thickness")
     inner, low = outer - wall, height - wall
     volumes = [Power(h, 2) * (3.0 * r - h) for r, h in ((outer, height), (inner, low))]
@@ -121,7 +121,7 @@ def _bowl(size: Sizes) -> MassSpread:
     return replace(found, why=why, why_own=why)
 
 
-def _holed_ball(size: Sizes) -> MassSpread:
+def _holed_ball(size: Sizes) -> MeanSquares:
     outer, inner = size("radius"), size("hole")
     whole, hole = _less(3, outer, inner)
     found = joined([Part(whole, _ball(outer)), Part(hole, _ball(inner), size("offset"))])
@@ -129,16 +129,16 @@ def _holed_ball(size: Sizes) -> MassSpread:
     return replace(found, why=why, why_own=why)
 
 
-def _bored(size: Sizes) -> MassSpread:
+def _bored(size: Sizes) -> MeanSquares:
     """Return a cylinder with a parallel bore; y is the axis and z the line to the bore."""
     outer, inner = size("radius"), size("hole")
     whole, hole = _less(2, outer, inner)
-    discs = [MassSpread(of(0.25, radius), of(0.25, radius)) for radius in (outer, inner)]
+    discs = [MeanSquares(of(0.25, radius), of(0.25, radius)) for radius in (outer, inner)]
     spread = joined([Part(whole, discs[0]), Part(hole, discs[1], size("offset"))])
-    return MassSpread(spread.xx, spread.zz, spread.center, ZERO)
+    return MeanSquares(spread.xx, spread.zz, spread.center, ZERO)
 
 
-def _prism(size: Sizes, sides: int, long: Expression) -> MassSpread:
+def _prism(size: Sizes, sides: int, long: Expression) -> MeanSquares:
     """Return a regular prism; the fractions for triangles, squares and hexagons are simple."""
     radius, turn = size("radius"), 2.0 * PI / Number(float(sides))
     plain = (2.0 + cos(2.0 * pi / sides)) / 12.0
@@ -151,26 +151,26 @@ def _prism(size: Sizes, sides: int, long: Expression) -> MassSpread:
     high = f" The height adds ${long.latex()}$ times the mass, as the length of a rod does." if long != ZERO else ""
     double = " About the axis of the prism it is twice as large, by the perpendicular-axis theorem."
     found = square if simple_fraction(plain) is None else of(plain, radius)
-    return MassSpread(found, long, why=why + high, why_own=why + double)
+    return MeanSquares(found, long, why=why + high, why_own=why + double)
 
 
-def _thick(size: Sizes) -> MassSpread:
-    return MassSpread(Number(0.25) * (Power(size("radius"), 2) + Power(size("bore"), 2)), ZERO)
+def _thick(size: Sizes) -> MeanSquares:
+    return MeanSquares(Number(0.25) * (Power(size("radius"), 2) + Power(size("bore"), 2)), ZERO)
 
 
-TABLE: dict[str, Callable[[Sizes], MassSpread]] = {
-    "FixedBall": lambda _: MassSpread(ZERO, ZERO),
+TABLE: dict[str, Callable[[Sizes], MeanSquares]] = {
+    "FixedBall": lambda _: MeanSquares(ZERO, ZERO),
     "Sphere": lambda size: _ball(size("radius")),
-    "SphericalShell": lambda size: MassSpread(of(1.0 / 3.0, size("radius")), of(1.0 / 3.0, size("radius"))),
+    "SphericalShell": lambda size: MeanSquares(of(1.0 / 3.0, size("radius")), of(1.0 / 3.0, size("radius"))),
     "HollowSphere": _hollow,
-    "Cylinder": lambda size: MassSpread(of(0.25, size("radius")), of(1.0 / 12.0, size("height"))),
-    "Disc": lambda size: MassSpread(of(0.25, size("radius")), ZERO),
-    "Roller": lambda size: MassSpread(of(0.25, size("radius")), ZERO),
-    "Hoop": lambda size: MassSpread(of(0.5, size("radius")), ZERO),
-    "Pipe": lambda size: MassSpread(of(0.5, size("radius")), ZERO),
+    "Cylinder": lambda size: MeanSquares(of(0.25, size("radius")), of(1.0 / 12.0, size("height"))),
+    "Disc": lambda size: MeanSquares(of(0.25, size("radius")), ZERO),
+    "Roller": lambda size: MeanSquares(of(0.25, size("radius")), ZERO),
+    "Hoop": lambda size: MeanSquares(of(0.5, size("radius")), ZERO),
+    "Pipe": lambda size: MeanSquares(of(0.5, size("radius")), ZERO),
     "ThickPipe": _thick,
-    "UniformRod": lambda size: MassSpread(ZERO, of(1.0 / 12.0, size("length"))),
-    "Bar": lambda size: MassSpread(
+    "UniformRod": lambda size: MeanSquares(ZERO, of(1.0 / 12.0, size("length"))),
+    "Bar": lambda size: MeanSquares(
         of(1.0 / 12.0, size("width")), of(1.0 / 12.0, size("length")), yy=of(1.0 / 12.0, size("thickness"))
     ),
     "Hemisphere": _hemisphere,
@@ -181,7 +181,7 @@ TABLE: dict[str, Callable[[Sizes], MassSpread]] = {
 }
 
 
-def mass_spread(shape: Shape, size: Sizes) -> MassSpread | None:
+def mean_squares(shape: Shape, size: Sizes) -> MeanSquares | None:
     """Return the table entry of a body; None if it has none."""
     name = type(shape).__name__
     if name in ("PolygonalPrism", "LongPrism"):
@@ -191,14 +191,14 @@ def mass_spread(shape: Shape, size: Sizes) -> MassSpread | None:
     return found(size) if found is not None else None
 
 
-def candidates(spread: MassSpread) -> list[Expression]:
+def candidates(spread: MeanSquares) -> list[Expression]:
     """Return the moment of inertia over the mass about a line across the axis, the axis, and the other line."""
     x, y, z = spread.xx, spread.yy_or_xx, spread.zz
     across = spread.square
     return [across or _collected(x + z), _collected(x + y), across or _collected(y + z)]
 
 
-def tilted(spread: MassSpread, angle: Expression) -> tuple[Expression, str]:
+def tilted(spread: MeanSquares, angle: Expression) -> tuple[Expression, str]:
     """Return the moment of inertia over the mass about a tilted line in the plane of the axis, with the reason."""
     across, own, _ = candidates(spread)
     along, beside = Power(Call("cos", angle), 2), Power(Call("sin", angle), 2)

@@ -2,7 +2,7 @@
 
 from math import acos, hypot
 
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism, Rigid
 from sim2reason.scenes.dsl.vectors import minus
 
@@ -12,7 +12,7 @@ def pivot(m: Mechanism) -> tuple[str, str | None, tuple[float, float, float]] | 
     heavy = [body for body in m.bodies if body.mass]
     if len(heavy) != 1 or any(heavy[0].inertia) or m.faces or m.forces or m.attractions or m.burns or m.feet:
         return None
-    frames, body = start(m), heavy[0]
+    frames, body = initial_frames(m), heavy[0]
     if len(m.coordinates) == 1 and m.coordinates[0].kind == "hinge" and not m.lines:
         carrier = m.body[m.coordinates[0].body]
         level = abs(m.coordinates[0].axis[2]) < 1e-9
@@ -31,7 +31,7 @@ def place(m: Mechanism) -> tuple[float, float, float]:
     found = pivot(m)
     assert found is not None, "who asks has seen that it swings"
     body, _, point = found
-    x, y, z = minus(start(m).center(body).place, point)
+    x, y, z = minus(initial_frames(m).center(body).place, point)
     return float(x), float(y), float(z)
 
 

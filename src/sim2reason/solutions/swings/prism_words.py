@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number
 from sim2reason.solutions.algebra.functions import Call, Power
-from sim2reason.solutions.writing.comparing import exceeds
-from sim2reason.solutions.writing.steps import Book
+from sim2reason.solutions.writing.comparing import record_inequality
+from sim2reason.solutions.writing.steps import SolutionBuilder
 from sim2reason.solutions.writing.unit_latex import JOULES
 
 HALF = Number(0.5)
@@ -62,15 +62,15 @@ def velocities_words(turned: Expression, *, highest: bool, landed: bool) -> str:
     return f"{line} {how}, so this is the angle between the initial and the final velocity."
 
 
-def tell(book: Book, sentence: str) -> None:
+def tell(book: SolutionBuilder, sentence: str) -> None:
     """Write a reason on which no result depends."""
-    step = book.open("extreme")
-    step.say(sentence)
+    step = book.begin_step("extreme")
+    step.add_text(sentence)
     step.close()
 
 
 def verify_tops(
-    book: Book, rates: Sequence[Expression], inertia: Expression, weight: Expression, begins: Expression
+    book: SolutionBuilder, rates: Sequence[Expression], inertia: Expression, weight: Expression, begins: Expression
 ) -> None:
     """Schedule the verification that the axis passes over every edge from which another one is reached.
 
@@ -84,12 +84,14 @@ def verify_tops(
         over = book.value(HALF * inertia * Power(rates[-1], 2)) > book.value(top)
         least = min(rates if over else rates[:-1], key=book.value)
         energy = HALF * inertia * (Power(least, 2))
-        step, names = book.open("verify"), [book.fresh("K", r"\text{min}"), book.fresh("U", r"\text{top}")]
-        exceeds(book, step, energy, top)
+        step, names = book.begin_step("verify"), [book.fresh("K", r"\text{min}"), book.fresh("U", r"\text{top}")]
+        record_inequality(book, step, energy, top)
         told = [step.verified(name, held, JOULES) for name, held in zip(names, (energy, top), strict=True)]
         edges, landing = ("each edge", "a landing") if over else ("each edge before the last", "an earlier landing")
-        step.say(f"The axis passes over {edges}, since the least kinetic energy at the start or just after {landing},")
-        step.say(f"{told[0]}, exceeds the energy {told[1]} by which it rises.")
+        step.add_text(
+            f"The axis passes over {edges}, since the least kinetic energy at the start or just after {landing},"
+        )
+        step.add_text(f"{told[0]}, exceeds the energy {told[1]} by which it rises.")
         step.close()
 
     book.afterwards.append(write)

@@ -11,17 +11,17 @@ from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.quantities.subjects.axles import ACROSS
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.oscillations.measured_period import measured_period
-from sim2reason.solutions.setting import joined
+from sim2reason.solutions.setting import join_words
 from sim2reason.solutions.swings.angle import UP, SwingAngle
 from sim2reason.solutions.swings.arm import Arm
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ANGULAR_ACCELERATION, ANGULAR_SPEED, METRES, latex
 
 FORCE, MASS = latex("N"), latex("kg")
-LEVEL = 1e-12  # largest cosine of an angle that counts as a right angle
+RIGHT_ANGLE_TOLERANCE = 1e-12  # largest cosine of an angle that counts as a right angle
 LINE = "the line from the centre of mass to the axle"
 TOWARDS = f"By Newton's second law for the centre of mass, along {LINE}, the axle exerts the force component"
 UPWARDS = "Perpendicular to that line and upwards, against the tangential acceleration, it exerts the component"
@@ -68,7 +68,7 @@ class AxleForces(SwingAngle):
         size = self.book.magnitude(moment)
         formula = size * self.gravity * self.sine / self.arm.inertia
         said = "Apart from its sign, the angular acceleration is the torque of gravity over the moment of inertia,"
-        return self.book.told("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
+        return self.book.add_step("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
 
     # ---- all bodies as one
 
@@ -81,7 +81,7 @@ class AxleForces(SwingAngle):
         total: Expression = ZERO
         for mass in masses:
             total = total + mass
-        return self.book.told("mass", "The total mass is", self.book.fresh("M"), total, MASS)
+        return self.book.add_step("mass", "The total mass is", self.book.fresh("M"), total, MASS)
 
     @cached_property
     def lever(self) -> Expression:
@@ -92,20 +92,22 @@ class AxleForces(SwingAngle):
         moment = self.arm.moment
         formula = (moment if self.falls else -moment) / self.whole
         said = "The distance of the common centre of mass from the axle is"
-        return self.book.told("place", said, self.book.fresh("d", r"\text{cm}"), formula, METRES)
+        return self.book.add_step("place", said, self.book.fresh("d", r"\text{cm}"), formula, METRES)
 
     @property
     def _below(self) -> Expression:
         """Return the cosine of the angle of the centre of mass; zero for a known right angle."""
         cosine = self.cosine if self.falls else -self.cosine
-        return ZERO if not self.book.is_hidden(cosine) and abs(self.book.value(cosine)) < LEVEL else cosine
+        return (
+            ZERO if not self.book.is_hidden(cosine) and abs(self.book.value(cosine)) < RIGHT_ANGLE_TOLERANCE else cosine
+        )
 
     # ---- components
 
     @cached_property
     def _inward(self) -> Expression:
         """Return the force component F_r towards the axle, in N."""
-        bend = self.lever * squares([self.rate])
+        bend = self.lever * sum_of_squares([self.rate])
         return self.whole * (self.gravity * self._below + bend)
 
     @cached_property
@@ -119,8 +121,8 @@ class AxleForces(SwingAngle):
     def _both(self) -> tuple[Symbol, Symbol]:
         """Write the force components F_r and F_t, and return their symbols."""
         inward, aside = self._inward, self._aside
-        one = self.book.told("force", TOWARDS, self.book.fresh("F", "r"), inward, FORCE)
-        other = self.book.told("force", UPWARDS, self.book.fresh("F", "t"), aside, FORCE)
+        one = self.book.add_step("force", TOWARDS, self.book.fresh("F", "r"), inward, FORCE)
+        other = self.book.add_step("force", UPWARDS, self.book.fresh("F", "t"), aside, FORCE)
         return one, other
 
     @property
@@ -144,12 +146,12 @@ class AxleForces(SwingAngle):
         return self.arm.moment if self.falls else -self.arm.moment
 
     def _upward(self) -> Expression:
-        rises = squares([self.rate]) * self._below - self.angular_acceleration * self.sine
+        rises = sum_of_squares([self.rate]) * self._below - self.angular_acceleration * self.sine
         return self.whole * self.gravity + self._moment * rises
 
     def _rightward(self) -> Expression:
         """Return the horizontal component of the axle force, N, in which M appears only within M d."""
-        inward = self._moment * (squares([self.rate]) * self.sine + self.angular_acceleration * self._below)
+        inward = self._moment * (sum_of_squares([self.rate]) * self.sine + self.angular_acceleration * self._below)
         first_on_right = (self.now >= 0.0) == self.arm.begins_right
         return -inward if first_on_right == self.falls else inward
 
@@ -167,35 +169,35 @@ class AxleForces(SwingAngle):
 HARMONIC = "This is the moment of inertia times the angular acceleration, so"
 
 
-def small_oscillations(arm: Arm, book: Book, query: PeriodQuery) -> Symbol:
+def small_oscillations(arm: Arm, book: SolutionBuilder, query: PeriodQuery) -> Symbol:
     """Write the period of small oscillations, with ω² = m g d/I, and return its symbol."""
     size = book.magnitude(arm.moment)
     torque, inertia, angle = size * arm.gravity, arm.inertia, book.fresh(r"\varphi")
-    step, exact, near = book.open("torque"), -(torque * Call("sin", angle)), -(torque * angle)
-    step.say(
+    step, exact, near = book.begin_step("torque"), -(torque * Call("sin", angle)), -(torque * angle)
+    step.add_text(
         f"At the angle ${angle.name}$ from the stable equilibrium the torque of gravity is ${exact.latex()}$, nearly "
         f"${near.latex()}$ where the angle is small."
     )
     step.close()
     said = f"{HARMONIC} the oscillation is harmonic with the angular frequency"
-    rate = book.told("oscillation", said, book.fresh(r"\omega"), Root(torque / inertia), ANGULAR_SPEED)
+    rate = book.add_step("oscillation", said, book.fresh(r"\omega"), Root(torque / inertia), ANGULAR_SPEED)
     return measured_period(book, query, rate)
 
 
 SAMPLES = 48  # minimum number of samples per period of small oscillations
 TWICE = 2
-SLOW = 1e-7  # relative to the greatest rate: below it the body counts as at rest
+REST_RATE_RTOL = 1e-7  # relative to the greatest rate: below it the body counts as at rest
 
 Seen = Callable[[Array], tuple[Array, Array]]
 """Angles and their rates at times, each (n,)."""
 
 
-def swept(swing: SwingAngle, seen: Seen) -> Expression:
+def total_angle(swing: SwingAngle, seen: Seen) -> Expression:
     """Return the total angle; the angles and rates that `seen` gives only decide signs and turns."""
     end = swing.setting.time
     count = SAMPLES * max(1, ceil(end * swing.book.value(swing.natural) / (2.0 * pi)))
     angles, rates = seen(np.linspace(0.0, end, count + 1))
-    kept = np.sign(rates[np.abs(rates) > SLOW * np.abs(rates).max()])
+    kept = np.sign(rates[np.abs(rates) > REST_RATE_RTOL * np.abs(rates).max()])
     turns = int((kept[1:] != kept[:-1]).sum()) + swing.still
     if swing.goes_round:
         return _round(swing, float(np.unwrap(angles)[-1]))
@@ -226,8 +228,8 @@ def _tell_way(swing: SwingAngle, turns: int, way: float) -> None:
         crosses = ends != ZERO and side * swing.book.value(ends) < 0.0
         size = f"${(-ends if ends.negative else ends).latex()}$" if ends != ZERO else "the lowest point"
         said.append(f"back{through if crosses else ''} to {size}")
-    step = swing.book.open("names")
-    step.say(f"{joined(said)}.")
+    step = swing.book.begin_step("names")
+    step.add_text(f"{join_words(said)}.")
     step.close()
 
 

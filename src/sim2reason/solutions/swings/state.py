@@ -8,13 +8,13 @@ from sim2reason.base.lazy import cached_property
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added, multiplied, ratio
-from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares
-from sim2reason.solutions.setting import Setting, capital
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, sum_of_squares
+from sim2reason.solutions.setting import ProblemContext, capitalized
 from sim2reason.solutions.swings.angle import SMALL, SwingAngle
 from sim2reason.solutions.swings.asked import by_energy
 from sim2reason.solutions.swings.pendulum import geometry, pivot, place
-from sim2reason.solutions.writing.comparing import exceeds
-from sim2reason.solutions.writing.steps import Book, Writing
+from sim2reason.solutions.writing.comparing import record_inequality
+from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder
 from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, DEGREES, SPEED
 
 SAMPLES = 257  # samples up to the moment, which is at most a few turns after the start
@@ -26,7 +26,7 @@ class SwingState(SwingAngle):
     Angles are counted from the downward vertical, positive on the initial side.
     """
 
-    def __init__(self, setting: Setting, book: Book) -> None:
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
         """Read the parameters; raise UnreadError if the length or initial state is not a simple function of them."""
         super().__init__(setting, book)
         found = pivot(setting.mechanism)
@@ -39,7 +39,7 @@ class SwingState(SwingAngle):
         self.mass = lexicon.of(lambda m: m.body[self.body].mass).expression()
         moment = setting.query.moment
         assert moment is not None
-        when = moment.side(setting.time)
+        when = moment.evaluation_time(setting.time)
         angles, rates = self._seen(np.array([0.0, when]))
         self.began, self.now, self.turning = geometry(lexicon.mechanism)[1], float(angles[1]), float(rates[1])
         self.way = 1.0 if rates[0] >= 0.0 else -1.0
@@ -70,7 +70,7 @@ class SwingState(SwingAngle):
     def natural(self) -> Symbol:
         """Write the angular frequency of small oscillations, ω₀² = g/ℓ, and return its symbol."""
         formula = Root(ratio(self.gravity, self.length))
-        return self.book.told("natural", SMALL, self.book.fresh(r"\omega", "0"), formula, ANGULAR_SPEED)
+        return self.book.add_step("natural", SMALL, self.book.fresh(r"\omega", "0"), formula, ANGULAR_SPEED)
 
     @cached_property
     def spin(self) -> Expression:
@@ -86,16 +86,16 @@ class SwingState(SwingAngle):
     def _turned(self) -> Expression:
         """Write the angle of the turning point from conservation of energy and return it with its sign."""
         name = self.book.fresh(r"\phi", r"\text{max}")
-        step = self.book.open("energy")
+        step = self.book.begin_step("energy")
         m, g, ell, v = self.mass, self.gravity, self.length, self.launch
         high = multiplied(multiplied(m, multiplied(g, ell)), added(ONE, -Call("cos", name)))
         law = step.law(high, self._energy)
-        ratio_of = ratio(squares([v]), multiplied(Number(2.0), multiplied(g, ell)))
+        ratio_of = ratio(sum_of_squares([v]), multiplied(Number(2.0), multiplied(g, ell)))
         formula = Call("arccos", added(self.cosine_first, -ratio_of))
         beyond = self.now < 0.0 if not self.extreme else True
         other = " on the other side of the vertical," if beyond and self.first != ZERO else ""
-        said = f"{capital(self.who)} turns back{other} where all its energy is potential"
-        step.say(f"{said}: {law}, so {step.result(name, formula, DEGREES)}.")
+        said = f"{capitalized(self.who)} turns back{other} where all its energy is potential"
+        step.add_text(f"{said}: {law}, so {step.result(name, formula, DEGREES)}.")
         if self.line is not None and not self.book.is_hidden(formula):
             self._tell_reach(step, name, "this")
         step.close()
@@ -103,14 +103,14 @@ class SwingState(SwingAngle):
             self.book.afterwards.append(lambda: self._verify_reach(name))
         return -name if beyond else name
 
-    def _tell_reach(self, step: Writing, reach: Symbol, called: str) -> None:
+    def _tell_reach(self, step: StepBuilder, reach: Symbol, called: str) -> None:
         """Write that the string stays taut up to the turning point, at the angle `reach` from the vertical."""
-        exceeds(self.book, step, PI / Number(2.0), reach)
-        step.say(f"As {called} is less than $90^\\circ$, the string stays taut until then.")
+        record_inequality(self.book, step, PI / Number(2.0), reach)
+        step.add_text(f"As {called} is less than $90^\\circ$, the string stays taut until then.")
 
     def _verify_reach(self, reach: Symbol) -> None:
         """Write at the end that the string stays taut, for an angle that depends on the unknown."""
-        step = self.book.open("verify")
+        step = self.book.begin_step("verify")
         self._tell_reach(step, reach, f"${reach.latex()}$")
         step.close()
 
@@ -121,31 +121,33 @@ class SwingState(SwingAngle):
 
     def _tell_top(self) -> None:
         """Write why the body passes the top of the circle, if numbers are known."""
-        g, ell, begun = self.gravity, self.length, squares([self.launch])
+        g, ell, begun = self.gravity, self.length, sum_of_squares([self.launch])
         needed = multiplied(Number(2.0), multiplied(multiplied(g, ell), added(ONE, self.cosine_first)))
         if self.book.is_hidden(begun) or self.book.is_hidden(needed):
             return
-        step = self.book.open("extreme")
-        exceeds(self.book, step, begun, needed)
-        step.say(f"As ${begun.latex()} > {needed.latex()}$, {self.who} still moves at the top of the circle.")
+        step = self.book.begin_step("extreme")
+        record_inequality(self.book, step, begun, needed)
+        step.add_text(f"As ${begun.latex()} > {needed.latex()}$, {self.who} still moves at the top of the circle.")
         step.close()
 
     def _slack(self) -> Expression:
         """Write the angle at which the string goes slack, m v²/ℓ = −m g cos φ, and return it with its sign."""
         name, fast = self.book.fresh(r"\phi"), self.book.fresh("v", r"\text{s}")
-        step, bent = self.book.open("slack"), Call("cos", name)
+        step, bent = self.book.begin_step("slack"), Call("cos", name)
         g, ell, v = self.gravity, self.length, self.launch
         circle = step.law(ratio(Power(fast, 2), ell), -multiplied(g, bent))
         gained = multiplied(multiplied(Number(2.0), multiplied(g, ell)), added(bent, -self.cosine_first))
-        energy = step.law(Power(fast, 2), added(squares([v]), gained))
-        over = ratio(squares([v]), multiplied(g, ell))
+        energy = step.law(Power(fast, 2), added(sum_of_squares([v]), gained))
+        over = ratio(sum_of_squares([v]), multiplied(g, ell))
         formula = Call("arccos", ratio(added(multiplied(Number(2.0), self.cosine_first), -over), Number(3.0)))
-        step.say(f"Let ${name.name}$ be the angle of the string with the downward vertical when it goes slack.")
-        step.say("There the tension is zero, and the component of gravity along the string alone is the centripetal")
-        step.say(f"acceleration: {circle}.")
-        step.say(f"By conservation of energy, {energy}.")
-        step.say(f"Together, {step.result(name, formula, DEGREES)}")
-        step.say(f"and {step.result(fast, Root(-multiplied(multiplied(g, ell), bent)), SPEED)}.")
+        step.add_text(f"Let ${name.name}$ be the angle of the string with the downward vertical when it goes slack.")
+        step.add_text(
+            "There the tension is zero, and the component of gravity along the string alone is the centripetal"
+        )
+        step.add_text(f"acceleration: {circle}.")
+        step.add_text(f"By conservation of energy, {energy}.")
+        step.add_text(f"Together, {step.result(name, formula, DEGREES)}")
+        step.add_text(f"and {step.result(fast, Root(-multiplied(multiplied(g, ell), bent)), SPEED)}.")
         step.close()
         self._slackened = fast
         return name if self.now >= 0.0 else -name
@@ -164,20 +166,20 @@ class SwingState(SwingAngle):
         """Write the speed at the moment, m/s, and return its square."""
         moment = self.setting.query.moment
         if isinstance(moment, AtStart):
-            return squares([self.launch])
+            return sum_of_squares([self.launch])
         if self.still:
             return ZERO
         there = self.cosine
         if self._slackened is not None:
             return Power(self._slackened, 2)
-        step, name = self.book.open("energy"), self.book.fresh("v")
+        step, name = self.book.begin_step("energy"), self.book.fresh("v")
         gained = multiplied(
             multiplied(Number(2.0), multiplied(self.gravity, self.length)), added(there, -self.cosine_first)
         )
-        square = added(squares([self.launch]), gained)
+        square = added(sum_of_squares([self.launch]), gained)
         law = step.law(Power(name, 2), square)
         said = by_energy(self.setting, "speed", name, extreme=bool(self.extreme))
-        step.say(f"{said} {law}, so {step.result(name, Root(square), SPEED)}.")
+        step.add_text(f"{said} {law}, so {step.result(name, Root(square), SPEED)}.")
         step.close()
         return Power(name, 2)
 
@@ -189,4 +191,4 @@ class SwingState(SwingAngle):
     @property
     def who(self) -> str:
         """Return the phrase for the swinging body, such as *the ball*."""
-        return self.setting.called(self.body)
+        return self.setting.display_name(self.body)

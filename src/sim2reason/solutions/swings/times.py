@@ -11,17 +11,17 @@ from sim2reason.solutions.algebra.evaluated import Amplitude, CompleteElliptic, 
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
-from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, DEGREES, RADIANS, SECONDS
 
 TWO = Number(2.0)
-NEAR = 1e-6  # tolerance, in rad or relative
+PHASE_TOLERANCE = 1e-6  # tolerance, in rad or relative
 
 
 class SwingTime:
     """The relation between angle and time of a pendulum; angles are positive on the initial side."""
 
-    def __init__(self, book: Book, natural: Symbol, first: Expression, rate: Expression, way: float) -> None:
+    def __init__(self, book: SolutionBuilder, natural: Symbol, first: Expression, rate: Expression, way: float) -> None:
         """Take ω₀ as `natural`, the initial angle `first`, the angular speed `rate` and its sign `way`, ±1."""
         self.book, self.natural, self.first, self.rate = book, natural, first, rate
         self.way = way if first != ZERO else 1.0
@@ -35,12 +35,12 @@ class SwingTime:
         if self.rate != ZERO:
             part = self.rate / (TWO * self.natural)
             formula = Root(Power(part, 2) + Power(half, 2)) if half != ZERO else part
-        name, step = self.book.fresh("k"), self.book.open("modulus")
+        name, step = self.book.fresh("k"), self.book.begin_step("modulus")
         told = step.result(name, formula, "", law=True)
         k, rate = name.latex(), self.natural.latex()
-        step.say(r"Let $\varphi$ be the angle from the lowest position.")
-        step.say(rf"By conservation of energy, $\dot\varphi^{{2}}$ equals $4 {rate}^{{2}} ({k}^{{2}} - \sin^{{2}}")
-        step.say(rf"(\varphi/2))$ with {told}.")
+        step.add_text(r"Let $\varphi$ be the angle from the lowest position.")
+        step.add_text(rf"By conservation of energy, $\dot\varphi^{{2}}$ equals $4 {rate}^{{2}} ({k}^{{2}} - \sin^{{2}}")
+        step.add_text(rf"(\varphi/2))$ with {told}.")
         if self.book.values[name.name] > 1.0:
             said = rf"With $\psi$ for $\varphi/2$, the time since the lowest position is $\frac{{1}}{{{k} {rate}}}"
             said += rf" \operatorname{{F}}(\psi, 1/{k})$"
@@ -49,12 +49,12 @@ class SwingTime:
             said = rf"With ${k} \sin\psi$ for $\sin(\varphi/2)$, the time since the lowest position is"
             said += rf" $\frac{{1}}{{{rate}}} \operatorname{{F}}(\psi, {k})$"
             square = rf"{k}^{{2}} \sin^{{2}}\vartheta"
-        step.say(f"{said}, where $\\operatorname{{F}}$ is the elliptic integral of the first kind,")
-        step.say(rf"$\int_0^{{\psi}} d\vartheta / \sqrt{{1 - {square}}}$.")
+        step.add_text(f"{said}, where $\\operatorname{{F}}$ is the elliptic integral of the first kind,")
+        step.add_text(rf"$\int_0^{{\psi}} d\vartheta / \sqrt{{1 - {square}}}$.")
         if not self.book.is_hidden(name):
             over = self.book.values[name.name] > 1.0
             reach = "> 1$, the energy suffices" if over else "< 1$, the energy does not suffice"
-            step.say(f"As ${k} {reach} to reach the top of the circle.")
+            step.add_text(f"As ${k} {reach} to reach the top of the circle.")
         step.close()
         return name
 
@@ -94,9 +94,9 @@ class SwingTime:
 
     def _special(self, said: str, name: Symbol, formula: SpecialFunction, unit: str) -> Symbol:
         """Write the value of a special function, or only its symbol if it depends on the unknown; return that."""
-        step = self.book.open("elliptic")
+        step = self.book.begin_step("elliptic")
         told = step.result(name, formula, unit, law=True)
-        step.say(f"{said} {f'${name.latex()}$' if self.book.is_hidden(formula) else told}.")
+        step.add_text(f"{said} {f'${name.latex()}$' if self.book.is_hidden(formula) else told}.")
         step.close()
         return name
 
@@ -104,17 +104,17 @@ class SwingTime:
 
     def _left(self, angle: Expression, value: float) -> Polynomial:
         """Return F of the magnitude of the first angle θ ≥ 0 at a given angle of the pendulum."""
-        if abs(value) < NEAR:
+        if abs(value) < PHASE_TOLERANCE:
             return NIL
         if self.rounds:
             formula = angle / TWO
         else:
             over = sin(0.5 * value) / self.book.values[self.modulus.name]
-            if abs(over - 1.0) < NEAR**2:
+            if abs(over - 1.0) < PHASE_TOLERANCE**2:
                 return self._quarters(1)
             formula = Call("arcsin", Call("sin", angle / TWO) / self.modulus)
         said = "Half the angle is" if self.rounds else "The angle in the integral is"
-        theta = self.book.told("angle", said, self.book.fresh(r"\psi"), formula, RADIANS)
+        theta = self.book.add_step("angle", said, self.book.fresh(r"\psi"), formula, RADIANS)
         return Polynomial.of(self._integral(theta))
 
     def _quarters(self, count: int) -> Polynomial:
@@ -144,7 +144,7 @@ class SwingTime:
         found = [(sign, round((now - sign * part) / full)) for sign in (1.0, -1.0)]
         off = [abs(sign * part + turns * full - now) for sign, turns in found]
         sign, turns = found[off.index(min(off))]
-        if min(off) > NEAR * full:
+        if min(off) > PHASE_TOLERANCE * full:
             raise UnsolvedError("the angle at that moment is not known")
         return self._after(self._quarters(2 * turns) + left.scaled(sign))
 
@@ -153,14 +153,14 @@ class SwingTime:
         quarter = self.book.values[self.complete.name]
         now = self.book.value(self.begins.expression()) + self.book.value(self.pace) * time
         count = round(now / quarter)
-        if abs(count * quarter - now) > NEAR * quarter:
+        if abs(count * quarter - now) > PHASE_TOLERANCE * quarter:
             raise UnsolvedError("the angle at that moment is not known")
         return self._after(self._quarters(count))
 
     def _after(self, integral: Polynomial) -> Symbol:
         said = "Hence"
         formula = (integral - self.begins).expression() / self.pace
-        return self.book.told("time", said, self.book.fresh("t"), formula, SECONDS)
+        return self.book.add_step("time", said, self.book.fresh("t"), formula, SECONDS)
 
     @property
     def frequency(self) -> Symbol:
@@ -172,7 +172,7 @@ class SwingTime:
         if self.rounds:
             said = f"A whole turn takes the time $2 {quarter}/({self.modulus.latex()} {rate})$"
         said += ", so the angular frequency is"
-        return self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
+        return self.book.add_step("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
 
     def angle(self, time: Symbol) -> Symbol:
         """Write the angle at a time and return its symbol."""
@@ -182,7 +182,7 @@ class SwingTime:
         said = f"At first the integral is ${begins.latex()}${', as it moves inwards' if inward else ''}; it"
         said = f"{said if self.begins else 'The integral'} grows at the rate ${self.pace.latex()}$, up to"
         whole = begins + grown if self.begins else grown
-        theta = self._amplitude(self.book.told("elliptic", said, name, whole, ""))
+        theta = self._amplitude(self.book.add_step("elliptic", said, name, whole, ""))
         self._tell_turns(name)
         if self.rounds:
             formula: Expression = TWO * theta if self.way * self.side > 0.0 else -(TWO * theta)
@@ -190,21 +190,25 @@ class SwingTime:
             formula = TWO * Call("arcsin", self.modulus * Call("sin", theta))
             formula = formula if self.side > 0.0 else -formula
         said = "The angle with the vertical is then"
-        return self.book.told("angle", said, self.book.fresh(r"\phi", "t"), formula, DEGREES)
+        return self.book.add_step("angle", said, self.book.fresh(r"\phi", "t"), formula, DEGREES)
 
     def _tell_turns(self, integral: Symbol) -> None:
         """Write the number of turning points before the time at which the integral has a value."""
         if self.rounds or self.book.is_hidden(integral):
             return
         quarter, begun = self.book.value(self.complete), self.book.value(self.begins.expression())
-        turns = [n for n in range(1, 2 * int(self.book.value(integral) / quarter) + 4, 2) if n * quarter > begun + NEAR]
+        turns = [
+            n
+            for n in range(1, 2 * int(self.book.value(integral) / quarter) + 4, 2)
+            if n * quarter > begun + PHASE_TOLERANCE
+        ]
         before = sum(n * quarter < self.book.value(integral) for n in turns)
-        step, name = self.book.open("verify"), self.book.fresh("u", r"\text{turn}")
+        step, name = self.book.begin_step("verify"), self.book.fresh("u", r"\text{turn}")
         formula = Number(float(turns[before])) * self.complete
         often = {0: "not at all", 1: "once", 2: "twice"}.get(before, f"{before} times")
         told, k = step.verified(name, formula, ""), self.complete.latex()
-        step.say(
+        step.add_text(
             f"It turns back where the integral is ${k}$, $3 {k}$, $5 {k}$ and so on, next at {told}: until then it"
         )
-        step.say(f"has turned back {often} since the start.")
+        step.add_text(f"has turned back {often} since the start.")
         step.close()

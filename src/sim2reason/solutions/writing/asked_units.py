@@ -9,7 +9,7 @@ from sim2reason.solutions.writing.unit_latex import latex
 GIVEN = "Given: "
 
 
-def told_in(system: SpokenUnits, solution: Solution, unit: str) -> Solution:
+def convert_answer(system: SpokenUnits, solution: Solution, unit: str) -> Solution:
     """Return a solution computed in SI units whose answer, in `unit`, is converted at the end to the asked unit."""
     other, factor = system.spelled(unit)
     if solution.answer is None or solution.formula or not system.says_otherwise:

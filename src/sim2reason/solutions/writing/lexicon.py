@@ -18,23 +18,23 @@ import numpy as np
 from sim2reason.base.lazy import cached_property
 from sim2reason.base.record import record
 from sim2reason.errors import SceneError
-from sim2reason.scenes.dsl.measures import FAINT, VAST
+from sim2reason.scenes.dsl.measures import MIN_PLAIN_NUMBER, VAST
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.model import Parameter
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.template import Word
-from sim2reason.solutions.algebra.digits import EXACT, SIMPLE, in_full
+from sim2reason.solutions.algebra.digits import MAX_SIMPLE_DENOMINATOR, SIMPLE_FRACTION_RTOL, full_latex
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.functions import Call
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
-from sim2reason.solutions.writing.number_sums import Named, sum_of_products
+from sim2reason.solutions.writing.number_sums import NamedNumber, sum_of_products
 from sim2reason.solutions.writing.unit_latex import latex
 from sim2reason.text.prose.symbol_names import factor
 
-SHIFT = 1e-3  # largest relative change of a number of the twin
-SAME = 1e-10  # relative tolerance, far below the distance of two numbers that agree by chance
-TINY = 1e-9  # size below which stated numbers are of atomic scale
-TRIES, ALIKE = 24, 4  # random draws of the twin's numbers; in the first few, all grow or all shrink
+MAX_PERTURBATION = 1e-3  # largest relative change of a number of the twin
+COINCIDENCE_RTOL = 1e-10  # relative tolerance, far below the distance of two numbers that agree by chance
+ATOMIC_SIZE = 1e-9  # size below which stated numbers are of atomic scale
+MAX_DRAWS, ALIKE = 24, 4  # random draws of the twin's numbers; in the first few, all grow or all shrink
 LARGEST = 10_000  # largest numerator of a fraction that is not a coincidence
 TERMS = 2500  # largest number of products of several numbers that are tried
 
@@ -57,10 +57,10 @@ class StatedNumber:
         measure, value = self.parameter.measure, self.parameter.value or 0.0
         if self.value != value and not self.angle:  # in the units that formulas need
             plain = f"{self.value:.12f}".rstrip("0").rstrip(".")
-            return (plain if float(plain) == self.value else in_full(self.value)) + self.counted_unit
+            return (plain if float(plain) == self.value else full_latex(self.value)) + self.counted_unit
         text = f"{value:.{measure.places(value)}f}"
-        if abs(float(text) - value) > EXACT * abs(value) or not FAINT <= abs(value) < VAST:
-            text = in_full(value)
+        if abs(float(text) - value) > SIMPLE_FRACTION_RTOL * abs(value) or not MIN_PLAIN_NUMBER <= abs(value) < VAST:
+            text = full_latex(value)
         return text + self.unit
 
     @property
@@ -88,23 +88,23 @@ class StatedNumber:
 
 
 @record(slots=True)
-class Both:
+class DualValue:
     """The values of one number in a mechanism and in its twin."""
 
     here: float
     there: float
 
-    def __mul__(self, other: "Both") -> "Both":
+    def __mul__(self, other: "DualValue") -> "DualValue":
         """Return the products in the mechanism and in its twin."""
-        return Both(self.here * other.here, self.there * other.there)
+        return DualValue(self.here * other.here, self.there * other.there)
 
-    def __truediv__(self, other: "Both") -> "Both":
+    def __truediv__(self, other: "DualValue") -> "DualValue":
         """Return the quotients in the mechanism and in its twin."""
-        return Both(self.here / other.here, self.there / other.there)
+        return DualValue(self.here / other.here, self.there / other.there)
 
-    def __sub__(self, other: "Both") -> "Both":
+    def __sub__(self, other: "DualValue") -> "DualValue":
         """Return the differences in the mechanism and in its twin."""
-        return Both(self.here - other.here, self.there - other.there)
+        return DualValue(self.here - other.here, self.there - other.there)
 
 
 class Lexicon:
@@ -119,8 +119,8 @@ class Lexicon:
             if p.value is not None and p.path in symbols
         }
         self._twin = self._built()
-        self._read: dict[Both, Polynomial] = {}
-        self._sums: dict[Both, Polynomial | None] = {}
+        self._read: dict[DualValue, Polynomial] = {}
+        self._sums: dict[DualValue, Polynomial | None] = {}
 
     @property
     def twin(self) -> Mechanism:
@@ -129,9 +129,9 @@ class Lexicon:
 
     def _built(self) -> tuple[Mechanism, dict[str, float]]:
         """Return the mechanism of the twin and its stated numbers by path, in the units of the mechanism."""
-        for attempt in range(TRIES):
+        for attempt in range(MAX_DRAWS):
             rng = np.random.default_rng(attempt)
-            side = -SHIFT if attempt % 2 == 0 else SHIFT
+            side = -MAX_PERTURBATION if attempt % 2 == 0 else MAX_PERTURBATION
             mixed = attempt >= ALIKE  # what touches may need one number to grow and another one to shrink
             values = {
                 path: given.parameter.value
@@ -149,24 +149,24 @@ class Lexicon:
         raise UnreadError("no scene like this one, with other numbers, could be built")
 
     @cached_property
-    def _atoms(self) -> list[tuple[Both, Polynomial]]:
-        found: list[tuple[Both, Polynomial]] = []
+    def _atoms(self) -> list[tuple[DualValue, Polynomial]]:
+        found: list[tuple[DualValue, Polynomial]] = []
         for path, there in self._twin[1].items():
             given, symbol = self.givens[path], Symbol(self.givens[path].symbol)
             if given.angle:
-                found.append((Both(math.sin(given.value), math.sin(there)), Polynomial.of(Call("sin", symbol))))
-                found.append((Both(math.cos(given.value), math.cos(there)), Polynomial.of(Call("cos", symbol))))
-            found.append((Both(given.value, there), Polynomial.of(symbol)))
+                found.append((DualValue(math.sin(given.value), math.sin(there)), Polynomial.of(Call("sin", symbol))))
+                found.append((DualValue(math.cos(given.value), math.cos(there)), Polynomial.of(Call("cos", symbol))))
+            found.append((DualValue(given.value, there), Polynomial.of(symbol)))
         return [*found, *self._attracting()]
 
-    def _attracting(self) -> list[tuple[Both, Polynomial]]:
+    def _attracting(self) -> list[tuple[DualValue, Polynomial]]:
         """Return the gravitational constant; for a planet of given g also 1/G, as its mass is g R²/G."""
         pulls = self.mechanism.attractions
         if not pulls:
             return []
         size, name = pulls[0].constant, Symbol("G")
-        inverse = Both(1.0 / size, 1.0 / size), Polynomial({((name, -1),): 1.0})
-        return [(Both(size, size), Polynomial.of(name)), *([] if self.constant is not None else [inverse])]
+        inverse = DualValue(1.0 / size, 1.0 / size), Polynomial({((name, -1),): 1.0})
+        return [(DualValue(size, size), Polynomial.of(name)), *([] if self.constant is not None else [inverse])]
 
     @cached_property
     def constant(self) -> float | None:
@@ -175,20 +175,20 @@ class Lexicon:
         return pulls[0].constant if pulls and self.mechanism.body[pulls[0].b].mass in heavy else None
 
     @property
-    def lengths(self) -> list[Both]:
+    def lengths(self) -> list[DualValue]:
         """Return the lengths that the text states, in the mechanism and in its twin."""
         there = self._twin[1]
         return [
-            Both(given.value, there[path])
+            DualValue(given.value, there[path])
             for path, given in self.givens.items()
             if given.parameter.measure.unit == "m" and path in there
         ]
 
     def of(self, number: Callable[[Mechanism], float]) -> Polynomial:
         """Return a formula for a number of the mechanism, as `read` does."""
-        return self.read(Both(float(number(self.mechanism)), float(number(self.twin))))
+        return self.read(DualValue(float(number(self.mechanism)), float(number(self.twin))))
 
-    def read(self, number: Both) -> Polynomial:
+    def read(self, number: DualValue) -> Polynomial:
         """Return a formula for a number: zero, a fraction, a given number, a product or a sum of products of those."""
         known = self._read.get(number)
         if known is None:
@@ -199,14 +199,14 @@ class Lexicon:
     def _nothing(self) -> float:
         """Return the size below which a number counts as zero; smaller if some given numbers are tiny."""
         least = min((abs(given.value) for given in self.givens.values() if given.value), default=1.0)
-        return SAME if least >= TINY else SAME * least**2
+        return COINCIDENCE_RTOL if least >= ATOMIC_SIZE else COINCIDENCE_RTOL * least**2
 
-    def _searched(self, number: Both) -> Polynomial:
+    def _searched(self, number: DualValue) -> Polynomial:
         if any(number.here == number.there == pull.constant for pull in self.mechanism.attractions):
             return Polynomial.of(Symbol("G"))  # far smaller, in the SI, than what rounding leaves of other numbers
         if abs(number.here) < self._nothing and abs(number.there) < self._nothing:
             return NIL
-        plain = _factor(number, Both(1.0, 1.0))
+        plain = _factor(number, DualValue(1.0, 1.0))
         if plain is not None:
             return Polynomial.of(plain)
         for atom, name in self._atoms:
@@ -215,7 +215,7 @@ class Lexicon:
                 return name.scaled(factor)
         return self._of_two(number)
 
-    def _of_two(self, number: Both) -> Polynomial:
+    def _of_two(self, number: DualValue) -> Polynomial:
         for (one, name), (two, other) in combinations_with_replacement(self._atoms, 2):
             factor = _factor(number, one * two)
             if factor is not None:
@@ -223,14 +223,14 @@ class Lexicon:
         lengths = [(atom, name) for atom, name in self._atoms if name.symbol is not None]
         for one, name in lengths:
             for sign in (1.0, -1.0):
-                rest = number - Both(sign * one.here, sign * one.there)
-                for two, other in (*lengths, (Both(1.0, 1.0), None)):
+                rest = number - DualValue(sign * one.here, sign * one.there)
+                for two, other in (*lengths, (DualValue(1.0, 1.0), None)):
                     factor = _factor(rest, two)
                     if factor is not None:
                         return name.scaled(sign) + (other or Polynomial.of(1.0)).scaled(factor)
         return self._of_several(number)
 
-    def _of_several(self, number: Both) -> Polynomial:
+    def _of_several(self, number: DualValue) -> Polynomial:
         """Return a number as a product of three or four, such as m g R² of a planet."""
         for size in (3, 4):
             if comb(len(self._atoms) + size - 1, size) > TERMS:
@@ -244,10 +244,10 @@ class Lexicon:
             raise UnreadError(f"{number.here:.6g} is no simple function of the numbers in the text")
         return found
 
-    def _of_sums(self, number: Both) -> Polynomial | None:
+    def _of_sums(self, number: DualValue) -> Polynomial | None:
         """Return a number as a total mass times others or a sum of two products; cached, since the search is slow."""
         if number not in self._sums:
-            atoms = [Named(atom.here, atom.there, name) for atom, name in self._atoms]
+            atoms = [NamedNumber(atom.here, atom.there, name) for atom, name in self._atoms]
             masses = [Symbol(g.symbol) for g in self.givens.values() if g.counted_unit == latex("kg")]
             heavy = [held for held in atoms if held.name.symbol in masses]
             self._sums[number] = sum_of_products(number.here, number.there, heavy, atoms)
@@ -266,13 +266,13 @@ def _is_word(scene: Scene, parameter: Parameter) -> bool:
     return any(word.parameter == name and parameter.value in word.special for word in words.values())
 
 
-def _factor(number: Both, atom: Both) -> float | None:
+def _factor(number: DualValue, atom: DualValue) -> float | None:
     """Return the simple fraction that relates a number to an atom in both mechanisms; None if there is none."""
     if atom.here == 0.0 or atom.there == 0.0:
         return None
     here, there = number.here / atom.here, number.there / atom.there
-    if abs(here - there) > SAME * abs(here):
+    if abs(here - there) > COINCIDENCE_RTOL * abs(here):
         return None
-    fraction = Fraction(here).limit_denominator(SIMPLE)
+    fraction = Fraction(here).limit_denominator(MAX_SIMPLE_DENOMINATOR)
     simple = float(fraction) if abs(fraction.numerator) <= LARGEST else 0.0
-    return simple if simple and abs(simple - here) <= SAME * abs(here) else None
+    return simple if simple and abs(simple - here) <= COINCIDENCE_RTOL * abs(here) else None

@@ -4,7 +4,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from sim2reason.solutions.setting import joined
+from sim2reason.solutions.setting import join_words
 from sim2reason.solutions.solution import Step
 
 BEGIN = frozenset({"other value", "names"})
@@ -27,7 +27,7 @@ def merged(steps: Sequence[Step]) -> list[Step]:
             groups.append(group := [])
         group.append(held)
         place[step.id] = group[0].id
-    return [_said(group) for group in groups]
+    return [_merge_group(group) for group in groups]
 
 
 def _alike(first: Step, other: Step, *, follows: bool) -> bool:
@@ -44,16 +44,16 @@ def _alike(first: Step, other: Step, *, follows: bool) -> bool:
     )
 
 
-def _said(group: Sequence[Step]) -> Step:
+def _merge_group(group: Sequence[Step]) -> Step:
     """Return steps with equal leads as one step with all their formulas."""
     if len(group) == 1:
         return group[0]
     matches = [match for step in group if (match := SENTENCE.fullmatch(step.text)) is not None]
     lead = matches[0]["lead"].replace(*SINGULAR_PLURAL)
-    return together(group, f"{lead} {joined([match['formulas'] for match in matches])}.")
+    return merge_group_into(group, f"{lead} {join_words([match['formulas'] for match in matches])}.")
 
 
-def together(group: Sequence[Step], text: str) -> Step:
+def merge_group_into(group: Sequence[Step], text: str) -> Step:
     """Return several steps as one with a text of its own and the number of the first."""
     return replace(
         group[0],

@@ -10,15 +10,17 @@ import numpy as np
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 
-SAME = 1e-10  # relative tolerance, far below the distance of two numbers that agree by chance
-COMMON = frozenset(sign * whole / part for sign in (1, -1) for whole in (1, 2, 3) for part in (1, 2, 3, 4, 5, 6, 12))
+COINCIDENCE_RTOL = 1e-10  # relative tolerance, far below the distance of two numbers that agree by chance
+COMMON_COEFFICIENTS = frozenset(
+    sign * whole / part for sign in (1, -1) for whole in (1, 2, 3) for part in (1, 2, 3, 4, 5, 6, 12)
+)
 """Coefficients of products in a sum, as in the moment of inertia of a tube, ½ m (R² + r²)."""
-FACTORS = 3  # largest number of factors of a product
-PRODUCTS = 600  # largest number of products whose pairs are tried
-APART = 1e-6  # relative tolerance within which products in mechanism and twin are proportional
+MAX_FACTORS = 3  # largest number of factors of a product
+MAX_PRODUCTS = 600  # largest number of products whose pairs are tried
+PROPORTIONAL_RTOL = 1e-6  # relative tolerance within which products in mechanism and twin are proportional
 
 
-class Named(NamedTuple):
+class NamedNumber(NamedTuple):
     """A number in a mechanism and in its twin, with its formula."""
 
     here: float
@@ -26,28 +28,30 @@ class Named(NamedTuple):
     name: Polynomial
 
 
-def sum_of_products(here: float, there: float, masses: Sequence[Named], atoms: Sequence[Named]) -> Polynomial | None:
+def sum_of_products(
+    here: float, there: float, masses: Sequence[NamedNumber], atoms: Sequence[NamedNumber]
+) -> Polynomial | None:
     """Return a number, with its value `there` in the twin, as a sum of products; None if it is none.
 
     `masses` may be added up before they are multiplied by two `atoms`, the numbers of the text.
     """
     products = [*_products(atoms)]
-    found = _of_totals(here, there, masses, [held for held in products if len(held) < FACTORS])
+    found = _of_totals(here, there, masses, [held for held in products if len(held) < MAX_FACTORS])
     return found if found is not None else _of_pairs(here, there, products)
 
 
-def _products(atoms: Sequence[Named]) -> list[tuple[Named, ...]]:
-    found: list[tuple[Named, ...]] = []
-    for size in range(1, FACTORS + 1):
+def _products(atoms: Sequence[NamedNumber]) -> list[tuple[NamedNumber, ...]]:
+    found: list[tuple[NamedNumber, ...]] = []
+    for size in range(1, MAX_FACTORS + 1):
         more = [*combinations_with_replacement(atoms, size)]
-        if len(found) + len(more) > PRODUCTS:
+        if len(found) + len(more) > MAX_PRODUCTS:
             break
         found += more
     return found
 
 
 def _of_totals(
-    here: float, there: float, masses: Sequence[Named], products: Sequence[tuple[Named, ...]]
+    here: float, there: float, masses: Sequence[NamedNumber], products: Sequence[tuple[NamedNumber, ...]]
 ) -> Polynomial | None:
     """Return a number as a sum of masses times a product of at most two numbers; None if it is none."""
     ones, others = _values([*products])
@@ -55,7 +59,9 @@ def _of_totals(
         for held in combinations(masses, size):
             mass, twin = sum(one.here for one in held), sum(one.there for one in held)
             ratios = here / (mass * ones), there / (twin * others)
-            fits = (np.abs(np.abs(ratios[0]) - 1.0) < SAME) & (np.abs(ratios[1] - ratios[0]) < SAME)
+            fits = (np.abs(np.abs(ratios[0]) - 1.0) < COINCIDENCE_RTOL) & (
+                np.abs(ratios[1] - ratios[0]) < COINCIDENCE_RTOL
+            )
             if fits.any():
                 number = int(np.argmax(fits))
                 return (total(one.name for one in held) * _product(products[number])).scaled(
@@ -64,11 +70,11 @@ def _of_totals(
     return None
 
 
-def _of_pairs(here: float, there: float, products: Sequence[tuple[Named, ...]]) -> Polynomial | None:
+def _of_pairs(here: float, there: float, products: Sequence[tuple[NamedNumber, ...]]) -> Polynomial | None:
     """Return a number as a sum of two products with simple coefficients; None if it is none."""
     ones, others = _values(products)
     det = ones[:, None] * others[None, :] - ones[None, :] * others[:, None]
-    near = np.abs(det) <= APART * np.abs(ones[:, None] * others[None, :])
+    near = np.abs(det) <= PROPORTIONAL_RTOL * np.abs(ones[:, None] * others[None, :])
     with np.errstate(all="ignore"):
         first = (here * others[None, :] - there * ones[None, :]) / det
         second = (ones[:, None] * there - others[:, None] * here) / det
@@ -78,26 +84,26 @@ def _of_pairs(here: float, there: float, products: Sequence[tuple[Named, ...]]) 
         pair = products[one], products[other]
         value = sum(w * prod(atom.here for atom in held) for w, held in zip(weights, pair, strict=True))
         twin = sum(w * prod(atom.there for atom in held) for w, held in zip(weights, pair, strict=True))
-        if abs(value - here) <= SAME * abs(here) and abs(twin - there) <= SAME * abs(there):
+        if abs(value - here) <= COINCIDENCE_RTOL * abs(here) and abs(twin - there) <= COINCIDENCE_RTOL * abs(there):
             return _product(pair[0]).scaled(weights[0]) + _product(pair[1]).scaled(weights[1])
     return None
 
 
 def _nearest(values: Array) -> Array:
     """Return the common coefficients nearest to values, shape (n, n); NaN where none agrees."""
-    common = np.array(sorted(COMMON))
+    common = np.array(sorted(COMMON_COEFFICIENTS))
     after = np.clip(np.searchsorted(common, values), 1, len(common) - 1)
     above, below = common[after], common[after - 1]
     found = np.where(np.abs(values - above) < np.abs(values - below), above, below)
-    return np.where(np.abs(values - found) < APART * np.abs(values), found, np.nan)
+    return np.where(np.abs(values - found) < PROPORTIONAL_RTOL * np.abs(values), found, np.nan)
 
 
-def _values(products: Sequence[tuple[Named, ...]]) -> tuple[Array, Array]:
+def _values(products: Sequence[tuple[NamedNumber, ...]]) -> tuple[Array, Array]:
     here = np.array([prod(atom.here for atom in held) for held in products])
     return here, np.array([prod(atom.there for atom in held) for held in products])
 
 
-def _product(held: tuple[Named, ...]) -> Polynomial:
+def _product(held: tuple[NamedNumber, ...]) -> Polynomial:
     found = Polynomial.of(1.0)
     for atom in held:
         found = found * atom.name

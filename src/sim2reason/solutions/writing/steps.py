@@ -6,11 +6,11 @@ from math import degrees
 
 from sim2reason.questions.need import Need
 from sim2reason.scenes.dsl.units import SI, UnitSystem
-from sim2reason.solutions.algebra.evaluated import Worked
+from sim2reason.solutions.algebra.evaluated import NumericFormula
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.needs import need_of
 from sim2reason.solutions.solution import CHECKS, Integration, Phase, Relation, Step, with_unit
-from sim2reason.solutions.writing.subscripts import FreshNames, Labels
+from sim2reason.solutions.writing.subscripts import Labels, NameAllocator
 from sim2reason.solutions.writing.unit_latex import CANONICAL, DEGREES, latex
 
 STATE_DIGITS = 8  # digits of numbers from which an integration starts
@@ -20,7 +20,7 @@ class UnsolvedError(Exception):
     """An error that ends a strategy that finds no answer; the message states why."""
 
 
-class Book(FreshNames):
+class SolutionBuilder(NameAllocator):
     """A builder of a solution: names with their values, and the steps written so far."""
 
     def __init__(
@@ -58,9 +58,9 @@ class Book(FreshNames):
         self.labels = Labels()
         self._source: dict[str, int] = {}
 
-    def copy(self) -> "Book":
+    def copy(self) -> "SolutionBuilder":
         """Another with the same names known, and no steps, for a draft."""
-        found = Book(self._units, asks=self.asks, called=self._called, most=self.most)
+        found = SolutionBuilder(self._units, asks=self.asks, called=self._called, most=self.most)
         found.hidden, found.sought, found.passage = {*self.hidden}, self.sought, self.passage
         found.values, found.units, found.stated = {**self.values}, {**self.units}, {**self.stated}
         found._taken, found.labels = {*self._taken}, copy(self.labels)
@@ -75,23 +75,23 @@ class Book(FreshNames):
         """Return the name that was given a value last."""
         return next(reversed(self.values))
 
-    def know(self, name: str, value: float, unit: str = "") -> None:
+    def set_value(self, name: str, value: float, unit: str = "") -> None:
         """Store the value of a name; raise ValueError if it has another value already."""
         if name in self.values and self.values[name] != value:
             raise ValueError(f"{name} has two values, {self.values[name]:g} and {value:g}")
         self.values[name], self.units[name] = value, unit
 
-    def say_given(self, name: str, value: float, unit: str) -> None:
+    def state_given(self, name: str, value: float, unit: str) -> None:
         """A number that the question itself says."""
         is_asked, unit = unit == self.asks, self.unit_in_text(unit)
-        self.know(name, value, unit)
+        self.set_value(name, value, unit)
         if is_asked and self.asks and not self.sought:
             self.sought = name
             self.hidden.add(name)
         else:
             self.stated[name] = f"{degrees(value) if unit == DEGREES else value:g}{unit}"
 
-    def state(self, name: str, value: float, spelled: str) -> None:
+    def make_given(self, name: str, value: float, spelled: str) -> None:
         """Turn a computed name into a given one, with its value as spelled in the question."""
         self.hidden.discard(name)
         self.values[name], self.stated[name] = value, spelled
@@ -142,7 +142,7 @@ class Book(FreshNames):
 
     def worked(self, formula: Expression) -> Expression:
         """Return a formula to be written as a number only, or unchanged if it depends on the unknown."""
-        return formula if self.is_hidden(formula) else Worked(formula, self.value(formula))
+        return formula if self.is_hidden(formula) else NumericFormula(formula, self.value(formula))
 
     def rewrite(self, begun: int, steps: Sequence[Step]) -> None:
         """Replace all steps from a number on by other steps, which have consecutive numbers."""
@@ -154,17 +154,17 @@ class Book(FreshNames):
         self.phases.append(Phase(begins, ends))
         self.phase = len(self.phases) - 1
 
-    def open(self, kind: str) -> "Writing":
+    def begin_step(self, kind: str) -> "StepBuilder":
         """Begin a step of a kind."""
-        return Writing(self, kind)
+        return StepBuilder(self, kind)
 
-    def told(
+    def add_step(
         self, kind: str, said: str, name: Symbol, formula: Expression, unit: str = "", *, rests: str = ""
     ) -> Symbol:
         """Write a step of one sentence that ends with a law and `rests` on a label, and return the name."""
-        step = self.open(kind)
+        step = self.begin_step(kind)
         step.rest_on(rests)
-        step.say(f"{said} {step.result(name, formula, unit, law=True)}.")
+        step.add_text(f"{said} {step.result(name, formula, unit, law=True)}.")
         step.close()
         return name
 
@@ -189,10 +189,10 @@ class Book(FreshNames):
         return step
 
 
-class Writing:
+class StepBuilder:
     """A step under construction, to which sentences and relations are added."""
 
-    def __init__(self, book: Book, kind: str) -> None:
+    def __init__(self, book: SolutionBuilder, kind: str) -> None:
         """Begin an empty step of a kind."""
         self._book, self._kind = book, kind
         self._said: list[str] = []
@@ -210,7 +210,7 @@ class Writing:
         if label:
             self._rests.append(label)
 
-    def say(self, *sentences: str) -> None:
+    def add_text(self, *sentences: str) -> None:
         """Append sentences to the text of the step."""
         self._said.extend(sentence for sentence in sentences if sentence)
 
@@ -228,7 +228,7 @@ class Writing:
         unit = self._book.unit_in_text(unit)
         relation = Relation(name, formula, "law" if law else "result", unit)
         self.relations.append(relation)
-        self._book.know(name.name, value := self._book.value(formula), unit)
+        self._book.set_value(name.name, value := self._book.value(formula), unit)
         self._gives.append(name.name)
         if not self._book.hidden.isdisjoint(formula.symbols()):
             self._book.hidden.add(name.name)

@@ -14,7 +14,7 @@ def subscript(name: str) -> str:
     return inner[1:-1] if inner.startswith("{") else inner
 
 
-def marked(base: str, mark: str) -> str:
+def with_subscript(base: str, mark: str) -> str:
     """Return a name with a subscript, appended to the one that it may have."""
     if not mark:
         return base
@@ -24,7 +24,7 @@ def marked(base: str, mark: str) -> str:
     return f"{stem}_{joined}" if len(joined) == 1 else f"{stem}_{{{joined}}}"
 
 
-def split(name: str) -> tuple[str, str]:
+def split_name(name: str) -> tuple[str, str]:
     """Return the base of a name and its subscript without braces."""
     base, _, mark = name.partition("_")
     return base, mark[1:-1] if mark.startswith("{") and mark.endswith("}") else mark
@@ -35,24 +35,24 @@ def numbered(name: str) -> Iterator[str]:
 
     A subscript that is a number is incremented; no second number is appended.
     """
-    base, mark = split(name)
+    base, mark = split_name(name)
     rest, _, last = mark.rpartition(",")
     counts = last.isdecimal() and not rest.rpartition(",")[2].isdecimal()
     first, mark = (int(last), rest) if counts else (0, mark)
     for number in count(first + 1):
-        yield marked(base, f"{mark},{number}" if mark else str(number))
+        yield with_subscript(base, f"{mark},{number}" if mark else str(number))
 
 
 def primed(name: str, primes: int = 1) -> str:
     """Return a name with primes before its subscript."""
-    base, mark = split(name)
-    return marked(base + "'" * primes, mark)
+    base, mark = split_name(name)
+    return with_subscript(base + "'" * primes, mark)
 
 
-MOST_PRIMES = 3
+MAX_PRIMES = 3
 
 
-class FreshNames:
+class NameAllocator:
     """An allocator of names that gives each name to one value only."""
 
     def __init__(self, called: Mapping[str, str] | None = None) -> None:
@@ -66,13 +66,13 @@ class FreshNames:
 
     def fresh(self, base: str, mark: str = "") -> Symbol:
         """Return an unused name: the base with a subscript, and with a number if that is taken."""
-        name = marked(base, mark)
+        name = with_subscript(base, mark)
         return self._take(next(each for each in chain([name], numbered(name)) if self._is_free(each)))
 
-    def after(self, base: str, mark: str = "") -> Symbol:
+    def name_after_impact(self, base: str, mark: str = "") -> Symbol:
         """Return an unused name for a value just after an impact: v', then v'' and v''', then numbered ones."""
-        name = marked(base, mark)
-        names = [primed(name, primes) for primes in range(1, MOST_PRIMES + 1)]
+        name = with_subscript(base, mark)
+        names = [primed(name, primes) for primes in range(1, MAX_PRIMES + 1)]
         return self._take(next(each for each in chain(names, numbered(names[0])) if self._is_free(each)))
 
     def _is_free(self, name: str) -> bool:

@@ -45,7 +45,7 @@ MECHANICAL = (*LENGTHS, "s", "kg", "N", "J", "N s", "J s", "kg m/s", "1/s", "rad
 CANONICAL = {latex(name): name for name in MECHANICAL}  # unit by its LaTeX
 
 
-LETTERS = {
+QUANTITY_SYMBOLS = {
     "acceleration": "a",
     "angle rolled": r"\phi",
     "angle turned": r"\phi",
@@ -92,7 +92,7 @@ def unit_of_quantity(name: str) -> str:
     return latex(declared.unit)
 
 
-def of_magnitude(said: str, quantity: str) -> str:
+def magnitude_words(said: str, quantity: str) -> str:
     """Return words such as *The momentum is*, reworded so that the magnitude of the vector is the subject.
 
     Text that does not name `quantity` is replaced; text about a scalar is unchanged.

@@ -24,7 +24,7 @@ from sim2reason.testing.transformations import (
     push,
 )
 
-CLOSE = 1e-8  # of the largest energy that is there or exchanged
+ENERGY_RTOL = 1e-8  # of the largest energy that is there or exchanged
 
 
 @check
@@ -51,7 +51,7 @@ class EnergyCheck(Check):
             before, after = kinetic(trace.sample(edges(start, stop)))
             work = sum(parts.values())
             scale = max(before, after, float(sizes.max(initial=0.0)), _energy_floor(trace.mechanism))
-            if np.isfinite(work) and abs(after - before - work) > CLOSE * scale:
+            if np.isfinite(work) and abs(after - before - work) > ENERGY_RTOL * scale:
                 gained = f"from {start:.4g} to {stop:.4g} s it grows by {after - before:.9g} J"
                 told = ", ".join(f"{part:.6g} J by {name}" for name, part in parts.items() if part)
                 yield found.finding(
@@ -72,7 +72,7 @@ class EnergyCheck(Check):
             old, new = kinetic(_around(trace, time, after))
             kinds = {event.kind for event in trace.events if time <= event.time <= after}
             kept = kinds == {"collision"} and all(hit.restitution == 1.0 for hit in trace.mechanism.meetings)
-            scale = CLOSE * max(old, new, _energy_floor(trace.mechanism))
+            scale = ENERGY_RTOL * max(old, new, _energy_floor(trace.mechanism))
             if (new - old > scale and not driven) or (kept and old - new > scale):
                 what = ", ".join(sorted(kinds))
                 yield found.finding(
@@ -93,7 +93,9 @@ class EnergyCheck(Check):
                 return
             first, last = ends.vector((potential, 0.0, 0.0))[:, 0]
             work, size = _work(trace, force, start, stop)
-            if abs(first - last - work) > CLOSE * max(abs(first), abs(last), size, _energy_floor(trace.mechanism)):
+            if abs(first - last - work) > ENERGY_RTOL * max(
+                abs(first), abs(last), size, _energy_floor(trace.mechanism)
+            ):
                 yield found.finding(
                     self.name,
                     f"the potential of {force.name} falls by the work of the force",
@@ -154,7 +156,7 @@ class MomentumCheck(Check):
             for way, impulse, size in zip(ways, map(float, pushes), map(float, sizes), strict=True):
                 before, after = momentum(ends, way)
                 scale = max(abs(before), abs(after), size, _momentum_floor(trace.mechanism))
-                if np.isfinite(impulse) and abs(after - before - impulse) > CLOSE * scale:
+                if np.isfinite(impulse) and abs(after - before - impulse) > ENERGY_RTOL * scale:
                     gained = f"from {start:.4g} to {stop:.4g} s it grows by {after - before:.9g} kg m/s"
                     yield found.finding(
                         self.name,
@@ -173,7 +175,7 @@ class MomentumCheck(Check):
                 ways = [c for c in movable(trace.mechanism) if abs(inner(c.axis, direction)) > 1.0 - 1e-12]
                 parts = [momentum(state, way) * inner(way.axis, direction) for way in ways]
                 old, new = np.sum(parts, axis=0)
-                if abs(new - old) > CLOSE * max(float(np.abs(parts).max()), _momentum_floor(trace.mechanism)):
+                if abs(new - old) > ENERGY_RTOL * max(float(np.abs(parts).max()), _momentum_floor(trace.mechanism)):
                     yield found.finding(
                         self.name,
                         "an impact between free bodies leaves the sum of their momenta as it is",

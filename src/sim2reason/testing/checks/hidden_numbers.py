@@ -7,8 +7,8 @@ from typing import cast
 import numpy as np
 
 from sim2reason.errors import SimulationError, UnsupportedError
-from sim2reason.questions import Study
-from sim2reason.scenes.dsl.mechanism import Face, Mechanism, Meeting, RigidBody
+from sim2reason.questions import SimulatedScene
+from sim2reason.scenes.dsl.mechanism import CollisionPair, Mechanism, RigidBody, SurfaceContact
 from sim2reason.scenes.dsl.model import Model, Parameter, field_types
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.certify import RECORDED
@@ -16,7 +16,7 @@ from sim2reason.simulation.trace import ENGINES
 from sim2reason.testing.answers import differences
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
-from sim2reason.testing.specimens import Specimen, Specimens, changed, spoken, studied, told_by_word
+from sim2reason.testing.specimens import Specimen, Specimens, changed, stated_by_word, stated_numbers, studied
 
 SHIFT = 1.01
 WORDINGS = 3
@@ -36,10 +36,15 @@ class GivensCheck(Check):
 
     def _declared(self, found: Specimen) -> Iterator[Finding]:
         """Yield findings for numbers of the scene that matter but are missing in some wording."""
-        heard = [set(spoken(found.scene, seed)) for seed in range(found.seed, found.seed + WORDINGS)]
+        heard = [set(stated_numbers(found.scene, seed)) for seed in range(found.seed, found.seed + WORDINGS)]
         for parameter in found.scene.parameters:
             path, value = parameter.path, parameter.value
-            if parameter.hidden or not value or all(path in said for said in heard) or told_by_word(found.scene, path):
+            if (
+                parameter.hidden
+                or not value
+                or all(path in said for said in heard)
+                or stated_by_word(found.scene, path)
+            ):
                 continue
             other = studied(changed(found.scene, {path: value * SHIFT}), found.scene.horizon)
             difference = next(differences(found, other), None) if other is not None else None
@@ -78,7 +83,7 @@ def _facts(mechanism: Mechanism) -> dict[str, float]:
 def _decided(found: Specimen) -> set[str]:
     """Return the facts that change with some stated number."""
     before, decided = _facts(found.study.mechanism), set[str]()
-    for path, parameter in spoken(found.scene).items():
+    for path, parameter in stated_numbers(found.scene).items():
         other = changed(found.scene, {path: (parameter.value or 0.0) * SHIFT})
         if other is not None and parameter.value:
             after = _facts(other.mechanism)
@@ -105,17 +110,17 @@ def _heavier(body: RigidBody) -> RigidBody:
     return replace(body, mass=SHIFT * body.mass, inertia=(xx, yy, zz, xy, xz, yz))
 
 
-def _rougher(face: Face) -> Face:
+def _rougher(face: SurfaceContact) -> SurfaceContact:
     return replace(face, friction=SHIFT * face.friction)
 
 
-def _livelier(hit: Meeting) -> Meeting:
+def _livelier(hit: CollisionPair) -> CollisionPair:
     return replace(hit, restitution=hit.restitution / SHIFT)
 
 
-def _moved(found: Specimen, mechanism: Mechanism) -> Study | None:
+def _moved(found: Specimen, mechanism: Mechanism) -> SimulatedScene | None:
     try:
-        return Study(found.scene, ENGINES[RECORDED](mechanism, np.array([0.0, found.scene.horizon])))
+        return SimulatedScene(found.scene, ENGINES[RECORDED](mechanism, np.array([0.0, found.scene.horizon])))
     except (SimulationError, UnsupportedError):
         return None
 

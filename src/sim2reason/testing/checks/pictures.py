@@ -13,12 +13,12 @@ from sim2reason.figures import canvas
 from sim2reason.figures.curves import motion_curves
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.plot import plot
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism, RigidBody
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
-from sim2reason.testing.specimens import STILL, Specimen, Specimens
+from sim2reason.testing.specimens import REST_TOLERANCE, Specimen, Specimens
 
 FILES = 1  # scenes written as files, whose cost is mostly matplotlib's
 
@@ -96,14 +96,14 @@ def moving(found: Specimen) -> list[str]:
     shift = QUANTITIES["displacement"].evaluate
     within = state.times <= found.end
     names = [body.name for body in state.mechanism.bodies if body.name in said and _moves_itself(state.mechanism, body)]
-    return [name for name in names if np.abs(shift(state, name)[within]).max(initial=0.0) > STILL]
+    return [name for name in names if np.abs(shift(state, name)[within]).max(initial=0.0) > REST_TOLERANCE]
 
 
 def _moves_itself(mechanism: Mechanism, body: RigidBody) -> bool:
     """Return whether a coordinate of the body itself moves its centre of mass; a wheel's rotation does not."""
-    gradient = start(mechanism).center(body.name).gradient
+    gradient = initial_frames(mechanism).center(body.name).gradient
     ways = (gradient.get(mechanism.number[own.name], ZERO) for own in body.coordinates)
-    return any(hypot(*way) > STILL for way in ways)
+    return any(hypot(*way) > REST_TOLERANCE for way in ways)
 
 
 def plotted(found: Specimen) -> set[str]:

@@ -12,7 +12,7 @@ from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import Specimen, Specimens
 
-LEAST = 2  # question kinds
+MIN_KINDS = 2  # question kinds
 TRIES = 4
 
 
@@ -29,9 +29,9 @@ class QuestionsCheck(Check):
             for kind in KINDS:
                 for number in range(TRIES):
                     yield from self._ask(found, kind, number, asked)
-        if len(asked) < LEAST:
+        if len(asked) < MIN_KINDS:
             names = ", ".join(sorted(asked)) or "none"
-            expected = f"questions of at least {LEAST} kinds can be asked"
+            expected = f"questions of at least {MIN_KINDS} kinds can be asked"
             remedy = "name bodies in build as their fields are, `room.body('bob', …)` for `bob`, and let something move"
             yield Finding(self.name, expected, f"there is only: {names}", remedy)
 

@@ -16,7 +16,7 @@ from sim2reason.scenes.dsl.model import Model, draw, field_types
 from sim2reason.testing.answers import differences
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
-from sim2reason.testing.specimens import IT, Specimen, Specimens, changed, specimen, spoken, studied
+from sim2reason.testing.specimens import IT, Specimen, Specimens, changed, specimen, stated_numbers, studied
 
 DRAWS, MANY = 60, 300  # seeds of draws, and their number where a value seems to be constant
 OFTEN = 12  # draws after which an unchanged value counts as constant
@@ -74,7 +74,7 @@ class _Looked:
 
     def at(self, found: Specimen, only: Collection[str] | None = None) -> None:
         """Change each number of a scene that is not yet known to matter."""
-        for path in spoken(found.scene, found.seed):
+        for path in stated_numbers(found.scene, found.seed):
             name = _field(path)
             if path.startswith(f"{IT}.") and name not in self.alive and (only is None or name in only):
                 self.seen.setdefault(name, found)
@@ -85,7 +85,9 @@ class _Looked:
         """Test the seemingly irrelevant, rarely changed numbers in another scene."""
         if found.moves:
             dead = self.open
-            self.again_with.update({_field(path) for path in spoken(found.scene, found.seed)}.intersection(dead))
+            self.again_with.update(
+                {_field(path) for path in stated_numbers(found.scene, found.seed)}.intersection(dead)
+            )
             self.at(found, dead)
 
 

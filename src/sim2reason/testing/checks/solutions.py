@@ -8,7 +8,7 @@ from sim2reason.errors import Sim2ReasonError
 from sim2reason.questions import KINDS
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.mechanism import Mechanism
-from sim2reason.solutions import Setting, solve
+from sim2reason.solutions import ProblemContext, solve
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import Specimen, Specimens
@@ -48,7 +48,7 @@ def _reasons(found: Specimen) -> Iterator[str]:
         answer = kind.answer(query, found.study) if query is not None else None
         if query is None or not answer:
             continue
-        setting = Setting(found.scene, found.words, found.description.symbols, found.study, query)
+        setting = ProblemContext(found.scene, found.words, found.description.symbols, found.study, query)
         try:
             yield solve(setting, derived=True).reason
         except Sim2ReasonError as error:

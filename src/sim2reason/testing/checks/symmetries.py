@@ -6,17 +6,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from sim2reason.errors import SimulationError, UnsupportedError
-from sim2reason.questions import Study
+from sim2reason.questions import SimulatedScene
 from sim2reason.scenes.dsl.units import Dimension, parse_unit
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, Trace
 from sim2reason.testing.answers import differences
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
-from sim2reason.testing.specimens import Specimen, Specimens, changed, spoken, studied
+from sim2reason.testing.specimens import Specimen, Specimens, changed, stated_numbers, studied
 from sim2reason.testing.transformations import mirrored
 
-CLOSE = 1e-9  # of the largest value, or of 1 in SI units
+MIRROR_RTOL = 1e-9  # of the largest value, or of 1 in SI units
 
 
 @check
@@ -41,12 +41,12 @@ class MirrorImageCheck(Check):
         except (SimulationError, UnsupportedError) as error:
             return f"it is refused: {error}"
         end = min(found.end, image.stable_until)
-        if found.end - end > CLOSE * found.end:
+        if found.end - end > MIRROR_RTOL * found.end:
             return f"it ends at {end:.6g} s ({image.cut}), not at {found.end:.6g} s"
-        return _apart(trace, image, end)
+        return _difference(trace, image, end)
 
 
-def _apart(trace: Trace, image: Trace, end: float) -> str:
+def _difference(trace: Trace, image: Trace, end: float) -> str:
     times = trace.state.times
     clear = [abs(times - event.time) > 1e-6 * end for event in trace.events]
     within = np.logical_and.reduce([times <= end, *clear])
@@ -54,7 +54,7 @@ def _apart(trace: Trace, image: Trace, end: float) -> str:
         for number, coordinate in enumerate(trace.mechanism.coordinates):
             one, other = mine[within, number], its[within, number]
             gap = np.abs(one - other)
-            if gap.max(initial=0.0) > CLOSE * max(1.0, float(np.abs(one).max(initial=0.0))):
+            if gap.max(initial=0.0) > MIRROR_RTOL * max(1.0, float(np.abs(one).max(initial=0.0))):
                 worst = int(gap.argmax())
                 where = f"{what} of {coordinate.name} at {times[within][worst]:.4g} s"
                 return f"{where}: {other[worst]:.9g} in place of {one[worst]:.9g}"
@@ -80,7 +80,7 @@ class Units:
         return ", ".join(f"all {name} × {factor:g}" for name, factor in grown.items() if factor != 1.0)
 
 
-APART = (Units(length=2.0), Units(mass=2.0), Units(time=2.0))
+INDEPENDENT_UNITS = (Units(length=2.0), Units(mass=2.0), Units(time=2.0))
 KEPLER = (Units(length=4.0, time=8.0), Units(mass=4.0, time=0.5))  # the constant of gravitation, λ³/(µτ²), stays
 
 
@@ -93,7 +93,7 @@ class ScalingCheck(Check):
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
         """Double all stated lengths, then all masses, then all times."""
         for found in specimens.moving:
-            for units in KEPLER if found.study.mechanism.attractions else APART:
+            for units in KEPLER if found.study.mechanism.attractions else INDEPENDENT_UNITS:
                 yield from self._scaled(found, units)
 
     def _scaled(self, found: Specimen, units: Units) -> Iterator[Finding]:
@@ -108,11 +108,11 @@ class ScalingCheck(Check):
             )
 
 
-def scaled(found: Specimen, units: Units) -> Study | None:
+def scaled(found: Specimen, units: Units) -> SimulatedScene | None:
     """Return the scene with its stated numbers in other units, simulated; None if it is invalid."""
     numbers = {
         path: parameter.value * units.factor(parse_unit(parameter.measure.unit).dimension)
-        for path, parameter in spoken(found.scene, found.seed).items()
+        for path, parameter in stated_numbers(found.scene, found.seed).items()
         if parameter.value
     }
     return studied(changed(found.scene, numbers), found.scene.horizon * units.time)

@@ -10,13 +10,13 @@ from sim2reason.scenes.dsl.template import PartLines, Topic, variants
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.checks.round_trip import meaning, meant
 from sim2reason.testing.report import Finding
-from sim2reason.testing.specimens import Specimen, Specimens, changed, spoken, told_by_word
+from sim2reason.testing.specimens import Specimen, Specimens, changed, stated_by_word, stated_numbers
 from sim2reason.text.parsing import parse_scene
 from sim2reason.text.parsing.tokens import pieces
 from sim2reason.text.prose.description import Description, describe
 from sim2reason.text.prose.voices import hiding, symbolic
 
-LEAST = 3
+MIN_WORDINGS = 3
 
 
 @check
@@ -31,8 +31,8 @@ class WordingsCheck(Check):
             lines = model.says if issubclass(model, Part) else ()
             for saying in (line for line in lines if not isinstance(line, PartLines)):
                 for ways in variants(saying):
-                    if len(set(ways)) < LEAST:
-                        expected = f"each line of {model.__name__} has at least {LEAST} wordings"
+                    if len(set(ways)) < MIN_WORDINGS:
+                        expected = f"each line of {model.__name__} has at least {MIN_WORDINGS} wordings"
                         remedy = "say it in another construction, not only in other words"
                         yield Finding(self.name, expected, f"{len(set(ways))}: {ways[0]!r}", remedy)
 
@@ -51,7 +51,7 @@ class SymbolsCheck(Check):
     def _shared(self, found: Specimen) -> Iterator[Finding]:
         description = describe(found.scene, found.seed, symbolic)
         owner: dict[str, str] = {}
-        for path, parameter in spoken(found.scene, found.seed).items():
+        for path, parameter in stated_numbers(found.scene, found.seed).items():
             symbol = description.symbols.get(path, parameter.measure.symbol)
             remedy = "give the fields different symbols: in their Measure, or in `symbols` of their body"
             if symbol in owner:
@@ -81,11 +81,11 @@ class MaskingCheck(Check):
 
     def _numbers(self, found: Specimen) -> Iterator[Finding]:
         """Yield findings for hidden numbers that the text still reveals, or that its parse does not report."""
-        for path, parameter in spoken(found.scene, found.seed).items():
+        for path, parameter in stated_numbers(found.scene, found.seed).items():
             other = changed(found.scene, {path: (parameter.value or 1.0) * SHIFT})
             text = describe(found.scene, found.seed, hiding(path)).text
             expected = f"with {path} hidden, nothing in the text depends on it"
-            if other is not None and not told_by_word(other, path):
+            if other is not None and not stated_by_word(other, path):
                 its = describe(other, found.seed, hiding(path)).text
                 if its != text:
                     remedy = "say each number through its own slot, so that it can be hidden"

@@ -6,13 +6,13 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.solutions.algebra.digits import DIGITS, shortened
+from sim2reason.solutions.algebra.digits import DIGITS, round_to_digits
 from sim2reason.solutions.algebra.evaluated import gradient
 from sim2reason.solutions.algebra.expressions import Expression, Sum, Symbol
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.collisions.long_chains import TIME
 from sim2reason.solutions.data import as_data
-from sim2reason.solutions.solution import CHECKS, WELL, Relation, Solution
+from sim2reason.solutions.solution import CHECKS, RELATION_RTOL, Relation, Solution
 
 FAINT = 1e-8  # relative residual of a combination of laws for a row that follows from them
 ROUNDING = 1e-13  # SI units: rounding error of numbers that cancel
@@ -30,7 +30,7 @@ def words(text: str) -> int:
     return len(re.sub(r"\$[^$]*\$", "x", text).split())
 
 
-def faults(solution: Solution, answer: float, within: float = WELL) -> list[str]:
+def faults(solution: Solution, answer: float, within: float = RELATION_RTOL) -> list[str]:
     """Return all faults of a solution, in words; `answer` is the engine's, in the unit of the question.
 
     `within` is the engine's relative accuracy, see `SEEN`, or that of the given result if a number is unknown.
@@ -57,7 +57,7 @@ def holds(relation: Relation, values: Mapping[str, float]) -> bool:
     if relation.role == "exceeds":
         return left.real > right.real
     size = max(_size(relation.left, values), _size(relation.right, values))
-    return abs(left - right) <= WELL * size + ROUNDING
+    return abs(left - right) <= RELATION_RTOL * size + ROUNDING
 
 
 def _size(held: Expression, at: Mapping[str, float]) -> float:
@@ -201,8 +201,8 @@ def by_digits(solution: Solution, digits: int = DIGITS) -> float:
             values[name] = solution.values[name]
         elif name not in values and all(other in values for other in relation.right.symbols()):
             try:
-                values[name] = shortened(float(relation.right.value(values, digits).real), digits)
+                values[name] = round_to_digits(float(relation.right.value(values, digits).real), digits)
             except (ValueError, ArithmeticError):  # such as the arccosine of what rounding has made more than 1
                 return float("nan")
     found = values.get(solution.goal, float("nan"))
-    return solution.said(found)
+    return solution.in_answer_unit(found)

@@ -22,7 +22,7 @@ from sim2reason.solutions.checking.equation import Equation
 from sim2reason.solutions.checking.integration import PARTS, formulas
 from sim2reason.solutions.checking.recompute import COMPARED
 from sim2reason.solutions.checking.trees import Tree, symbols, value
-from sim2reason.solutions.solution import WELL
+from sim2reason.solutions.solution import RELATION_RTOL
 
 Data = dict[str, Any]
 Place = tuple[Any, Any]
@@ -169,7 +169,7 @@ def _invent_given(data: Data, number: int | None, values: Mapping[str, float]) -
 
 
 def _is_among(value: float, numbers: Iterable[float]) -> bool:
-    return any(isclose(value, number, rel_tol=WELL) for number in numbers)
+    return any(isclose(value, number, rel_tol=RELATION_RTOL) for number in numbers)
 
 
 def _turn_sign(data: Data, number: int | None, values: Mapping[str, float]) -> int:

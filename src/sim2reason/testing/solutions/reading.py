@@ -24,7 +24,7 @@ ANSWER = re.compile(
 )
 BOX = r"\boxed{"
 BOXED = 6e-3  # relative rounding error of three digits
-CLOSE = 6e-5  # relative rounding error of five digits, at most
+ROUNDED_RTOL = 6e-5  # relative rounding error of five digits, at most
 STEP = 1e-6  # relative, of a derivative
 PROBLEM = re.compile(
     r"(?:Let (?=\$[^$]*\$ be )|Along with them"
@@ -43,7 +43,7 @@ class Equality:
     sides: tuple[Node, Node]
     terms: tuple[Node, ...]  # by whose size they are compared
     symbols: frozenset[str]
-    close: float = CLOSE
+    close: float = ROUNDED_RTOL
 
     def excess(self, values: Mapping[str, float]) -> float | None:
         """Return left minus right side; None where a side has no value."""
@@ -133,13 +133,13 @@ def _ending(match: re.Match[str], table: frozenset[str]) -> Iterator[Equality]:
     """
     boxed = match["boxed"] + (match["unit"] if match["unit"] == DEGREES else "")
     sides = [_side(part, table) for part in (match["goal"], match["number"], boxed) if part is not None]
-    close = BOXED if match["sign"] != "=" else CLOSE
+    close = BOXED if match["sign"] != "=" else ROUNDED_RTOL
     for one, other in pairwise(sides):
         both, names = (one[0], other[0]), one[2] | other[2]
         if other is sides[-1] and match["number"] is not None:
             factor = parse_unit(unit_of(match["number"])).factor_to(parse_unit(unit_of(match["unit"])))
             both = arithmetic.product([(one[0], False), (arithmetic.constant(factor or 0.0), False)]), other[0]
-        yield Equality(match[0], both, (both[1], *other[1]), names, close if other is sides[-1] else CLOSE)
+        yield Equality(match[0], both, (both[1], *other[1]), names, close if other is sides[-1] else ROUNDED_RTOL)
 
 
 def _excess(formula: str, table: frozenset[str]) -> Callable[[Mapping[str, float]], float | None] | None:

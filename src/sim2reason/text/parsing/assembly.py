@@ -8,17 +8,17 @@ from pydantic import ValidationError
 
 from sim2reason.errors import TextError
 from sim2reason.scenes.dsl.body import Body
-from sim2reason.scenes.dsl.connection import Connection, Told
+from sim2reason.scenes.dsl.connection import Connection, StatedValue
 from sim2reason.scenes.dsl.entity import Entity, Named
 from sim2reason.scenes.dsl.model import FieldType, M, Model, field_types
 from sim2reason.scenes.dsl.scene import Scene, World
-from sim2reason.scenes.files.mistakes import explained
-from sim2reason.text.parsing.parse_state import ParsedConnection, ParseState, thing_at
+from sim2reason.scenes.files.mistakes import explain_error
+from sim2reason.text.parsing.parse_state import ParsedConnection, ParseState, declared_type
 
-MOST = 2  # unknown numbers in a text: the one it asks for, and one whose limiting value it gives
+MAX_UNKNOWNS = 2  # unknown numbers in a text: the one it asks for, and one whose limiting value it gives
 
 
-def assembled(state: ParseState, rng: np.random.Generator, share: float = 0.5) -> Scene:
+def build_scene(state: ParseState, rng: np.random.Generator, share: float = 0.5) -> Scene:
     """Build the parsed scene; each number given only as a symbol gets the value at fraction `share` of its range.
 
     Raises:
@@ -32,7 +32,7 @@ def assembled(state: ParseState, rng: np.random.Generator, share: float = 0.5) -
     return Scene(entities=tuple(entities), connections=connections, world=World.model_validate(told))
 
 
-def untold(symbols: Iterable[str]) -> TextError:
+def unstated_error(symbols: Iterable[str]) -> TextError:
     """Build the error for a text that leaves more numbers unknown than its question asks for."""
     return TextError("text", f"it does not tell {' and '.join(symbols)}", "leave one number unknown")
 
@@ -40,12 +40,12 @@ def untold(symbols: Iterable[str]) -> TextError:
 def _guessed(state: ParseState, share: float) -> ParseState:
     """Return the state with numbers in place of symbols; TextError if a symbol has several values or no range."""
     unknowns = state.unknowns
-    if len(unknowns) > MOST:
-        raise untold(unknowns.values())
+    if len(unknowns) > MAX_UNKNOWNS:
+        raise unstated_error(unknowns.values())
     values = dict(state.values)
     for path, symbol in unknowns.items():
         owner, _, name = path.rpartition(".")
-        held = next(field_types(kind)[name] for kind in thing_at(state, owner).models if name in field_types(kind))
+        held = next(field_types(kind)[name] for kind in declared_type(state, owner).models if name in field_types(kind))
         if held.drawn is None:
             raise TextError("text", f"it does not tell {symbol}", "say it")
         values[path] = held.drawn.low + share * (held.drawn.high - held.drawn.low)
@@ -65,7 +65,7 @@ def _model(state: ParseState, address: str, kind: type[M], rng: np.random.Genera
     try:
         return kind(**fields)
     except ValidationError as error:
-        raise explained(kind, error, address) from None
+        raise explain_error(kind, error, address) from None
 
 
 def _field(state: ParseState, address: str, kind: type[Model], held: FieldType, rng: np.random.Generator) -> Any:
@@ -93,7 +93,7 @@ def _drawn(held: FieldType, rng: np.random.Generator) -> float:
     return held.measure.draw(rng, held.drawn.low, held.drawn.high)
 
 
-def _index(value: Told) -> int | None:
+def _index(value: StatedValue) -> int | None:
     return None if value is None else int(value)
 
 

@@ -21,14 +21,26 @@ import numpy as np
 
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.frames import Frames, Point
-from sim2reason.scenes.dsl.mechanism import ZERO, Elastic, Foot, Force, Line, Mechanism, Meeting, RigidBody, X, Y, Z
+from sim2reason.scenes.dsl.mechanism import (
+    ZERO,
+    CollisionPair,
+    Elastic,
+    Force,
+    Line,
+    Mechanism,
+    PlaneContact,
+    RigidBody,
+    X,
+    Y,
+    Z,
+)
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.scenes.dsl.vectors import Tensor, applied, minus, product
+from sim2reason.scenes.dsl.vectors import Tensor, applied, dot, minus
 
 Label = tuple[object, ...]
 Signature = tuple[object, ...]
-FLAT = 1e-9  # √kg; a mass-weighted gradient shorter than this counts as zero
+GRADIENT_FLOOR = 1e-9  # √kg; a mass-weighted gradient shorter than this counts as zero
 ROUNDS = 3  # of refining the labels of rows by those of their neighbours
 STAGES = (0.0, 0.37, -0.23)  # displacements from the start at which mechanisms are compared: m, rad or s
 
@@ -82,7 +94,7 @@ class _Rows:
         roots = np.repeat([math.sqrt(body.mass + 1.0) for body in bodies], 3)
         spread = np.vstack([self._spread(self._frames.center(body.name))[:, : self._n] for body in bodies])
         way, sizes, rates = np.linalg.svd(roots[:, None] * spread, full_matrices=False)
-        kept = sizes > FLAT
+        kept = sizes > GRADIENT_FLOOR
         way, rates = way[:, kept], rates[kept] / sizes[kept, None]
 
         def biases(speeds: Array) -> Array:
@@ -143,13 +155,13 @@ class _Rows:
             own[:, number] = frame.unturned(axis)
         return [row for row in _root(body.inertia) @ own if np.abs(row).max() > 0.0]
 
-    def hit(self, hit: Meeting) -> Label:
+    def hit(self, hit: CollisionPair) -> Label:
         """Return the label of a possible collision: the bodies' names, the restitution and the initial gap."""
         one, other = sorted((hit.a or "", hit.b), key=self._called)
         places = [self._frames.center(name).place if name else ZERO for name in (one, other)]
         apart = minus(places[1], places[0])
         if hit.normal is not None:
-            along = product(hit.normal, apart)
+            along = dot(hit.normal, apart)
             apart = (along, 0.0, 0.0) if hit.a is not None else (abs(along) - hit.distance, 0.0, 0.0)
         numbers = [_rounded(number) for number in (hit.distance, hit.restitution, hit.sticks, *apart)]
         return "hit", self._called(one), self._called(other), repr(numbers)
@@ -192,10 +204,10 @@ class _Rows:
             law = replace(law, length=0.0)
         self._add(("line", self._called(line.name), law, _rounded(stretch)), row)
 
-    def foot(self, foot: Foot) -> None:
+    def foot(self, foot: PlaneContact) -> None:
         """Add the rows of an edge that may touch a plane: the two directions in which contact blocks it."""
         point = self._frames.site(foot.site)
-        gap = product(foot.normal, point.place) - foot.height
+        gap = dot(foot.normal, point.place) - foot.height
         for way in (foot.normal, foot.along):
             self._add(("foot", _rounded(gap)), np.array(way) @ self._spread(point))
 

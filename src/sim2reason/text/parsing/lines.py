@@ -10,7 +10,7 @@ from sim2reason.scenes.dsl.entity import Part, inside
 from sim2reason.scenes.dsl.model import FieldType, field_types
 from sim2reason.scenes.dsl.template import Each, PartLines, Saying, Wordings, slots, topic_of, variants, wordings
 from sim2reason.text.parsing.matcher import Matcher
-from sim2reason.text.parsing.parse_state import MANY, ParseState, thing_at
+from sim2reason.text.parsing.parse_state import MAX_MEMBERS, ParseState, declared_type
 from sim2reason.text.parsing.string_routes import InnerRoute
 from sim2reason.text.parsing.tokens import parse_table
 
@@ -18,7 +18,7 @@ Step = Callable[[int, ParseState], Iterator[tuple[int, ParseState]]]
 """From a piece of the text and what was read before it, to all that can be read from there on."""
 
 
-class _Said(NamedTuple):
+class _SentenceStarts(NamedTuple):
     """The sentence beginnings of a part and of the parts inside it."""
 
     templates: frozenset[str]
@@ -28,19 +28,19 @@ class _Said(NamedTuple):
 
 def may_begin(matcher: Matcher, kind: type[Part], place: int) -> bool:
     """Return whether sentence number `place` contains the fixed words of some sentence of an entity."""
-    templates, tables, strings = _said(kind)
-    if strings or any(matcher.may_be(place, template) for template in templates):
+    templates, tables, strings = _sentence_starts(kind)
+    if strings or any(matcher.contains_fixed_words(place, template) for template in templates):
         return True
     return tables and any(piece.startswith("|") for piece in matcher.pieces[place + 1 :])
 
 
 @cache
-def _said(kind: type[Part]) -> _Said:
+def _sentence_starts(kind: type[Part]) -> _SentenceStarts:
     members = (model for held in field_types(kind).values() for model in held.models if issubclass(model, Part))
-    found = [_said(model) for model in members]
+    found = [_sentence_starts(model) for model in members]
     own = [saying for saying in kind.says if not isinstance(saying, PartLines)]
     spoken = (line for saying in own for line in variants(saying))
-    return _Said(
+    return _SentenceStarts(
         frozenset(chain(*spoken, *(said.templates for said in found))),
         any(isinstance(saying, Each) for saying in own) or any(said.tables for said in found),
         bool(inside(kind)) or any(said.strings for said in found),
@@ -104,7 +104,7 @@ def _several(
     if done is not None:
         yield place, done
     here = f"{address}.{index}"
-    for kind in held.models if index < MANY else ():
+    for kind in held.models if index < MAX_MEMBERS else ():
         for after, then in part_lines(matcher, here, place, state.with_kind(here, kind)):
             if after > place:
                 yield from _several(matcher, address, held, after, then, index + 1)
@@ -134,7 +134,7 @@ def _saying(
     for line in variants(saying):
         here = _without(saying, line, address, many) if many is not None else None
         for number, template in enumerate(line):
-            if here is not None and matcher.may_be(place, template):
+            if here is not None and matcher.contains_fixed_words(place, template):
                 for then in matcher.sentence(place, template, address, here.with_choice(number)):
                     yield place + 1, then
     if one is not None:
@@ -158,7 +158,7 @@ def _at_least(template: str, address: str, state: ParseState) -> ParseState:
     for path in (slot.path for slot in slots(template) if slot.kind == "path"):
         whole = f"{address}.{kind.words[path].parameter if path in kind.words else path}"
         owner, _, name = whole.rpartition(".")
-        owners = (kind,) if owner == address else thing_at(state, owner).models
+        owners = (kind,) if owner == address else declared_type(state, owner).models
         held = next((field_types(each)[name] for each in owners if name in field_types(each)), None)
         if held is not None and held.drawn is not None and not held.optional:
             state = state.with_value(whole, held.drawn.low) or state
@@ -174,9 +174,9 @@ def _each(
     if none is not None:
         yield place, none
     for number, template in enumerate(saying.wordings):
-        if matcher.may_be(place, template):
+        if matcher.contains_fixed_words(place, template):
             yield from _members(matcher, template, field, place, state.with_choice(number), 0)
-    for kind in thing_at(state, field).models:
+    for kind in declared_type(state, field).models:
         if issubclass(kind, Body):
             here = state.with_choice(0)  # the wording of the sentences does not show
             yield from parse_table(matcher, saying.table, field, kind, place, here)
@@ -187,7 +187,7 @@ def _members(
 ) -> Iterator[tuple[int, ParseState]]:
     """Yield the parses of the sentences of the members from `index` on, all in one wording."""
     address = field.rpartition(".")[0]
-    if index == MANY:
+    if index == MAX_MEMBERS:
         return
     for then in matcher.sentence(place, template.replace(".*", f".{index}"), address, state):
         whole = then.with_count(field, index + 1, index + 1)
@@ -207,7 +207,7 @@ def _unsaid(template: str, address: str, state: ParseState) -> Iterator[ParseSta
         absent = state.with_value(holder, None) if may_be_absent else None
         if absent is not None:
             yield absent
-        told = kind.told_by_word(path, state.values.get(where)) or _by_word(state, where)
+        told = kind.is_stated_by_word(path, state.values.get(where)) or _by_word(state, where)
         if told and (inner or held is None or not held.optional):
             yield state
 
@@ -215,7 +215,7 @@ def _unsaid(template: str, address: str, state: ParseState) -> Iterator[ParseSta
 def _by_word(state: ParseState, address: str) -> bool:
     """Return whether the introduction of a body has stated a number by a word, or still may."""
     owner, _, name = address.rpartition(".")
-    for model in thing_at(state, owner).models:
+    for model in declared_type(state, owner).models:
         if issubclass(model, Body):
             words = [word for word in model.introduced_words() if word.parameter == name]
             return any(address not in state.values or state.values[address] in word.special for word in words)

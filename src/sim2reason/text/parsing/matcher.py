@@ -10,16 +10,16 @@ from sim2reason.scenes.dsl.entity import Part
 from sim2reason.scenes.dsl.measures import Measure, join_unit
 from sim2reason.scenes.dsl.template import COUNT_WORDS, Slot, Word, slots
 from sim2reason.text.parsing.parse_state import (
-    MANY,
+    MAX_MEMBERS,
     NUMBER,
     SYMBOL,
+    DeclaredType,
     ParseState,
-    Thing,
     canonical,
+    declared_type,
     joined,
     meanings,
     part_word,
-    thing_at,
 )
 from sim2reason.text.prose.phrases import BODIES, introductions, listed
 
@@ -49,14 +49,14 @@ class Matcher:
 
     def sentence(self, place: int, template: str, owner: str, state: ParseState) -> Iterator[ParseState]:
         """Yield the states after matching a whole sentence with a template of the part at `owner`."""
-        if self.may_be(place, template):
+        if self.contains_fixed_words(place, template):
             text = self.pieces[place]
             for end, then in self.template(text, 0, template, owner, state):
                 if end == len(text):
                     self.reach = max(self.reach, place + 1)
                     yield then
 
-    def may_be(self, place: int, template: str) -> bool:
+    def contains_fixed_words(self, place: int, template: str) -> bool:
         """Return whether all fixed words of a template occur in a sentence; a cheap test before matching."""
         if (place, template) not in self._fitting:
             fits = place < len(self.pieces) and all(words in self.pieces[place] for words in _fixed(template))
@@ -119,7 +119,7 @@ class Matcher:
                 yield from self._just(text, at, COUNT_WORDS[count], then)
 
     def _plural(self, text: str, at: int, address: str, state: ParseState) -> Iterator[Found]:
-        kinds = [kind for kind in thing_at(state, address).models if issubclass(kind, Body)]
+        kinds = [kind for kind in declared_type(state, address).models if issubclass(kind, Body)]
         for kind in kinds:
             for noun in _nouns(kind, state):
                 yield from self._just(text, at, f"{noun}s", state.with_noun(kind, noun))
@@ -129,7 +129,11 @@ class Matcher:
     def _forms(self, text: str, at: int, slot: Slot, owner: str, state: ParseState, *, start: bool) -> Iterator[Found]:
         """Yield the matches of a slot of grammatical number: one, two or more; none or some."""
         address, least = joined(owner, slot.path), 1 if slot.kind == "agree" else 0
-        several = ((slot.two, 2, 2), (slot.many, 3, MANY)) if slot.two != slot.many else ((slot.many, least + 1, MANY),)
+        several = (
+            ((slot.two, 2, 2), (slot.many, 3, MAX_MEMBERS))
+            if slot.two != slot.many
+            else ((slot.many, least + 1, MAX_MEMBERS),)
+        )
         for form, low, high in ((slot.one, least, least), *several):
             then = state.with_count(address, low, high)
             if then is not None:
@@ -145,7 +149,7 @@ class Matcher:
 
     def at(self, text: str, at: int, address: str, state: ParseState, *, start: bool = False) -> Iterator[Found]:
         """Yield the matches of the value at an address: a number, a word, a body or a list of bodies."""
-        thing = thing_at(state, address)
+        thing = declared_type(state, address)
         if thing.measure is not None:
             yield from self.number(text, at, address, thing.measure, state)
         elif thing.choices:
@@ -185,7 +189,7 @@ class Matcher:
     ) -> Iterator[Found]:
         """Yield the matches of a word; a special word fixes its number, the default word leaves it open."""
         address = joined(owner, word.parameter)
-        known, choices = state.values.get(address), thing_at(state, address).choices
+        known, choices = state.values.get(address), declared_type(state, address).choices
         if (known is None or known not in word.special) and not (choices and all(c in word.special for c in choices)):
             yield from self._told(text, at, word.otherwise, owner, state, start=start)
         for value, special in word.special.items():
@@ -202,7 +206,7 @@ class Matcher:
             yield from self._of_body(text, at, slots(template), owner, state)
 
     def _mention(
-        self, text: str, at: int, address: str, thing: Thing, state: ParseState, *, start: bool
+        self, text: str, at: int, address: str, thing: DeclaredType, state: ParseState, *, start: bool
     ) -> Iterator[Found]:
         if address in state.letters:
             yield from self._just(text, at, state.mention(address, full=start), state)
@@ -243,7 +247,7 @@ class Matcher:
             yield from self._of_body(text, end, rest[1:], address, then)
 
     def _list(
-        self, text: str, at: int, address: str, thing: Thing, state: ParseState, *, start: bool
+        self, text: str, at: int, address: str, thing: DeclaredType, state: ParseState, *, start: bool
     ) -> Iterator[Found]:
         """Yield the matches of a list of bodies: one alone, several with the plural noun, known ones by letters."""
         low, high = state.size_range(address)
@@ -287,7 +291,7 @@ class Matcher:
     ) -> Iterator[Found]:
         """Yield the matches of the members of a new list from `index` on: A (…), B (…) and C (…)."""
         letters = state.next_letters(kind)
-        if letters is None or index >= MANY:
+        if letters is None or index >= MAX_MEMBERS:
             return
         here = f"{address}.{index}"
         for end, then in self._of_body(text, at, slots(kind.listed), here, state.introduced(here, kind, letters[0])):

@@ -8,15 +8,15 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from sim2reason.scenes.dsl.body import Body
-from sim2reason.scenes.dsl.connection import Connection, Link, Told
+from sim2reason.scenes.dsl.connection import Connection, Link, StatedValue
 from sim2reason.scenes.dsl.entity import Part
 from sim2reason.scenes.dsl.measures import Measure
 from sim2reason.scenes.dsl.model import M, Model, field_types
 from sim2reason.scenes.dsl.template import Topic, Word
 from sim2reason.scenes.dsl.units import coherent
-from sim2reason.text.prose.phrases import Names, called, letter_at
+from sim2reason.text.prose.phrases import Names, body_name, letter_at
 
-MANY = 8  # largest number of members of a variable-length part
+MAX_MEMBERS = 8  # largest number of members of a variable-length part
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +35,7 @@ class ParseState(NamedTuple):
     """Parsed facts by their addresses in the scene; `script` lists the indices of the wordings in order."""
 
     kinds: Mapping[str, type[Model]]
-    values: Mapping[str, Told] = NONE  # None: absent
+    values: Mapping[str, StatedValue] = NONE  # None: absent
     counts: Mapping[str, tuple[int, int]] = NONE  # least and most
     letters: Mapping[str, str] = NONE  # in the order of introduction
     nouns: Mapping[type[Body], str] = NONE
@@ -59,7 +59,7 @@ class ParseState(NamedTuple):
         """Return the state with the class of the object at an address."""
         return self._replace(kinds={**self.kinds, address: kind})
 
-    def with_value(self, address: str, value: Told) -> "ParseState | None":
+    def with_value(self, address: str, value: StatedValue) -> "ParseState | None":
         """Return the state with a number at an address; None if it contradicts an earlier value."""
         if address in self.values:
             return self if self.values[address] == value else None
@@ -74,7 +74,7 @@ class ParseState(NamedTuple):
                 found = found.with_value(f"{member}.{name}", value) if found is not None else None
         return found
 
-    def with_count(self, address: str, low: int, high: int = MANY) -> "ParseState | None":
+    def with_count(self, address: str, low: int, high: int = MAX_MEMBERS) -> "ParseState | None":
         """Return the state with a narrower range of a part's length; None on a contradiction."""
         least, most = self.size_range(address)
         low, high = max(least, low), min(most, high)
@@ -84,7 +84,7 @@ class ParseState(NamedTuple):
 
     def size_range(self, address: str) -> tuple[int, int]:
         """Return the minimum and maximum number of members of a part."""
-        return self.counts.get(address, (0, MANY))
+        return self.counts.get(address, (0, MAX_MEMBERS))
 
     def with_noun(self, kind: type[Body], noun: str) -> "ParseState":
         """Return the state with the noun of a class of bodies."""
@@ -124,7 +124,7 @@ class ParseState(NamedTuple):
 
     def mention(self, address: str, *, full: bool) -> str:
         """Return the name of an introduced body in running text, with its noun if `full`."""
-        return called(self.nouns[self.body(address)], self.letters[address], full=full)
+        return body_name(self.nouns[self.body(address)], self.letters[address], full=full)
 
     @property
     def names(self) -> Names:
@@ -149,7 +149,7 @@ def _moved(address: str, moved: Mapping[str, str]) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class Thing:
+class DeclaredType:
     """The declared type of the value at an address: a number, a word, a list, or an object of some class."""
 
     measure: Measure | None = None
@@ -159,20 +159,20 @@ class Thing:
     models: tuple[type[Model], ...] = ()
 
 
-def thing_at(state: ParseState, address: str) -> Thing:
+def declared_type(state: ParseState, address: str) -> DeclaredType:
     """Return the declared type of the value at an address; KeyError if the address does not exist."""
     if address in state.kinds:
-        return Thing(models=(state.kinds[address],))
+        return DeclaredType(models=(state.kinds[address],))
     owner, _, step = address.rpartition(".")
-    held = thing_at(state, owner) if owner else Thing()
+    held = declared_type(state, owner) if owner else DeclaredType()
     if step.isdigit():
         return replace(held, several=False)
     for model in held.models:
         if issubclass(model, Body) and step in model.words:
-            return Thing(word=model.words[step])
+            return DeclaredType(word=model.words[step])
         if step in field_types(model):
             kind = field_types(model)[step]
-            return Thing(kind.measure, None, kind.words, kind.count is not None, kind.models)
+            return DeclaredType(kind.measure, None, kind.words, kind.count is not None, kind.models)
     raise KeyError(address)
 
 

@@ -20,7 +20,7 @@ from sim2reason.text.parsing.parse_state import ParseState
 from sim2reason.text.parsing.tokens import pieces, shown
 from sim2reason.text.prose.closings import Closing, closings
 from sim2reason.text.prose.description import Description
-from sim2reason.text.prose.phrases import letters, spoken
+from sim2reason.text.prose.phrases import letters, sentence_templates
 from sim2reason.text.prose.voices import Voice, hiding, numeric, symbolic
 from sim2reason.text.prose.writer import Writer
 
@@ -28,7 +28,7 @@ _ZEROS = re.compile(r"(?<=\d)\.0+(?![\d])|(?<=\.)(\d*[1-9])0+(?!\d)")
 _MEASURED = re.compile(r"(\d+(?:\.\d+)?) ([A-Za-zµΩ²³·]+(?:/[A-Za-zµΩ²³·]+)?)")
 
 
-class UnsaidError(TextError):
+class MissingClosingError(TextError):
     """An error for a text that omits a closing sentence that its scene needs."""
 
     def __init__(self, name: str) -> None:
@@ -79,7 +79,7 @@ class ScriptedWriter(Writer):
             said = bool(getattr(part, saying.field))
         else:
             told = topic_of(saying) not in self._without
-            said = told and self.says_line(saying, spoken(saying, part)[0], part)
+            said = told and self.says_line(saying, sentence_templates(saying, part)[0], part)
         return super()._say(saying, part, address) if said else []
 
 
@@ -92,7 +92,7 @@ def _voice(given: Mapping[str, str], unknown: Collection[str]) -> Voice:
     return said if given else hiding(*unknown)
 
 
-def unsaid(scene: Scene, state: ParseState) -> list[str]:
+def missing_closings(scene: Scene, state: ParseState) -> list[str]:
     """Return the names of the closings that matter for every question and that the text omits."""
     lacking = [closing for closing in closings(scene) if closing.name not in state.closings]
     return [closing.name for closing in lacking if not closing.topic and not _of_untold_start(closing, state)]
@@ -119,8 +119,8 @@ def _of_untold_start(closing: Closing, state: ParseState) -> bool:
 def prove(scene: Scene, state: ParseState, text: tuple[str, ...], given: Mapping[str, str] = NONE_GIVEN) -> None:
     """Raise TextError, with the expected sentence, unless the scene renders as this text."""
     needed: dict[str, Topic | None] = {closing.name: closing.topic for closing in closings(scene)}
-    if lacking := unsaid(scene, state):
-        raise UnsaidError(lacking[0])
+    if lacking := missing_closings(scene, state):
+        raise MissingClosingError(lacking[0])
     for name in state.closings:
         if name not in needed:
             raise TextError("text", f"it speaks of {name!r}, which does not matter here", "leave it out")

@@ -11,15 +11,15 @@ from sim2reason.scenes.dsl.entity import ENTITIES, Entity, outer_ports
 from sim2reason.scenes.dsl.ports import Pass
 from sim2reason.scenes.dsl.scene import MAX_ENTITIES, Scene, World
 from sim2reason.scenes.dsl.template import Topic
-from sim2reason.text.parsing.assembly import assembled
+from sim2reason.text.parsing.assembly import build_scene
 from sim2reason.text.parsing.equivalence import Signature, signature
 from sim2reason.text.parsing.lines import entity_lines, may_begin
 from sim2reason.text.parsing.matcher import NONE_GIVEN, Matcher
 from sim2reason.text.parsing.ordinary.nearest import nearest
-from sim2reason.text.parsing.ordinary.recast import first_unlike, recast
+from sim2reason.text.parsing.ordinary.recast import first_unknown_sentence, recast
 from sim2reason.text.parsing.ordinary.textbook_reader import LibraryText, library_texts, superfluous
 from sim2reason.text.parsing.parse_state import ParsedConnection, ParseState
-from sim2reason.text.parsing.proof import UnsaidError, prove, unsaid
+from sim2reason.text.parsing.proof import MissingClosingError, missing_closings, prove
 from sim2reason.text.parsing.string_routes import free_legs, must_end_at
 from sim2reason.text.parsing.tokens import pieces, shown
 from sim2reason.text.prose.closings import CLOSINGS
@@ -112,11 +112,11 @@ def parse_scene(
     if len(whole) == 1:
         return whole[0]
     stuck = superfluous(said) or readings.stuck or 0
-    raise _sent_on(text, _with_missing(_with_nearest(stuck, said), translations) if plain else readings.refusal())
+    raise _sent_on(text, _with_missing(_with_nearest(stuck, said), translations) if plain else readings.error())
 
 
 @dataclass(frozen=True)
-class _Readings:
+class _Parses:
     """The verified parses of a text, and the errors of the others with the number of closings each lacks."""
 
     found: list[ParsedScene]
@@ -126,7 +126,7 @@ class _Readings:
     @property
     def unsaid(self) -> list[str]:
         """Return the names of the missing closings, such as *rest*, for which parses were rejected."""
-        return list(dict.fromkeys(error.name for _, error in self.refused if isinstance(error, UnsaidError)))
+        return list(dict.fromkeys(error.name for _, error in self.refused if isinstance(error, MissingClosingError)))
 
     @property
     def stuck(self) -> int | None:
@@ -134,7 +134,7 @@ class _Readings:
         reach = self.matcher.reach
         return reach if not self.found and not self.refused and reach < len(self.matcher.pieces) else None
 
-    def refusal(self) -> TextError:
+    def error(self) -> TextError:
         """Return the error that explains why there is not exactly one parse."""
         if self.found:
             one, other = (_described(reading.scene) for reading in self.found[:2])
@@ -152,7 +152,7 @@ def _in_ordinary_english(said: tuple[str, ...], rng: np.random.Generator) -> Par
         waiting = [first]
         for told in waiting:  # grows as it is walked through
             readings = _readings(told.said, rng, NONE_GIVEN)
-            if len(readings.found) == 1 and told.whole:
+            if len(readings.found) == 1 and told.is_complete:
                 return readings.found[0]
             if len(told.added) < PRESUMED_AT_MOST:
                 more = (told.adding(name) for name in readings.unsaid)
@@ -167,7 +167,7 @@ def _parsed(translation: LibraryText, rng: np.random.Generator) -> list[ParsedSc
 
 def _readings(
     said: tuple[str, ...], rng: np.random.Generator, given: Mapping[str, str], *, startless: bool = False
-) -> _Readings:
+) -> _Parses:
     """Return all parses of a text in the library's own sentences."""
     matcher = Matcher(said, given)
     found: dict[Signature, ParsedScene] = {}
@@ -179,8 +179,8 @@ def _readings(
         for share in SHARES if state.unknowns else SHARES[:1]:
             lacking = 0
             try:
-                scene = assembled(state, rng, share)
-                lacking = len(unsaid(scene, state))
+                scene = build_scene(state, rng, share)
+                lacking = len(missing_closings(scene, state))
                 prove(scene, state, said, given)
                 found.setdefault(*_read(scene, state))
                 break
@@ -188,7 +188,7 @@ def _readings(
                 refused.append((lacking, error))
             except (SceneError, UnsupportedError, ValueError) as error:
                 refused.append((lacking, TextError("text", "it tells a scene that can not be", str(error))))
-    return _Readings(list(found.values()), refused, matcher)
+    return _Parses(list(found.values()), refused, matcher)
 
 
 def _read(scene: Scene, state: ParseState) -> tuple[Signature, ParsedScene]:
@@ -211,7 +211,7 @@ def _unread(index: int, sentence: str, near: str | None = None) -> TextError:
 
 def _with_nearest(stuck: int, said: tuple[str, ...]) -> TextError:
     """Return the error for an unparsable text; it quotes the first unknown sentence from index `stuck` on."""
-    unlike = first_unlike(said[stuck:])
+    unlike = first_unknown_sentence(said[stuck:])
     told = next(recast(said), None) if unlike is None else None
     if told is not None:
         words = f"in the library's words: {' '.join(told.said)}"
@@ -279,8 +279,8 @@ class _Grammar:
             yield state
             return
         for index, closing in enumerate(CLOSINGS[number:], start=number):
-            for choice, wording in enumerate(closing.spoken):
-                if not self._matcher.may_be(place, wording):
+            for choice, wording in enumerate(closing.all_wordings):
+                if not self._matcher.contains_fixed_words(place, wording):
                     continue
                 here = state.with_choice(choice)._replace(closings=(*state.closings, closing.name))
                 for then in self._matcher.sentence(place, wording, "", here):

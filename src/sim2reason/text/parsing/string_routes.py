@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from sim2reason.scenes.dsl.connection import Connection, Inside, Leg, Link
+from sim2reason.scenes.dsl.connection import Connection, InternalConnection, Leg, Link
 from sim2reason.scenes.dsl.entity import Part, outer_ports, ports_of
 from sim2reason.scenes.dsl.ports import Chain, Pass, SitePort, Stop, StringEnd, StringPort, reversed_stops, travelled
 from sim2reason.text.parsing.parse_state import ParseState
@@ -14,7 +14,7 @@ class InnerRoute:
     """The route of a string inside an entity: its stops are declared, only its direction is open."""
 
     entity: str
-    inner: Inside
+    inner: InternalConnection
 
     def legs(self, kind: type[Connection], state: ParseState, links: tuple[Link, ...]) -> Iterator[Leg[ParseState]]:
         """Yield the complete connection, starting from either end."""

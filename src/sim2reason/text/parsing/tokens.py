@@ -114,12 +114,12 @@ def _filled(
     for address, row in zip(members, grid.cells, strict=True):
         for heading, cell in zip(grid.headings, row, strict=True):
             name = columns.get(heading, "")
-            value = _told(matcher, cell, field_types(kind)[name].measure) if name else None
+            value = _cell_value(matcher, cell, field_types(kind)[name].measure) if name else None
             found = found.with_value(f"{address}.{name}", value) if found is not None and value is not None else None
     return found
 
 
-def _told(matcher: Matcher, cell: str, measure: Measure | None) -> float | str | None:
+def _cell_value(matcher: Matcher, cell: str, measure: Measure | None) -> float | str | None:
     """Return the value of a cell: a symbol, the number it stands for, or a number in the heading's unit."""
     unit = measure.unit if measure is not None else ""
     if symbol := SYMBOL.fullmatch(cell):

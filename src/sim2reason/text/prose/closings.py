@@ -7,11 +7,11 @@ from functools import cache
 from math import hypot
 
 from sim2reason.scenes.dsl.ablation import weighs, would_weigh
-from sim2reason.scenes.dsl.frames import Frames, start
-from sim2reason.scenes.dsl.mechanism import ConstantTension, Inextensible, Meeting
+from sim2reason.scenes.dsl.frames import Frames, initial_frames
+from sim2reason.scenes.dsl.mechanism import CollisionPair, ConstantTension, Inextensible
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.template import Role, Topic
-from sim2reason.scenes.dsl.vectors import minus, product
+from sim2reason.scenes.dsl.vectors import dot, minus
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +30,7 @@ class Closing:
     topic: Topic | None = None
 
     @property
-    def spoken(self) -> tuple[str, ...]:
+    def all_wordings(self) -> tuple[str, ...]:
         """Return all wordings, with the symbolic one last."""
         return (*self.wordings, self.of_symbol) if self.of_symbol else self.wordings
 
@@ -54,7 +54,7 @@ def _slackens(scene: Scene) -> bool:
     return any(named.entity.slackens for named in scene.entities)
 
 
-def is_lone(scene: Scene) -> bool:
+def is_single_body(scene: Scene) -> bool:
     """Return whether only one body moves."""
     return sum(bool(body.coordinates) for body in scene.mechanism.bodies) == 1
 
@@ -84,7 +84,7 @@ def _has_faces(scene: Scene) -> bool:
     return _turns(scene) == 0 and _has_edges(scene)
 
 
-TOUCHING = 1e-9  # m; smaller gaps count as contact
+CONTACT_GAP = 1e-9  # m; smaller gaps count as contact
 RELEASES = (
     "everything is released from rest{taut}.",
     "everything starts from rest{taut}.",
@@ -119,7 +119,7 @@ def _release(strings: int, *, lone: bool) -> Closing:
     wordings = LONE_RELEASES if lone else RELEASES
     return Closing(
         f"rest{' of one body' * lone}{TAUT[strings]}",
-        lambda scene: _from_rest(scene) and _strings(scene) == strings and is_lone(scene) is lone,
+        lambda scene: _from_rest(scene) and _strings(scene) == strings and is_single_body(scene) is lone,
         tuple(wording.replace("{taut}", TAUT[strings]) for wording in wordings),
         role="start",
     )
@@ -194,15 +194,15 @@ def _touches(scene: Scene) -> bool:
     bouncing = [meeting for meeting in mechanism.meetings if meeting.restitution > 0.0]
     if len(bouncing) < 2:
         return False
-    frames = start(mechanism)
-    return any(_gap(frames, meeting) <= TOUCHING for meeting in bouncing)
+    frames = initial_frames(mechanism)
+    return any(_gap(frames, meeting) <= CONTACT_GAP for meeting in bouncing)
 
 
-def _gap(frames: Frames, meeting: Meeting) -> float:
+def _gap(frames: Frames, meeting: CollisionPair) -> float:
     """Return the initial gap between two bodies, or a body and a surface, m."""
     other = frames.center(meeting.b).place
     apart = other if meeting.a is None else minus(other, frames.center(meeting.a).place)
-    return float(hypot(*apart) if meeting.normal is None else product(meeting.normal, apart)) - meeting.distance
+    return float(hypot(*apart) if meeting.normal is None else dot(meeting.normal, apart)) - meeting.distance
 
 
 CLOSINGS: tuple[Closing, ...] = (
@@ -270,6 +270,6 @@ def is_assumption(sentence: str) -> bool:
 
 @cache
 def _assumptions() -> re.Pattern[str]:
-    told = [wording for closing in CLOSINGS if closing.role == "assumption" for wording in closing.spoken]
+    told = [wording for closing in CLOSINGS if closing.role == "assumption" for wording in closing.all_wordings]
     shown = (re.escape(wording[:1].upper() + wording[1:]) for wording in told)
     return re.compile("|".join(re.sub(r"\\\{.*?\\\}", r"\\S.{0,30}", wording) for wording in shown))

@@ -17,7 +17,7 @@ BODIES = "bodies"
 """The plural of several that are not all of one kind."""
 
 
-def alike(members: tuple[object, ...]) -> bool:
+def same_class(members: tuple[object, ...]) -> bool:
     """Return whether all objects have the same class."""
     return len({type(member) for member in members}) == 1
 
@@ -54,13 +54,13 @@ def canonical(part: Model, path: str) -> str:
     return ".".join(steps)
 
 
-def spoken(saying: Saying, part: Any) -> tuple[str, ...]:
+def sentence_templates(saying: Saying, part: Any) -> tuple[str, ...]:
     """Return the templates of a sentence about a part, which may depend on an optional number."""
     given = isinstance(saying, Wordings) and saying.given
-    return wordings(saying, given=bool(given) and resolved(part, str(given)) is not None)
+    return wordings(saying, given=bool(given) and referenced_object(part, str(given)) is not None)
 
 
-def resolved(part: Any, path: str) -> Any:
+def referenced_object(part: Any, path: str) -> Any:
     """Return the object that a slot refers to; for a word of a body, the body."""
     held: Any = part
     for step in path.split("."):
@@ -88,10 +88,10 @@ class Names:
 
     def mention(self, address: str, body: Body, *, full: bool = True) -> str:
         """Return the name of an introduced body: *the block*, *block A*, or *A* if not `full`."""
-        return called(self.noun(body), self.letters.get(address, ""), full=full)
+        return body_name(self.noun(body), self.letters.get(address, ""), full=full)
 
 
-def called(noun: str, letter: str, *, full: bool) -> str:
+def body_name(noun: str, letter: str, *, full: bool) -> str:
     """Return the name of a body from its noun and letter; a digit alone would be mistaken for a number."""
     if not letter:
         return f"the {noun}"

@@ -29,7 +29,7 @@ def factor(unit: str) -> float:
 
 
 @cache
-def counted_in(unit: str) -> str:
+def formula_unit(unit: str) -> str:
     """Return the unit that formulas use for a stated unit: ``rad`` for ``deg``, ``m/s`` for ``km/s``."""
     if factor(unit) == 1.0:
         return unit
@@ -37,7 +37,7 @@ def counted_in(unit: str) -> str:
     return coherent(" ".join(f"{word}^{power}" for word, power in words))[0]
 
 
-def said_in(number: float, unit: str) -> str:
+def stated_value(number: float, unit: str) -> str:
     """Return the text of a number from a formula in its stated unit: 30° for 0.5236 rad, 2.5 kg."""
     if unit == RADIANS:
         number, unit = number / factor(DEGREES), DEGREES

@@ -127,7 +127,7 @@ class Terms(ABC):
     def _by_word(self, path: str) -> bool:
         owner, _, name = path.rpartition(".")
         body = self.scene.bodies.get(owner)
-        return body is not None and body.told_by_word(name)
+        return body is not None and body.is_stated_by_word(name)
 
     def introduce(self, address: str, *, start: bool) -> str:
         """Return the name of a body; at its first mention, its introduction with its numbers."""

@@ -27,7 +27,15 @@ from sim2reason.scenes.dsl.template import (
     wordings,
 )
 from sim2reason.text.prose.closings import Closing, closings
-from sim2reason.text.prose.phrases import BODIES, Names, alike, canonical, resolved, spoken, table
+from sim2reason.text.prose.phrases import (
+    BODIES,
+    Names,
+    canonical,
+    referenced_object,
+    same_class,
+    sentence_templates,
+    table,
+)
 from sim2reason.text.prose.voices import Terms, Voice
 
 TABLE_FROM = 3  # similar bodies from which on they form a table
@@ -117,7 +125,7 @@ class Writer(Terms):
         if isinstance(saying, PartLines):
             inner = parts_at(part, saying.field).items()
             return [line for path, held in inner for line in self._part_lines(held, f"{address}.{path}")]
-        template = self.choose(spoken(saying, part))
+        template = self.choose(sentence_templates(saying, part))
         if not isinstance(saying, Each):
             topic = topic_of(saying)
             if not self.says_line(saying, template, part):
@@ -128,7 +136,7 @@ class Writer(Terms):
             return [self._as(role_of(saying), self.finish(self.render(template, address)), topic)]
         members = getattr(part, saying.field)
         where = [f"{address}.{saying.field}.{index}" for index in range(len(members))]
-        if len(members) >= TABLE_FROM and isinstance(members[0], Body) and alike(members):
+        if len(members) >= TABLE_FROM and isinstance(members[0], Body) and same_class(members):
             self.introduced.update(dict.fromkeys(where))
             return table(self, saying.table, where, members)
         return [self.finish(self.render(template.replace(".*", f".{index}"), address)) for index in range(len(members))]
@@ -144,16 +152,16 @@ class Writer(Terms):
             if slot.kind != "path" or "*" in slot.path:
                 continue
             word = type(part).words.get(slot.path)
-            held = resolved(part, word.parameter if word is not None else slot.path)
+            held = referenced_object(part, word.parameter if word is not None else slot.path)
             if held is None:
                 return False
             if word is not None:
                 continue
             owner, _, name = slot.path.rpartition(".")
-            if not owner and type(part).told_by_word(name, held):
+            if not owner and type(part).is_stated_by_word(name, held):
                 return False
-            body = resolved(part, owner) if owner else part
-            if isinstance(body, Body) and name in field_types(type(body)) and body.told_by_word(name):
+            body = referenced_object(part, owner) if owner else part
+            if isinstance(body, Body) and name in field_types(type(body)) and body.is_stated_by_word(name):
                 return False
         return True
 
@@ -214,13 +222,13 @@ class Writer(Terms):
             return slot.text
         part = self.scene.value(address) if address else self.scene
         if slot.kind in ("agree", "some", "count"):
-            count = len(resolved(part, slot.path))
+            count = len(referenced_object(part, slot.path))
             return COUNT_WORDS[count] if slot.kind == "count" else self.render(slot.form(count), address, start=start)
         if slot.kind == "plural":
-            members = resolved(part, slot.path)
-            return f"{self.names.noun(members[0])}s" if alike(members) else BODIES
+            members = referenced_object(part, slot.path)
+            return f"{self.names.noun(members[0])}s" if same_class(members) else BODIES
         if slot.kind == "member":
-            return self.introduce(f"{address}.{slot.text}.{resolved(part, slot.path)}", start=start)
+            return self.introduce(f"{address}.{slot.text}.{referenced_object(part, slot.path)}", start=start)
         return self._named(slot, part, address, start=start)
 
     def _named(self, slot: Slot, part: Any, address: str, *, start: bool) -> str:
@@ -229,7 +237,7 @@ class Writer(Terms):
         if slot.path in words:
             word = words[slot.path]
             return self.word(word, lookup(part, word.parameter), lambda inner: self.render(inner, address, start=start))
-        if isinstance(choice := resolved(part, slot.path), str):
+        if isinstance(choice := referenced_object(part, slot.path), str):
             return choice
         where = canonical(part, slot.path)
         return self.at(f"{address}.{where}" if address else where, start=start)

@@ -13,7 +13,7 @@ from annotated_types import Ge, Gt, Le
 from pydantic import BaseModel, ConfigDict
 
 from sim2reason.base.registry import Registry
-from sim2reason.base.settings import of_kind
+from sim2reason.base.settings import build_member
 from sim2reason.errors import TrainingError
 
 __all__ = ["CORPORA", "MOST_WEIGHT", "Corpus", "Row", "corpus_from"]
@@ -69,4 +69,4 @@ def corpus_from(settings: Mapping[str, object], place: str = "corpus") -> Corpus
         TrainingError: a setting that is unknown, missing or makes no sense.
         UnknownNameError: no such kind.
     """
-    return of_kind(CORPORA, settings, place, TrainingError)
+    return build_member(CORPORA, settings, place, TrainingError)

@@ -8,7 +8,7 @@ import numpy as np
 from annotated_types import Ge, Le
 from pydantic import Field, field_validator
 
-from sim2reason.generation.certified import worked
+from sim2reason.generation.certified import worked_solution
 from sim2reason.generation.item_search import ItemSearch
 from sim2reason.generation.make import item_of
 from sim2reason.generation.random_scenes import generator
@@ -56,11 +56,11 @@ class Arithmetic(Corpus):
 
     def rows_of(self, request: Request) -> list[Row] | None:
         """Return the rows of one problem; None if there is no such problem."""
-        certified = ItemSearch(request).found()
+        certified = ItemSearch(request).find()
         if certified is None:
             return None
         item = item_of(request, certified)
-        solution = worked(request, certified)
+        solution = worked_solution(request, certified)
         rows = list[Row]()
         for number in range(self.rows_each):
             rng = generator("corpus", request.id, number)

@@ -10,7 +10,7 @@ from pydantic import model_validator
 
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.errors import TrainingError
-from sim2reason.generation.certified import worked
+from sim2reason.generation.certified import worked_solution
 from sim2reason.generation.item import Item
 from sim2reason.generation.item_search import ItemSearch
 from sim2reason.generation.make import item_of
@@ -67,11 +67,11 @@ class Worked(Corpus):
 
     def rows_of(self, request: Request) -> list[Row] | None:
         """Return the rows of one problem; None if there is no such problem."""
-        certified = ItemSearch(request).found()
+        certified = ItemSearch(request).find()
         if certified is None:
             return None
         item = item_of(request, certified)
-        solution = worked(request, certified)
+        solution = worked_solution(request, certified)
         return [] if solution.answer is None else [_row(item, solution.text)]
 
     def _items(self) -> Iterator[Item]:

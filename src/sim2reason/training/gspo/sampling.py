@@ -12,9 +12,9 @@ from sim2reason.training.gspo.batches import Group
 from sim2reason.training.gspo.settings import Drawn, Row
 from sim2reason.training.gspo.step_log import StepRecord, StepSeconds
 
-__all__ = ["Answered", "Filled", "Meter", "Place", "Sampler", "balance", "collapse", "fill", "round_size", "spread"]
+__all__ = ["Answered", "Filled", "Meter", "Place", "Sampler", "balance", "collapse", "fill", "has_spread", "round_size"]
 
-EQUAL = 1e-6  # rewards that differ by less are equal: float32 means of equal rewards differ by about 1e-8
+REWARD_TOLERANCE = 1e-6  # rewards that differ by less are equal: float32 means of equal rewards differ by about 1e-8
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,7 +117,7 @@ def _add_round(filled: Filled, sampler: Sampler, place: Place, rows: list[Row], 
         scored = [reward for reward in rewards if not isnan(reward)]
         filled.rewards += scored
         sampler.observe(rows[number], scored)
-        if not spread(scored):
+        if not has_spread(scored):
             continue
         filled.good += 1
         if len(filled.owners) < wanted:
@@ -126,9 +126,9 @@ def _add_round(filled: Filled, sampler: Sampler, place: Place, rows: list[Row], 
             filled.owners.append(number // each)
 
 
-def spread(rewards: Sequence[float]) -> bool:
+def has_spread(rewards: Sequence[float]) -> bool:
     """Return whether the standard deviation of rewards exceeds rounding errors."""
-    return bool(rewards) and max(rewards) - min(rewards) > EQUAL
+    return bool(rewards) and max(rewards) - min(rewards) > REWARD_TOLERANCE
 
 
 def balance(owners: Sequence[int], world: int) -> list[int]:
@@ -205,7 +205,7 @@ class Meter:
             "zero_variance": 1.0 - filled.good / max(filled.answered, 1),
         }
         if rewards:
-            found |= {"pass_rate": _mean([reward >= 1.0 - EQUAL for reward in rewards])}
+            found |= {"pass_rate": _mean([reward >= 1.0 - REWARD_TOLERANCE for reward in rewards])}
         if self.grad_norms:
             found |= {"grad_norm": _mean(self.grad_norms)}
         return found | {f"seconds/{name}": value for name, value in self._seconds().model_dump().items()}

@@ -11,12 +11,12 @@ from typing import Literal, cast
 from pydantic import BaseModel, ConfigDict
 
 from sim2reason.base.registry import Registry
-from sim2reason.base.settings import of_kind
+from sim2reason.base.settings import build_member
 from sim2reason.errors import TrainingError
 from sim2reason.training.extras import External
 from sim2reason.training.models.parts.checkpoint import Checkpoint, Loaded
 
-__all__ = ["MODELS", "Checkpoint", "Loaded", "ModelSettings", "model_from", "model_given", "spoken_to"]
+__all__ = ["MODELS", "Checkpoint", "Loaded", "ModelSettings", "model_from", "model_given", "uses_chat_template"]
 
 
 class ModelSettings(BaseModel, ABC):
@@ -64,10 +64,10 @@ def model_from(settings: Mapping[str, object], place: str = "model") -> ModelSet
         TrainingError: a setting that is unknown, missing or makes no sense.
         UnknownNameError: no such kind.
     """
-    return of_kind(MODELS, settings, place, TrainingError)
+    return build_member(MODELS, settings, place, TrainingError)
 
 
-def spoken_to(tokenizer: External, path: str, *, chat: bool | Literal["auto"]) -> bool:
+def uses_chat_template(tokenizer: External, path: str, *, chat: bool | Literal["auto"]) -> bool:
     """Return whether prompts are messages; TrainingError if required without a chat template."""
     templated = tokenizer.chat_template is not None
     if chat is True and not templated:

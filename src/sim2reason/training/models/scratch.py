@@ -16,7 +16,7 @@ from sim2reason.base.atomic_files import canonical, put_text
 from sim2reason.errors import TrainingError
 from sim2reason.training.extras import External, library
 from sim2reason.training.models import MODELS, Checkpoint, ModelSettings
-from sim2reason.training.models.parts.tokenizer import ALONE, SMALLEST, made
+from sim2reason.training.models.parts.tokenizer import ALONE, SMALLEST, train_tokenizer
 
 __all__ = ["Scratch"]
 
@@ -75,7 +75,7 @@ class Scratch(ModelSettings):
     def _make(self, texts: Iterable[str], out: Path) -> None:
         """Create and save the tokenizer and weights, with their record last."""
         digest = sha256()
-        tokenizer = made(_counted(texts, digest), self.vocabulary, self.alone)
+        tokenizer = train_tokenizer(_counted(texts, digest), self.vocabulary, self.alone)
         tokenizer.model_max_length = self.context
         model = self._weights(tokenizer)
         scratch = out.with_name(f"{out.name}.part")

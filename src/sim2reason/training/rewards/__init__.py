@@ -8,7 +8,7 @@ from annotated_types import Ge
 from pydantic import BaseModel, ConfigDict
 
 from sim2reason.base.registry import Registry
-from sim2reason.base.settings import of_kind
+from sim2reason.base.settings import build_member
 from sim2reason.errors import TrainingError
 from sim2reason.training.problem import Problem
 
@@ -42,7 +42,7 @@ def reward_from(settings: object) -> object:
         settings = {"kind": settings}
     if not isinstance(settings, Mapping):
         return settings
-    return of_kind(REWARDS, cast("Mapping[str, object]", settings), "reward", TrainingError)
+    return build_member(REWARDS, cast("Mapping[str, object]", settings), "reward", TrainingError)
 
 
 def reward_function(reward: Reward) -> Callable[..., list[float | None]]:

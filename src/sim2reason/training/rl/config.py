@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal, Self, cast
 from annotated_types import Ge, Le, MinLen
 from pydantic import BaseModel, BeforeValidator, ConfigDict, SerializeAsAny, model_validator
 
-from sim2reason.base.settings import configuration, each_of
+from sim2reason.base.settings import build_each, configuration
 from sim2reason.errors import TrainingError
 from sim2reason.training.gspo.settings import GSPOSettings
 from sim2reason.training.models import MODELS, ModelSettings, model_given
@@ -23,7 +23,7 @@ WARM_START = "warm-start"
 
 
 def _sources(given: object) -> object:
-    return each_of(given, source_from, "problems")
+    return build_each(given, source_from, "problems")
 
 
 def _one_or_more(given: object) -> object:

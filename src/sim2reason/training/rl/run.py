@@ -12,7 +12,7 @@ from typing import Literal
 from sim2reason.base.atomic_files import working_in
 from sim2reason.training.extras import External, library, quiet, require, without_cudnn_attention
 from sim2reason.training.gspo import make_trainer
-from sim2reason.training.models import Checkpoint, spoken_to
+from sim2reason.training.models import Checkpoint, uses_chat_template
 from sim2reason.training.prefetch import prefetching
 from sim2reason.training.problem_stream import ProblemStream
 from sim2reason.training.processes import Advance, Begun, in_processes, launched
@@ -174,7 +174,7 @@ def _trained(
 ) -> None:
     settings.gspo.check_context(checkpoint.context)
     tokenizer = checkpoint.tokenizer(padding_side="left")
-    stream.chat = spoken_to(tokenizer, checkpoint.path, chat=settings.chat)
+    stream.chat = uses_chat_template(tokenizer, checkpoint.path, chat=settings.chat)
     rewards = [reward_function(settings.reward)]
     run = make_trainer(checkpoint, tokenizer, stream, rewards, settings.gspo, folder.train)
     begun("reinforcement learning", settings.gspo.steps)

@@ -12,7 +12,7 @@ from annotated_types import Ge, Gt, Le, MinLen
 from pydantic import BaseModel, BeforeValidator, ConfigDict, JsonValue, SerializeAsAny, model_validator
 
 from sim2reason.base.atomic_files import canonical, put, put_text, sync
-from sim2reason.base.settings import configuration, each_of
+from sim2reason.base.settings import build_each, configuration
 from sim2reason.errors import TrainingError
 from sim2reason.generation.item import Record
 from sim2reason.training.corpora import CORPORA, Corpus, Row, corpus_from
@@ -30,7 +30,7 @@ MOST_STEPS = 10**8
 
 
 def _corpora(given: object) -> object:
-    return each_of(given, corpus_from, "corpora")
+    return build_each(given, corpus_from, "corpora")
 
 
 Rate = Annotated[float, Gt(0.0), Le(10.0)]

@@ -13,7 +13,7 @@ from sim2reason.errors import TrainingError
 from sim2reason.training.corpora import Row
 from sim2reason.training.corpora.parts.mix import Limits, counted, encoded_table
 from sim2reason.training.extras import External, library, quiet, require, without_cudnn_attention
-from sim2reason.training.models import Loaded, spoken_to
+from sim2reason.training.models import Loaded, uses_chat_template
 from sim2reason.training.models.parts.checkpoint import context_of
 from sim2reason.training.sft.config import FineTuned, FineTuning, SftFolder, fine_tuning_from
 from sim2reason.training.sft.trainer import arguments, trainer
@@ -106,7 +106,7 @@ def _trained(
     """Train or continue, and save the result."""
     rows = folder.rows()
     loaded = config.model.load(_texts(rows), folder.initial)
-    chat = spoken_to(loaded.tokenizer, loaded.path, chat=config.chat)
+    chat = uses_chat_template(loaded.tokenizer, loaded.path, chat=config.chat)
     held, left_out = encoded_table(rows, loaded.tokenizer, _limits(config, loaded), chat=chat)
     if not len(held):
         raise TrainingError(f"corpora: no row is within the limits of tokens; left out: {counted(left_out)}")

@@ -8,7 +8,7 @@ from annotated_types import Gt
 from pydantic import BaseModel, ConfigDict
 
 from sim2reason.base.registry import Registry
-from sim2reason.base.settings import of_kind
+from sim2reason.base.settings import build_member
 from sim2reason.errors import TrainingError
 from sim2reason.evaluation.policies import Name
 from sim2reason.training.problem import Problem
@@ -49,4 +49,4 @@ def source_from(settings: Mapping[str, object], place: str) -> ProblemSource:
         TrainingError: a setting that is unknown, missing or makes no sense.
         UnknownNameError: no such kind.
     """
-    return of_kind(SOURCES, settings, place, TrainingError)
+    return build_member(SOURCES, settings, place, TrainingError)

@@ -8,7 +8,7 @@ from annotated_types import Ge, Le
 from pydantic import Field, field_validator, model_validator
 
 from sim2reason.base.lazy import cached_property
-from sim2reason.base.settings import held_to
+from sim2reason.base.settings import validated
 from sim2reason.datasets.duplicates import variant
 from sim2reason.datasets.plan import Chosen, Config, difficulties_named, modes_named, recipes_named
 from sim2reason.evaluation.benchmarks.own import benchmark_item
@@ -48,12 +48,12 @@ class Fresh(Chosen, ProblemSource):
             raise ValueError("give either kinds or weights")
         if unknown := [kind for kind in self.kinds if kind not in KINDS]:
             raise ValueError(f"no such kind: {unknown[0]!r}; there are: {', '.join(KINDS)}")
-        return held_to(lambda own: own.cells, self)
+        return validated(lambda own: own.cells, self)
 
     @field_validator("units")
     @classmethod
     def _units(cls, value: str) -> str:
-        return held_to(system_named, value)
+        return validated(system_named, value)
 
     @field_validator("quantities")
     @classmethod

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from plain_scenes import half_atwood
-from sim2reason.generation.modes.parts.assumptions import assumed_in, assuming, parted
-from sim2reason.questions import Study, Words
+from sim2reason.generation.modes.parts.assumptions import assumed_in, assuming, split_assumptions
+from sim2reason.questions import SimulatedScene, Words
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.regimes import Regime, possible, regimes
 from sim2reason.questions.regimes.directions import MovesOneWay
@@ -21,8 +21,8 @@ from sim2reason.text.prose.description import describe
 LIFTS = "lifts off as soon as its engine starts"
 
 
-def told(scene: Scene) -> tuple[Study, Words]:
-    return Study.of(scene, np.linspace(0.0, 80.0, 11)), words_of(describe(scene))
+def told(scene: Scene) -> tuple[SimulatedScene, Words]:
+    return SimulatedScene.of(scene, np.linspace(0.0, 80.0, 11)), words_of(describe(scene))
 
 
 def rocket() -> Scene:
@@ -31,7 +31,7 @@ def rocket() -> Scene:
     return Scene(entities=(Named(name="rocket", entity=entity),))
 
 
-def of_rocket() -> tuple[Study, Words, dict[type[Regime], Regime]]:
+def of_rocket() -> tuple[SimulatedScene, Words, dict[type[Regime], Regime]]:
     study, words = told(rocket())
     found = {type(held): held for held in regimes(study, words, 75.0)}
     falls = next(held for held in possible(study, words) if isinstance(held, BurntOut) and held.out)
@@ -68,7 +68,7 @@ def test_what_is_assumed_is_read_back(count: int) -> None:
     found = assumed_in(sentence, study, words)
     assert found is not None
     assert set(found) == set(held)
-    assert parted(f"Find it. {sentence}") == (sentence, "Find it.")
+    assert split_assumptions(f"Find it. {sentence}") == (sentence, "Find it.")
 
 
 def test_what_nothing_in_the_scene_may_do_is_not_read() -> None:

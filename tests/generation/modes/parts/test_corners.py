@@ -3,7 +3,7 @@
 import pytest
 
 from plain_scenes import ramp
-from sim2reason.generation.modes.parts.corners import leaving
+from sim2reason.generation.modes.parts.corners import find_corner
 from sim2reason.generation.modes.parts.problem_symbol import ProblemSymbol, Variation
 from sim2reason.generation.modes.parts.variations import Variations
 from sim2reason.generation.question_search import QuestionSearch
@@ -29,7 +29,7 @@ def heavy_and_near(other: Variation) -> float:
 
 def test_the_least_margin_is_at_a_corner(varied: Variations) -> None:
     known = list(varied.one_by_one(WIDTH, []))
-    found = leaving(varied, heavy_and_near, [], known)
+    found = find_corner(varied, heavy_and_near, [], known)
     assert found is not None
     assert found.values["m"] == max(other.values["m"] for other in known)
     assert found.values["d"] == min(other.values["d"] for other in known)
@@ -38,11 +38,11 @@ def test_the_least_margin_is_at_a_corner(varied: Variations) -> None:
 def test_what_is_told_is_kept(varied: Variations) -> None:
     """A block must weigh less than 5 kg: at the far end of its range, 6 kg, it does not."""
     known = list(varied.one_by_one(WIDTH, []))
-    found = leaving(varied, heavy_and_near, [lambda other: 5.0 - other.values["m"]], known)
+    found = find_corner(varied, heavy_and_near, [lambda other: 5.0 - other.values["m"]], known)
     assert found is not None
     assert found.values["m"] < 5.0
     assert found.values["d"] == min(other.values["d"] for other in known)
 
 
 def test_nothing_leads_out_of_what_no_margin_tells(varied: Variations) -> None:
-    assert leaving(varied, lambda _: None, [], []) is None
+    assert find_corner(varied, lambda _: None, [], []) is None

@@ -12,7 +12,7 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.scenes.files import loads
 from sim2reason.simulation.engines.exact.motion import Motion
-from sim2reason.simulation.scenes import simulate, whole
+from sim2reason.simulation.scenes import simulate, simulate_full_duration
 from sim2reason.simulation.trace import Trace
 
 STIFF, LIGHT = 1e6, 1e-3
@@ -138,7 +138,7 @@ def test_a_chain_of_a_small_and_a_large_mass_has_its_normal_modes_for_half_a_min
 def test_an_event_after_thousands_of_periods_is_found() -> None:
     """A collision after 20,000 periods of the small mass is found at its time."""
     made, displaced = chain(0.01, 2.9)
-    trace = whole(made, 20.0)
+    trace = simulate_full_duration(made, 20.0)
     assert stretches(trace) > 1
     assert trace.cut == "reach"
     end = trace.stable_until

@@ -9,7 +9,7 @@ import pytest
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.scenes.dsl.builder import Builder, Frame
 from sim2reason.scenes.dsl.constancy import changing
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Coordinate, Inextensible, Line, Mechanism, RigidBody, Site, X, Y, Z
 from sim2reason.simulation.engines.exact import engine, motion, simulate
 from sim2reason.simulation.trace import ENGINES
@@ -55,7 +55,7 @@ ALONG_X = Coordinate("load.x", "load", "x", "slide", X)
     ],
 )
 def test_what_turns_with_a_body_off_its_axis_changes_the_equations(mechanism: Mechanism, reason: str) -> None:
-    assert changing(mechanism, start(mechanism)) == reason
+    assert changing(mechanism, initial_frames(mechanism)) == reason
 
 
 def test_a_point_on_the_axle_is_fine() -> None:

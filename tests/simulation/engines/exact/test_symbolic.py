@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sim2reason.scenes.dsl.vectors import Number
-from sim2reason.simulation.engines.exact.linear import eliminated
+from sim2reason.simulation.engines.exact.linear import solve_symbolic
 from sim2reason.simulation.engines.exact.tape import Tape
 
 
@@ -37,7 +37,7 @@ def test_it_solves_what_numpy_solves(seed: int, n: int, share: int) -> None:
     rows = min(share, n)
     matrix = systems(seed, n, rows)
     tape, equations = recorded(matrix)
-    found = eliminated(equations, n, list(range(rows)), [])
+    found = solve_symbolic(equations, n, list(range(rows)), [])
     wanted = np.linalg.solve(matrix[:, :-1], matrix[:, -1])
     values = tape.code([*found.x, *found.rows.values()])(math)(1.0, ())
     assert values == pytest.approx(wanted, rel=1e-8, abs=1e-8)
@@ -53,7 +53,7 @@ def test_a_row_that_says_the_same_again_is_left_free() -> None:
     doubled[:3, 4] = doubled[:3, 3]
     doubled[4, :3], doubled[4, 5] = row[:3], row[4]
     tape, equations = recorded(doubled)
-    found = eliminated(equations, 3, [0, 1], [])
+    found = solve_symbolic(equations, 3, [0, 1], [])
     wanted = np.linalg.solve(matrix[:, :-1], matrix[:, -1])
     values = tape.code([*found.x, found.rows[0] + found.rows[1]])(math)(1.0, ())
     assert values == pytest.approx(wanted, rel=1e-9)
@@ -61,4 +61,4 @@ def test_a_row_that_says_the_same_again_is_left_free() -> None:
 
 
 def test_nothing_is_nothing() -> None:
-    assert eliminated([], 0, [], []).x == []
+    assert solve_symbolic([], 0, [], []).x == []

@@ -6,8 +6,13 @@ import numpy as np
 import pytest
 
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.simulation.engines.mujoco.changing_equations.record import Knot, Quintic, through
-from sim2reason.simulation.engines.mujoco.extrapolation import LEAST, MOST, SEQUENCE, extrapolated
+from sim2reason.simulation.engines.mujoco.changing_equations.record import Knot, Quintic, interpolate_knots
+from sim2reason.simulation.engines.mujoco.extrapolation import (
+    MAX_STEP_RATIO,
+    MIN_STEP_RATIO,
+    SEQUENCE,
+    extrapolate_step,
+)
 
 
 def swing(time: float, y: Array) -> Array:
@@ -21,7 +26,7 @@ def wanted(time: float) -> Array:
 
 def missed(h: float, tolerance: float) -> float:
     y = wanted(1.0)
-    found = extrapolated(swing, 1.0, y, swing(1.0, y), h, tolerance)
+    found = extrapolate_step(swing, 1.0, y, swing(1.0, y), h, tolerance)
     return float(np.abs(found.values - wanted(1.0 + h)).max())
 
 
@@ -37,17 +42,17 @@ def test_a_step_stops_at_the_column_that_is_near_enough() -> None:
         return swing(time, y)
 
     y = wanted(1.0)
-    easy = extrapolated(counted, 1.0, y, swing(1.0, y), 0.05, 1e-7)
+    easy = extrapolate_step(counted, 1.0, y, swing(1.0, y), 0.05, 1e-7)
     assert easy.error <= 1.0
     assert len(calls) < sum(SEQUENCE)
-    assert easy.factor == MOST
+    assert easy.factor == MAX_STEP_RATIO
 
 
 def test_a_step_that_is_too_long_says_so() -> None:
     y = wanted(1.0)
-    hard = extrapolated(swing, 1.0, y, swing(1.0, y), 6.0, 1e-7)
+    hard = extrapolate_step(swing, 1.0, y, swing(1.0, y), 6.0, 1e-7)
     assert hard.error > 1.0
-    assert LEAST <= hard.factor < 1.0
+    assert MIN_STEP_RATIO <= hard.factor < 1.0
 
 
 def test_the_curve_between_two_knots_is_exact_for_quintics() -> None:
@@ -68,6 +73,6 @@ def test_the_curve_through_four_knots_is_exact_to_the_eleventh_power() -> None:
     at = (0.1, 0.4, 0.6, 1.1)
     knots = [Knot(t, np.array([polynomial(t), slope(t)]), np.array([slope(t), bend(t)])) for t in at]
     times = np.linspace(0.1, 1.1, 9)
-    found = through(knots, times)
+    found = interpolate_knots(knots, times)
     assert found[:, 0] == pytest.approx(polynomial(times), rel=1e-10)
     assert found[:, 1] == pytest.approx(slope(times), rel=1e-9)

@@ -10,7 +10,7 @@ from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.mechanism import X
 from sim2reason.simulation.engines import mujoco as engine
 from sim2reason.simulation.engines.mujoco.changing_equations import engine as loop
-from sim2reason.simulation.engines.mujoco.specification import mujoco, overheard
+from sim2reason.simulation.engines.mujoco.specification import collect_warnings, mujoco
 
 
 def warn() -> None:
@@ -26,7 +26,7 @@ def warn() -> None:
 
 def test_warnings_are_kept_and_no_file_is_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    with overheard() as said:
+    with collect_warnings() as said:
         warn()
     assert len(said) == 1
     assert "QPOS" in said[0]
@@ -37,7 +37,7 @@ def test_whoever_listened_before_listens_again() -> None:
     heard: list[str] = []
     mujoco.set_mju_user_warning(heard.append)
     try:
-        with overheard() as said:
+        with collect_warnings() as said:
             warn()
         warn()
     finally:

@@ -16,7 +16,7 @@ from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.constancy import changing
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Mechanism, X, Z
 from sim2reason.scenes.dsl.vectors import scale
 from sim2reason.simulation.certify import compare
@@ -209,5 +209,5 @@ def test_engines_agree_on_scenes_of_every_recipe(recipe: str, difficulty: Diffic
             continue
         certificate = compare(recorded, simulate(mechanism, times))
         assert not any(text in certificate.reason for text in DISAGREE), (seed, certificate.reason)
-        close = 1e-4 if changing(mechanism, start(mechanism)) else 1e-6
+        close = 1e-4 if changing(mechanism, initial_frames(mechanism)) else 1e-6
         assert max(certificate.agreement.values(), default=0.0) <= close

@@ -6,11 +6,11 @@ from math import log, radians, sin, sqrt
 import pytest
 
 from sim2reason.errors import TextError
-from sim2reason.questions.following import motion_of
+from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.prompt import words_of
 from sim2reason.text.parsing import parse_scene
-from sim2reason.text.parsing.ordinary.amounts import set_apart
+from sim2reason.text.parsing.ordinary.amounts import extract_amounts
 from sim2reason.text.parsing.ordinary.textbook_reader import library_texts
 from sim2reason.text.parsing.ordinary.textbook_scenes import TEXTBOOK_SCENES, Facts
 from sim2reason.text.prose.description import describe
@@ -793,7 +793,7 @@ def test_a_mass_that_is_not_given_is_left_open() -> None:
 )
 def test_amounts_are_converted(text: str, wanted: str) -> None:
     """Usual units are read in usual spellings."""
-    assert [amount.text for amount in set_apart(f"with {text} now")[1]] == [wanted]
+    assert [amount.text for amount in extract_amounts(f"with {text} now")[1]] == [wanted]
 
 
 @pytest.mark.parametrize(
@@ -855,7 +855,7 @@ def test_answers_about_scenes_agree_with_closed_forms(text: str) -> None:
     """Questions about the scene that was read have the answers of a textbook."""
     question, wanted = ANSWERS[text]
     scene = parse_scene(text).scene
-    found = understood(question, motion_of(scene), words_of(describe(scene)))
+    found = understood(question, simulate_scene(scene), words_of(describe(scene)))
     assert found is not None
     assert found.followed.answer == pytest.approx(wanted, rel=1e-6)
 

@@ -9,7 +9,7 @@ import pytest
 
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.items import made, requested
-from sim2reason.generation.certified import worked
+from sim2reason.generation.certified import worked_solution
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.solution import Condition, Coordinate, Integration
@@ -23,7 +23,7 @@ ROLLING = requested("rolling", "easy", "numeric", 79, 8, {"state": 100.0}, "SI")
 def test_arithmetic_leads_to_the_answer(recipe: str) -> None:
     request = requested(recipe, "easy", "numeric", 4, 1, None, "SI")
     item, found = made(request)
-    solution = worked(request, found)
+    solution = worked_solution(request, found)
     text = arithmetic(solution)
     assert bool(text) <= solution.derived
     assert not text or grade(item, text).reward == 1.0, text
@@ -44,7 +44,7 @@ def recalculated(formula: str) -> float:
 def test_each_operation_is_true_to_three_digits(index: int) -> None:
     """Recalculated with the arithmetic of Python; an operation without a first number takes the result before."""
     request, before = replace(ROLLING, index=index), "0"
-    text = arithmetic(worked(request, made(request)[1])).partition("\n")[0]
+    text = arithmetic(worked_solution(request, made(request)[1])).partition("\n")[0]
     for step in text.split("; "):
         left, _, result = re.sub(r"^[A-Za-z][A-Za-z0-9]*=", "", step).rpartition("=")
         formula = f"{before}{left}" if left[:1] in set("*/+") else left
@@ -53,7 +53,7 @@ def test_each_operation_is_true_to_three_digits(index: int) -> None:
 
 
 def test_what_is_integrated_is_no_arithmetic() -> None:
-    solution = worked(ROLLING, made(ROLLING)[1])
+    solution = worked_solution(ROLLING, made(ROLLING)[1])
     assert arithmetic(solution)
     *others, last = solution.steps
     held, time, zero = Coordinate("s", "v", "a", Number(0.0), Number(0.0)), Symbol("t"), Number(0.0)
@@ -68,7 +68,7 @@ def test_large_numbers_have_three_digits_too() -> None:
 
 @pytest.mark.parametrize("kind", list(SLIPS))
 def test_a_slip_changes_a_formula_and_what_follows_from_it(kind: str) -> None:
-    solution = worked(ROLLING, made(ROLLING)[1])
+    solution = worked_solution(ROLLING, made(ROLLING)[1])
     held = definitions(solution)
     wrong = slipped(held, {kind: 1.0}, np.random.default_rng(0))
     assert [*wrong] == [*held]
@@ -78,14 +78,14 @@ def test_a_slip_changes_a_formula_and_what_follows_from_it(kind: str) -> None:
 
 
 def test_no_slip_without_its_share() -> None:
-    held = definitions(worked(ROLLING, made(ROLLING)[1]))
+    held = definitions(worked_solution(ROLLING, made(ROLLING)[1]))
     assert slipped(held, {"sign": 0.0, "term": 0.0}, np.random.default_rng(1)) == held
 
 
 @pytest.mark.parametrize("seed", range(5))
 def test_other_numbers_stand_in_the_text_and_in_the_solution(seed: int) -> None:
     item, found = made(ROLLING)
-    solution = worked(ROLLING, found)
+    solution = worked_solution(ROLLING, found)
     other = renumbered(item.prompt, solution, np.random.default_rng(seed))
     assert other is not None
     prompt, changed = other

@@ -17,7 +17,7 @@ from sim2reason.base.atomic_files import locked, put, put_text, sync
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.exports import EXPORTS, Column, Export, Place, Row
 from sim2reason.datasets.plan import ALL, Names
-from sim2reason.datasets.separate import separated
+from sim2reason.datasets.separate import split_parts
 from sim2reason.errors import DatasetError
 
 __all__ = ["requirement"]
@@ -185,7 +185,7 @@ class _Writing:
     def _rows(self, split: str) -> Iterator[Row]:
         count = 0
         for item in self.dataset.items(split):
-            for each in separated(item) if self.separate else (item,):
+            for each in split_parts(item) if self.separate else (item,):
                 row = self.export.row(each, Place(split, count))
                 if row is None:
                     self.left_out += 1

@@ -9,10 +9,10 @@ from sim2reason.base.optional import optional
 from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.exports import EXPORTS, Column, Place
 from sim2reason.datasets.generate import Order, configured, files_to_avoid
-from sim2reason.datasets.lazy import MOST, LazyProblems
+from sim2reason.datasets.lazy import INDEX_STRIDE, LazyProblems
 from sim2reason.datasets.plan import ALL, MAKER, TRAIN, Names
 from sim2reason.errors import DatasetError
-from sim2reason.generation.request import SI, whole
+from sim2reason.generation.request import SI, nonnegative_integer
 from sim2reason.questions.tolerance import TOLERANCE
 
 __all__ = ["FreshRows", "iterable"]
@@ -75,8 +75,8 @@ def iterable(  # noqa: PLR0913 - what is drawn, by name
     order = Order(recipe=recipe, difficulty=difficulty, mode=mode, seed=seed, weights=weights, units=units)
     order |= {"tolerance": tolerance, "needs": needs, "solutions": solutions, "maker": maker}
     order["decontaminate"] = decontaminate
-    begin, files = whole("start", start), files_to_avoid(order)
-    end = MOST if items is None else begin + whole("items", items)
+    begin, files = nonnegative_integer("start", start), files_to_avoid(order)
+    end = INDEX_STRIDE if items is None else begin + nonnegative_integer("items", items)
     order["items"] = max(begin, end)
     problems = LazyProblems(configured(**order), TRAIN, Benchmarks(files) if files else None)
     return FreshRows(problems, to, range(begin, end))
@@ -121,7 +121,7 @@ class FreshRows:
 
     def shards(self, number: int) -> "list[FreshRows]":
         """Split the rows into `number` interleaved parts, one for each process."""
-        every = whole("shards", number)
+        every = nonnegative_integer("shards", number)
         if not every:
             raise DatasetError("shards: 0 of them hold nothing; give one or more")
         return [FreshRows(self._problems, self.to, self._positions[part::every]) for part in range(every)]

@@ -18,8 +18,8 @@ from sim2reason.evaluation.benchmarks.scoring.parts.answers import (
     name_of,
     parts,
     read,
-    said_without_box,
     same_text,
+    unboxed_options,
     unit_or_none,
 )
 from sim2reason.evaluation.benchmarks.scoring.parts.matching import paired
@@ -82,7 +82,7 @@ class JEEBench(Scoring):
 
 def _options(response: str, right: frozenset[str], *, partial: bool) -> Award:
     found = boxes(response)
-    said = chosen(found[-1]) if found else said_without_box(response)
+    said = chosen(found[-1]) if found else unboxed_options(response)
     if said is None:
         return Award.unreadable("no options in the box" if found else "no box and no answer in words")
     named = "".join(sorted(said))
@@ -111,7 +111,7 @@ ERROR: Final = 1e-8
 LEEWAY: Final = 1.01  # factor on the error, as published
 SMALL: Final = 0.01  # relative tolerance where an item states no error
 OLYMPIADBENCH_ROUNDING: Final = 1e-12  # relative, of floats
-MOST: Final = 12  # answers to one problem
+MAX_ANSWERS: Final = 12  # answers to one problem
 _PERCENT: Final = re.compile(r"%|(?<![A-Za-z])per ?cent", re.IGNORECASE)
 _CALLED: Final = re.compile(r"^[^=]*=\s*(?=[(\[])|^.*\\in(?![A-Za-z])\s*")
 _SIZE: Final = re.compile(r"\\(?:left|right)(?![A-Za-z])")
@@ -176,7 +176,7 @@ def _said(found: list[str], count: int) -> list[str]:
     last = _signs(parts(found[-1]))
     apart = _signs(parts(found[-1], thousands=False))
     several = _signs([part for content in found[-count:] for part in parts(content)])
-    return next((said for said in (last, apart, several) if len(said) == count), last[: MOST + 1])
+    return next((said for said in (last, apart, several) if len(said) == count), last[: MAX_ANSWERS + 1])
 
 
 def _signs(answers: list[str]) -> list[str]:

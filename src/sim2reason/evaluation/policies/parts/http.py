@@ -61,15 +61,15 @@ class Secret:
             text = text.replace(spelling, HIDDEN)
         return text
 
-    def stands_in(self, value: JsonValue) -> bool:
+    def occurs_in(self, value: JsonValue) -> bool:
         """Return whether the key occurs in a text, or in any text or name within a list or object."""
         match value:
             case str():
                 return any(spelling in value for spelling in self._spellings)
             case list():
-                return any(map(self.stands_in, value))
+                return any(map(self.occurs_in, value))
             case dict():
-                return any(self.stands_in(name) or self.stands_in(each) for name, each in value.items())
+                return any(self.occurs_in(name) or self.occurs_in(each) for name, each in value.items())
             case _:
                 return False
 

@@ -15,7 +15,7 @@ from sim2reason.evaluation.policies.samples.journal import SampleJournal
 
 __all__ = ["Asked", "ask", "requests_for", "sample_seed"]
 
-IN_A_ROW = 8  # failed requests in a row after which the endpoint counts as down
+MAX_FAILURES = 8  # failed requests in a row after which the endpoint counts as down
 
 
 @dataclass
@@ -99,7 +99,7 @@ def _run(
             if isinstance(error, NoAnswerError):
                 asked.open.append(str(error))
                 row += 1
-                if row >= IN_A_ROW:
+                if row >= MAX_FAILURES:
                     wait(running)
                     raise PolicyError(f"{error}; {row} requests in a row went so; try again later")
             elif error is not None:

@@ -4,15 +4,15 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from sim2reason.generation.filters import Candidate
-from sim2reason.questions import Study
-from sim2reason.questions.simplifications import SIMPLIFICATIONS, OtherReading, Simplification, in_order
+from sim2reason.questions import SimulatedScene
+from sim2reason.questions.simplifications import MISCONCEPTIONS, Misconception, MisinterpretedMotion, in_order
 from sim2reason.questions.simplifications.omissions import GravityLeftOut
 from sim2reason.questions.simplifications.parts.which import solid
 from sim2reason.questions.tolerance import NEARLY
 from sim2reason.scenes.dsl.ablation import with_bodies
 from sim2reason.scenes.dsl.mechanism import Mechanism, RigidBody
 
-SAME = 0.02  # of the tolerance; smaller changes of an answer count as none
+UNCHANGED_FRACTION = 0.02  # of the tolerance; smaller changes of an answer count as none
 LONGER = 3.0  # factor by which the simulated time is extended if the answer does not occur in time
 
 
@@ -20,30 +20,30 @@ LONGER = 3.0  # factor by which the simulated time is extended if the answer doe
 class Effect:
     """The effect on the answer of one misconception about one part of the scene."""
 
-    simplification: Simplification
+    simplification: Misconception
     subject: str
     answer: float | None  # None if there is none any more
     change: float  # relative; infinite if there is no answer
     tolerance: float
-    study: Study | None  # the scene as it has it; None if there is no motion then
+    study: SimulatedScene | None  # the scene as it has it; None if there is no motion then
 
     @property
-    def same(self) -> bool:
+    def is_unchanged(self) -> bool:
         """Return whether the answer is unchanged."""
-        return self.change < SAME * self.tolerance
+        return self.change < UNCHANGED_FRACTION * self.tolerance
 
     @property
-    def close(self) -> bool:
+    def is_accepted(self) -> bool:
         """Return whether the changed answer would be accepted as correct, or nearly."""
         return self.change < NEARLY * self.tolerance
 
     @property
-    def wrong(self) -> bool:
+    def is_error(self) -> bool:
         """Return whether the misconception is an error; an approximation that does not change the answer is none."""
-        return not (self.same and self.simplification.sound_if_same)
+        return not (self.is_unchanged and self.simplification.sound_if_same)
 
     @property
-    def told(self) -> str:
+    def text(self) -> str:
         """Return the effect in one line."""
         about = f" ({self.subject})" if self.subject else ""
         if self.answer is None:
@@ -62,7 +62,7 @@ def effects(candidate: Candidate, *, part: bool) -> Iterator[Effect]:
             yield from effects_of(simplification, candidate)
 
 
-def effects_of(simplification: Simplification, candidate: Candidate) -> Iterator[Effect]:
+def effects_of(simplification: Misconception, candidate: Candidate) -> Iterator[Effect]:
     """Yield the effects of one misconception on the possible subjects."""
     query, study = candidate.question.query, candidate.study
     subjects = [*simplification.subjects(query, study)]
@@ -74,7 +74,7 @@ def effects_of(simplification: Simplification, candidate: Candidate) -> Iterator
             continue
         other = simplification.simplified(study, subject, until)
         effect = _effect(simplification, subject, candidate, other, candidate.response(other))
-        indifferent = other is not None and effect.same and candidate.kind.indifferent(query, study, other)
+        indifferent = other is not None and effect.is_unchanged and candidate.kind.indifferent(query, study, other)
         if simplification.part or not indifferent:
             yield effect
 
@@ -86,8 +86,8 @@ def far_effects(candidate: Candidate) -> Iterator[Effect]:
     """
     query, study = candidate.question.query, candidate.study
     until = LONGER * _until(candidate)
-    for simplification in SIMPLIFICATIONS.values():
-        if isinstance(simplification, OtherReading):
+    for simplification in MISCONCEPTIONS.values():
+        if isinstance(simplification, MisinterpretedMotion):
             continue
         spared = _spared(simplification, candidate)
         for subject in simplification.subjects(query, study):
@@ -97,12 +97,16 @@ def far_effects(candidate: Candidate) -> Iterator[Effect]:
 
 
 def _effect(
-    simplification: Simplification, subject: str, candidate: Candidate, other: Study | None, answer: float | None
+    simplification: Misconception,
+    subject: str,
+    candidate: Candidate,
+    other: SimulatedScene | None,
+    answer: float | None,
 ) -> Effect:
     return Effect(simplification, subject, answer, candidate.change_to(answer), candidate.tolerance, other)
 
 
-def _spared(simplification: Simplification, candidate: Candidate) -> set[str]:
+def _spared(simplification: Misconception, candidate: Candidate) -> set[str]:
     """Return the unknown, and the subjects of the question that the misconception must not remove or hold.
 
     The empty name stands for the whole scene and is excluded.
@@ -118,9 +122,9 @@ def _until(candidate: Candidate) -> float:
     return candidate.until if candidate.until is not None else float(candidate.study.trace.state.times[-1])
 
 
-def _is_beside(simplification: Simplification, candidate: Candidate) -> bool:
+def _is_beside(simplification: Misconception, candidate: Candidate) -> bool:
     """Return whether a misconception reinterprets a motion on which the answer does not depend."""
-    return isinstance(simplification, OtherReading) and _is_of_no_motion(candidate)
+    return isinstance(simplification, MisinterpretedMotion) and _is_of_no_motion(candidate)
 
 
 def _is_of_no_motion(candidate: Candidate) -> bool:
@@ -144,8 +148,8 @@ def turns_by_weight(candidate: Candidate) -> bool:
     other = candidate.study.changed("more inertia", _harder_to_turn, candidate.until)
     if candidate.change(other) <= BEARS:
         return False
-    without = effects_of(SIMPLIFICATIONS[GravityLeftOut.name], candidate)
-    return any(not effect.close for effect in without)
+    without = effects_of(MISCONCEPTIONS[GravityLeftOut.name], candidate)
+    return any(not effect.is_accepted for effect in without)
 
 
 def _harder_to_turn(mechanism: Mechanism) -> Mechanism:

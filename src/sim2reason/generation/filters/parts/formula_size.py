@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from sim2reason.solutions.algebra.expressions import Expression, Product, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Call, Root
-from sim2reason.solutions.closed_forms.gathering import gathered, parted, symbols_in
+from sim2reason.solutions.closed_forms.gathering import factor_terms, parted, symbols_in
 from sim2reason.solutions.difficulty import is_vector
 
 SQUARE = 2
@@ -16,7 +16,7 @@ def size(whole: Expression) -> int:
 
     The magnitude of a given vector counts as one symbol, and so does a repeated root, such as √(k/m) in A ω sin ωt.
     """
-    shortest = parted(gathered(_with_lengths(whole), symbols_in))
+    shortest = parted(factor_terms(_with_lengths(whole), symbols_in))
     return symbols_in(shortest) - sum(symbols_in(root) - 1 for root in _again(shortest, set()))
 
 

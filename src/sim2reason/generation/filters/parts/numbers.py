@@ -4,7 +4,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 from sim2reason.generation.filters import Candidate
-from sim2reason.questions import Study
+from sim2reason.questions import SimulatedScene
 from sim2reason.scenes.dsl.model import Parameter
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.solutions.algebra.expressions import Symbol
@@ -12,7 +12,7 @@ from sim2reason.solutions.algebra.expressions import Symbol
 SHIFT = 1e-3  # relative change of a number
 TURN = 10.0  # degrees by which an angle is changed where other numbers are halved and doubled
 SLOWER = 2.2  # factor on the simulated time if a number is halved or doubled
-ENOUGH = 3.0  # times the tolerance: an elasticity from which the number surely matters
+CERTAIN_FACTOR = 3.0  # times the tolerance: an elasticity from which the number surely matters
 VECTORS = "position", "velocity"  # measures whose numbers, where one thing has two, are components of one vector
 
 
@@ -70,7 +70,7 @@ def _is_said(scene: Scene, parameter: Parameter) -> bool:
         return False
     owner, _, name = parameter.path.rpartition(".")
     body = scene.bodies.get(owner)
-    return not (body is not None and body.told_by_word(name))
+    return not (body is not None and body.is_stated_by_word(name))
 
 
 def elasticities(candidate: Candidate) -> Iterator[Elasticity]:
@@ -107,7 +107,7 @@ def matters(candidate: Candidate, found: Elasticity) -> bool:
     If the motion becomes slower, it is simulated for longer; if the answer is still not reached, the test is
     inconclusive.
     """
-    if found.reordered or found.size >= ENOUGH * candidate.tolerance:
+    if found.reordered or found.size >= CERTAIN_FACTOR * candidate.tolerance:
         return True
     study, given, time = candidate.study, found.given, candidate.time or 0.0
     until = None if candidate.time is None else SLOWER * time
@@ -121,7 +121,7 @@ def matters(candidate: Candidate, found: Elasticity) -> bool:
     return False
 
 
-def shifted(study: Study, given: Given, until: float | None) -> Study | None:
+def shifted(study: SimulatedScene, given: Given, until: float | None) -> SimulatedScene | None:
     """Return the motion with a number shifted, in the other direction if invalid; None if neither is valid.
 
     The components of a vector are shifted in opposite directions, which rotates it.
@@ -133,20 +133,22 @@ def shifted(study: Study, given: Given, until: float | None) -> Study | None:
     return None
 
 
-ALONE = {"easy": 2, "medium": 3, "hard": 3}  # numbers that must matter if one body moves
-TOGETHER = {"easy": 3, "medium": 3, "hard": 4}  # numbers that must matter if several bodies move
+MIN_SINGLE_BODY = {"easy": 2, "medium": 3, "hard": 3}  # numbers that must matter if one body moves
+MIN_SEVERAL_BODIES = {"easy": 3, "medium": 3, "hard": 4}  # numbers that must matter if several bodies move
 PARTS = 2  # of several bodies, the number that must have a relevant number
 EVER = 0.4  # largest fraction of stated numbers that may be irrelevant, even if marked
 MASS = "kg"
 
 
-def least(candidate: Candidate) -> int:
+def minimum_relevant(candidate: Candidate) -> int:
     """Return the minimum count of numbers that must change the answer."""
     bodies = [body for body in candidate.study.mechanism.bodies if body.mass > 0.0 and body.coordinates]
-    return (ALONE if len(bodies) < 2 or candidate.difficulty == "easy" else TOGETHER)[candidate.difficulty]
+    return (MIN_SINGLE_BODY if len(bodies) < 2 or candidate.difficulty == "easy" else MIN_SEVERAL_BODIES)[
+        candidate.difficulty
+    ]
 
 
-def of_question(candidate: Candidate) -> int:
+def question_number_count(candidate: Candidate) -> int:
     """Return the count of the question's own numbers: those it states, and its unknown."""
     moment = candidate.question.query.moment
     return len(moment.stated if moment is not None else ()) + bool(candidate.question.unknown)
@@ -159,14 +161,14 @@ def shortfall(candidate: Candidate, moving: Sequence[Given]) -> str:
     """
     mechanism = candidate.study.mechanism
     bodies = [body for body in mechanism.bodies if body.mass > 0.0 and body.coordinates]
-    count = len(moving) + of_question(candidate)
+    count = len(moving) + question_number_count(candidate)
     if len(bodies) < 2:
-        return "" if count >= ALONE[candidate.difficulty] else f"{count} numbers matter"
+        return "" if count >= MIN_SINGLE_BODY[candidate.difficulty] else f"{count} numbers matter"
     masses = sum(given.parameters[0].measure.unit == mechanism.units.spell(MASS) for given in moving)
     if candidate.difficulty == "easy" and masses >= 2:
         return ""
     if candidate.difficulty == "easy" and not any(given.parameters[0].measure.name == "friction" for given in moving):
         return f"{masses} masses matter"
     parts = len({given.owner for given in moving})
-    enough = count >= TOGETHER[candidate.difficulty] and (parts >= PARTS or candidate.difficulty == "easy")
+    enough = count >= MIN_SEVERAL_BODIES[candidate.difficulty] and (parts >= PARTS or candidate.difficulty == "easy")
     return "" if enough else f"{count} numbers of {parts} parts matter"

@@ -10,9 +10,9 @@ from sim2reason.generation.filters.parts.numbers import SHIFT, givens, shifted
 from sim2reason.questions import Question
 from sim2reason.scenes.dsl.units import parse_unit
 
-EXACT = 1e-5  # relative deviation between the product and the answer
-NEAR = 5.0 * SHIFT  # deviation of a measured power from a multiple of one half
-NOTHING = 2e-3  # smaller powers count as zero
+PRODUCT_RTOL = 1e-5  # relative deviation between the product and the answer
+POWER_TOLERANCE = 5.0 * SHIFT  # deviation of a measured power from a multiple of one half
+ZERO_POWER = 2e-3  # smaller powers count as zero
 FAR = 5.0  # degrees by which an angle is changed to test the function of it
 HIGHEST = 2.0  # power
 SIMPLE = (1.0, 2.0, 4.0, sqrt(2.0), pi, 2.0 * pi)  # factors in front, and their reciprocals
@@ -56,7 +56,7 @@ def product_of(candidate: Candidate) -> str:
             continue
         for total in _products(factors, candidate, view):
             rest = abs(scale * view(question.answer) / total)
-            if any(isclose(rest, known, rel_tol=EXACT) for simple in SIMPLE for known in (simple, 1.0 / simple)):
+            if any(isclose(rest, known, rel_tol=PRODUCT_RTOL) for simple in SIMPLE for known in (simple, 1.0 / simple)):
                 what = f"the {name} of the answer" if name else "the answer"
                 return f"{what} is a product of {', '.join(factor.path or OWN for factor in factors)}"
     return ""
@@ -74,7 +74,7 @@ def _products(factors: Sequence[Factor], candidate: Candidate, view: View) -> It
 def _sum(terms: Sequence[Factor]) -> float | None:
     """Return a power of the sum of all terms, with either sign; None if their powers fit no sum."""
     rates = [term.power / term.value for term in terms]  # of (Σ ± x)^E the power of x is ± E x/Σ
-    alike = max(map(abs, rates)) <= (1.0 + 4.0 * NEAR) * min(map(abs, rates))
+    alike = max(map(abs, rates)) <= (1.0 + 4.0 * POWER_TOLERANCE) * min(map(abs, rates))
     if not alike or len({term.unit for term in terms}) > 1:
         return None
     of_all = sum(term.value if rate * rates[0] > 0.0 else -term.value for term, rate in zip(terms, rates, strict=True))
@@ -104,7 +104,7 @@ def _goes_with(candidate: Candidate, view: View, angle: Factor, function: View) 
         return False
     turn, there = found
     ratio = function(angle.value + turn) / function(angle.value)
-    return isclose(view(there) / view(candidate.question.answer), ratio, rel_tol=NEAR)
+    return isclose(view(there) / view(candidate.question.answer), ratio, rel_tol=POWER_TOLERANCE)
 
 
 def turned(candidate: Candidate, angle: Factor) -> tuple[float, float] | None:
@@ -121,7 +121,9 @@ def turned(candidate: Candidate, angle: Factor) -> tuple[float, float] | None:
 def _halves(power: float) -> int | None:
     """Return twice a power that is a small multiple of one half; None otherwise."""
     found = round(2.0 * power)
-    return found if abs(2.0 * power - found) <= 2.0 * NEAR and abs(power) <= HIGHEST + NEAR else None
+    return (
+        found if abs(2.0 * power - found) <= 2.0 * POWER_TOLERANCE and abs(power) <= HIGHEST + POWER_TOLERANCE else None
+    )
 
 
 def factors_of(candidate: Candidate, view: View) -> list[Factor] | None:
@@ -177,7 +179,7 @@ def _power(here: float, there: float, factor: float) -> float | None:
     if not there / here > 0.0:
         return None
     power = log(there / here) / log(factor)
-    return power if abs(power) > NOTHING else 0.0
+    return power if abs(power) > ZERO_POWER else 0.0
 
 
 def _in_si(value: float, unit: str) -> float:

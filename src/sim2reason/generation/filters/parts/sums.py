@@ -8,10 +8,10 @@ from typing import NamedTuple
 from sim2reason.generation.filters import Candidate
 from sim2reason.generation.filters.parts.products import (
     ANGLE,
-    EXACT,
-    NEAR,
     OWN,
+    POWER_TOLERANCE,
     POWERS,
+    PRODUCT_RTOL,
     Factor,
     View,
     factors_of,
@@ -19,11 +19,11 @@ from sim2reason.generation.filters.parts.products import (
 )
 from sim2reason.scenes.dsl.units import parse_unit
 
-MOST = 5  # numbers; a sum of two products of more is not common knowledge
+MAX_NUMBERS = 5  # numbers; a sum of two products of more is not common knowledge
 ROOTS = (1.0, 2.0)  # powers of the answer that may be the sum
 HIGHEST = 4.0  # power of a number in a product
 TURNED = 1e-4  # relative deviation of the sum from the answer when an angle is changed
-CLOSE = 0.02  # relative accuracy of a measured share
+SHARE_TOLERANCE = 0.02  # relative accuracy of a measured share
 TRIED = 256  # distributions of the numbers over the terms, at most
 SIMPLE = (1.0, 2.0, 4.0, 0.5, 0.25, sqrt(2.0), sqrt(0.5))  # factors in front of a product
 
@@ -50,7 +50,7 @@ def sum_of(candidate: Candidate) -> str:
     """Return the sum of two products of stated numbers that equals the answer; empty if there is none."""
     question = candidate.question
     factors = factors_of(candidate, float) if question.unit != ANGLE else None
-    if not factors or not 2 < len(factors) <= MOST:
+    if not factors or not 2 < len(factors) <= MAX_NUMBERS:
         return ""
     value = abs(question.answer) * parse_unit(question.unit).factor
     for root in ROOTS:
@@ -68,14 +68,14 @@ def _fronts(value: float, share: float, terms: Terms) -> Iterator[tuple[float, f
     if not ones:  # as nearly always
         return
     for one, other in product(ones, _simple(second, (1.0 - share) * value)):
-        if isclose(one * first + other * second, value, rel_tol=EXACT):
+        if isclose(one * first + other * second, value, rel_tol=PRODUCT_RTOL):
             yield one, other
 
 
 def _simple(term: float, part: float) -> list[float]:
     """Return the signed simple factors for which a term approximately equals a part."""
     size, sign = abs(part), -1.0 if part < 0.0 else 1.0
-    return [sign * front for front in SIMPLE if isclose(front * term, size, rel_tol=CLOSE)]
+    return [sign * front for front in SIMPLE if isclose(front * term, size, rel_tol=SHARE_TOLERANCE)]
 
 
 def _holds_turned(candidate: Candidate, root: float, terms: Terms, front: tuple[float, float]) -> bool:
@@ -98,7 +98,7 @@ def _terms(factors: Sequence[Factor], root: float) -> Iterator[tuple[float, Term
     In Z = A + B, the elasticity of Z in x is q A/Z if x^q is in A, q (1 − A/Z) if it is in B, and q if it is in both.
     """
     ways = [(factor, _ways(factor, root)) for factor in factors]
-    for mixed in (factor for factor in factors if not _half(root * factor.power, NEAR)):
+    for mixed in (factor for factor in factors if not _half(root * factor.power, POWER_TOLERANCE)):
         for _, slope in _shapes(mixed):
             for halves in range(1, round(2.0 * HIGHEST) + 1):
                 for share in (2.0 * root * mixed.power / (sign * halves * slope) for sign in (1.0, -1.0)):
@@ -121,7 +121,7 @@ def _added(values: Iterable[tuple[float, float]], front: tuple[float, float]) ->
 def _ways(factor: Factor, root: float) -> list[_Way]:
     """Return the functions of a number with their measured powers, and the simple powers near these."""
     powers = [(function, root * factor.power / slope) for function, slope in _shapes(factor)]
-    return [(function, power, _half(power, NEAR)) for function, power in powers]
+    return [(function, power, _half(power, POWER_TOLERANCE)) for function, power in powers]
 
 
 def _places(factor: Factor, ways: Sequence[_Way], share: float) -> list[_Place]:
@@ -134,8 +134,8 @@ def _places(factor: Factor, ways: Sequence[_Way], share: float) -> list[_Place]:
         if both:
             found.append((function, (both, both)))
         for shared in (0.0, 1.0):
-            one = _half((power - shared) / share, CLOSE) if share else None
-            other = _half((power - shared) / (1.0 - share), CLOSE) if share != 1.0 else None
+            one = _half((power - shared) / share, SHARE_TOLERANCE) if share else None
+            other = _half((power - shared) / (1.0 - share), SHARE_TOLERANCE) if share != 1.0 else None
             if one:
                 found.append((function, (one + shared, shared)))
             if other:

@@ -5,12 +5,12 @@ from collections.abc import Iterator, Sequence
 from itertools import product
 
 from sim2reason.questions.regimes import Regime, possible
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 
 ASSUME = "Assume that "
 _JOINTS = re.compile(r", and that |, that | and that ")
-MOST = 1000  # parses of one sentence that are tried
+MAX_PARSES = 1000  # parses of one sentence that are tried
 
 
 def assuming(assumed: Sequence[Regime], words: Words) -> str:
@@ -27,19 +27,19 @@ def assuming(assumed: Sequence[Regime], words: Words) -> str:
     return f"{ASSUME}{', that '.join(clauses[:-1])}, and that {clauses[-1]}."
 
 
-def assumed_in(sentence: str, study: Study, words: Words) -> tuple[Regime, ...] | None:
+def assumed_in(sentence: str, study: SimulatedScene, words: Words) -> tuple[Regime, ...] | None:
     """Return the assumptions that a sentence states about a scene; None if it is not such a sentence."""
     said = _JOINTS.split(sentence.removeprefix(ASSUME).removesuffix("."))
     regimes = possible(study, words)
     meant = [[held for held in regimes if clause in _forms(held, words)] for clause in said]
     readings = product(*meant)
-    for _, reading in zip(range(MOST), readings, strict=False):
+    for _, reading in zip(range(MAX_PARSES), readings, strict=False):
         if assuming(reading, words) == sentence:
             return reading
     return None
 
 
-def parted(text: str) -> tuple[str, str]:
+def split_assumptions(text: str) -> tuple[str, str]:
     """Split a question into its assumptions (may be empty) and the rest."""
     asked, stop, assumed = text.partition(f" {ASSUME}")
     return f"{ASSUME}{assumed}" if stop else "", asked

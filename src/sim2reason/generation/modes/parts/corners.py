@@ -11,7 +11,7 @@ from sim2reason.generation.modes.parts.variations import Variations
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.expressions import Expression
-from sim2reason.solutions.algebra.functions import values
+from sim2reason.solutions.algebra.functions import array_values
 
 Margin = Callable[[Variation], float | None]
 """How far a scene is from where something is no longer done; None where that says nothing."""
@@ -20,10 +20,10 @@ GUESSES, CORNER_SEED = 4000, 0  # combinations of range ends for which margins a
 STARTS = 2  # known scenes from which the search starts, beside the best guess
 CLOSE = 0.1  # margin; if one start does not come closer to zero, others rarely do (2 of 230 searches)
 FINE = 5  # factors tried for the question's own numbers
-SAME = 1e-9  # smaller changes of a margin count as none
+UNCHANGED_MARGIN = 1e-9  # smaller changes of a margin count as none
 
 
-def leaving(
+def find_corner(
     variations: Variations, margin: Margin, others: Sequence[Margin], known: Sequence[Variation]
 ) -> Variation | None:
     """Return the scene, with each number at an end of its range, that minimises a margin; others stay positive.
@@ -40,7 +40,7 @@ def leaving(
     factors, changes = _alone(variations, told, known, own)
     ends = np.random.default_rng(CORNER_SEED).integers(0, factors.shape[1], (GUESSES, len(factors)))
     for n, held in enumerate(variations.symbols):  # what is asked about comes sooner, where that is all the same
-        if not held.path and np.abs(changes[0, n]).max() <= SAME:
+        if not held.path and np.abs(changes[0, n]).max() <= UNCHANGED_MARGIN:
             ends[:, n] = np.argmin(factors[n])
     start = np.array([found for found in here if found is not None])
     guessed = start[:, None] + changes[:, np.arange(len(factors)), ends].sum(2)
@@ -147,7 +147,7 @@ def counterexample(
     if own is None:
         return None
     drawn = _drawn(variations, width)
-    found = values(formula, variations.columns(drawn))
+    found = array_values(formula, variations.columns(drawn))
     negative = drawn[:0] if signed else drawn[found < -TINY * abs(own.answer)]
     each = (_tried(variations, unfit, is_counterexample) for unfit in (negative, drawn[np.isnan(found)]))
     return next((other for other in each if other is not None), None)

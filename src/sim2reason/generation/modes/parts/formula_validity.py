@@ -6,21 +6,21 @@ from itertools import chain, combinations
 
 import numpy as np
 
-from sim2reason.generation.modes.parts.corners import Margin, counterexample, leaving
+from sim2reason.generation.modes.parts.corners import Margin, counterexample, find_corner
 from sim2reason.generation.modes.parts.problem_symbol import ProblemSymbol, Variation
 from sim2reason.generation.modes.parts.variations import Variations
-from sim2reason.questions import Formula, Study, Words
-from sim2reason.questions.regimes import FEW, Regime, regimes
+from sim2reason.questions import Formula, SimulatedScene, Words
+from sim2reason.questions.regimes import MAX_ASSUMPTIONS, Regime, regimes
 from sim2reason.solutions.algebra.expressions import Expression
-from sim2reason.solutions.closed_forms import LONGEST, ClosedForm, ClosedFormError, shortened
+from sim2reason.solutions.closed_forms import MAX_LATEX_LENGTH, ClosedForm, ClosedFormError, simplified_form
 
 POINTS = 8  # beside the scene's own numbers
-NEAR = (0.25, 0.08)  # relative distances of test scenes with the same regime
+NEAR_WIDTHS = (0.25, 0.08)  # relative distances of test scenes with the same regime
 WIDE = 1.1  # logarithm of the factor (about 3) within which the formula must hold unless a regime is assumed
 TRIES, ACROSS = 16, 4
-SAME = 1e-6  # relative deviation between formula and engine
+ENGINE_RTOL = 1e-6  # relative deviation between formula and engine
 COUNTEREXAMPLES = 4  # after which the search for assumptions gives up
-CLOSE = 1e-3  # relative; larger deviations are not due to the engine's steps
+STEP_ERROR_RTOL = 1e-3  # relative; larger deviations are not due to the engine's steps
 
 
 class FormulaValidity:
@@ -35,7 +35,7 @@ class FormulaValidity:
         self._wide: list[Variation] = []
         self._more: Iterator[Variation] | None = None
         self._left = set[tuple[Regime, tuple[Regime, ...]]]()  # what was led out of, while what held
-        self._unanswered: list[Study] = []  # motions far from the scene's own in which there is no answer
+        self._unanswered: list[SimulatedScene] = []  # motions far from the scene's own in which there is no answer
 
     def of_scene(self, whole: Expression) -> bool:
         """Return whether a formula holds with the scene's own numbers, the cheapest test."""
@@ -43,7 +43,7 @@ class FormulaValidity:
         self._near = [own] if own is not None and self._agrees(whole, own) else []
         return bool(self._near)
 
-    def told(
+    def stated_formula(
         self, whole: Expression, rng: np.random.Generator, words: Words, *, signed: bool
     ) -> tuple[ClosedForm, tuple[Regime, ...]] | None:
         """Return the formula as the answer, and its assumptions; None if no formula agrees with the engine.
@@ -54,7 +54,7 @@ class FormulaValidity:
         if not self.near(whole, rng):
             return None
         try:
-            found = shortened(whole)
+            found = simplified_form(whole)
         except ClosedFormError:
             return None
         assumed = self.assumed(found, rng, words)
@@ -65,7 +65,7 @@ class FormulaValidity:
         found = self._plainer(found, assumed, rng, words)
         found = found.with_positive_factors([other.values for other in self._near])
         fits = all(self._agrees(found.expression, other) for other in self._near)
-        return (found, assumed) if fits and len(found.latex) <= LONGEST else None
+        return (found, assumed) if fits and len(found.latex) <= MAX_LATEX_LENGTH else None
 
     def _sized(
         self, formula: ClosedForm, rng: np.random.Generator, words: Words
@@ -82,7 +82,7 @@ class FormulaValidity:
     def near(self, formula: Expression, rng: np.random.Generator) -> bool:
         """Return whether enough scenes with nearby numbers in the same regime are found and agree."""
         own = self._near[0]
-        for width in NEAR:
+        for width in NEAR_WIDTHS:
             found = [own]
             for other in self._variations.drawn(rng, width, TRIES):
                 if other.story == own.story and self._agrees(formula, other):
@@ -149,9 +149,9 @@ class FormulaValidity:
         Among equally few regimes, those are preferred that also exclude scenes without an answer that begin differently
         or leave a regime, because the text would otherwise seem to include them.
         """
-        told = {held for held in kept if held.always_told(self._near[0].study)}
+        told = {held for held in kept if held.must_be_stated(self._near[0].study)}
         begun = [*excluding, *self._begun_otherwise(kept)]
-        fitting = [some for some in _some(kept, max(FEW, len(told) + 1)) if told.issubset(some)]
+        fitting = [some for some in _some(kept, max(MAX_ASSUMPTIONS, len(told) + 1)) if told.issubset(some)]
         for left in (begun, excluding):
             if not left and not told:
                 return ()
@@ -180,7 +180,7 @@ class FormulaValidity:
         among = [other for other in self._wide if not self._leaving_out(other, told)]
         if not all(held.holds(other.study, other.until) for other in among):
             return None
-        found = leaving(self._variations, _margin(held), [_kept(each) for each in told], self._wide)
+        found = find_corner(self._variations, _margin(held), [_kept(each) for each in told], self._wide)
         self._wide += [found] if found is not None else []
         return found
 
@@ -199,7 +199,7 @@ class FormulaValidity:
         """Yield scenes with numbers far from the scene's own."""
         yield from self._wide
         self._more = self._more or chain(
-            self._variations.across(rng, NEAR[-1], ACROSS),
+            self._variations.across(rng, NEAR_WIDTHS[-1], ACROSS),
             self._variations.turned(rng, (formula, *self._whole), WIDE, self._unanswered),
             self._variations.one_by_one(WIDE, self._unanswered),
             self._variations.mirrored(rng, WIDE),
@@ -221,7 +221,9 @@ class FormulaValidity:
         """Yield, for each scene without an answer, the regimes that it violates at the start or later."""
         own = self._near[0].study
         first = [held for held in kept if held.holds(own, 0.0)]
-        found = ({h for h in first if not h.holds(other, 0.0) or h.is_lost(other)} for other in self._unanswered)
+        found = (
+            {h for h in first if not h.holds(other, 0.0) or h.may_remove_answer(other)} for other in self._unanswered
+        )
         yield from filter(None, found)
 
     def _agrees(self, formula: Expression, other: Variation) -> bool:
@@ -230,8 +232,8 @@ class FormulaValidity:
         except (ValueError, ZeroDivisionError, OverflowError):
             return False
         missed, size = abs(found - other.answer * self._factor), abs(other.answer * self._factor)
-        if not SAME * size < missed <= CLOSE * size:
-            return missed <= SAME * size
+        if not ENGINE_RTOL * size < missed <= STEP_ERROR_RTOL * size:
+            return missed <= ENGINE_RTOL * size
         finer = other.finer  # since what steps err by may grow on the way
         return finer is not None and self._agrees(formula, finer)
 

@@ -3,14 +3,14 @@
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 
-from sim2reason.questions import KINDS, Query, Study, Words
+from sim2reason.questions import KINDS, Query, SimulatedScene, Words
 from sim2reason.solutions.algebra.expressions import Expression
-from sim2reason.solutions.closed_forms import ClosedFormError, put_together
+from sim2reason.solutions.closed_forms import ClosedFormError, combined_formula
 from sim2reason.solutions.derivation import derivation
 from sim2reason.text.prose.symbol_names import factor
 
 
-def likely_answers(query: Query, study: Study, words: Words, path: str) -> Callable[[float], float] | None:
+def likely_answers(query: Query, study: SimulatedScene, words: Words, path: str) -> Callable[[float], float] | None:
     """Return the expected answer to a query about a limit as a function of the number at an address.
 
     The function returns 0 where the formula has no value. None for other queries, and if no formula is derived.
@@ -19,7 +19,7 @@ def likely_answers(query: Query, study: Study, words: Words, path: str) -> Calla
         return None
     solution = derivation(query, study, words)
     try:
-        whole = put_together(solution) if solution.derived else None
+        whole = combined_formula(solution) if solution.derived else None
     except ClosedFormError:
         return None
     if whole is None:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from math import isfinite
 
 from sim2reason.errors import SimulationError
-from sim2reason.questions import KINDS, Query, Study
+from sim2reason.questions import KINDS, Query, SimulatedScene
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES
 from sim2reason.text.prose.symbol_names import factor
@@ -39,7 +39,7 @@ class Variation:
     """A scene with other numbers: the values in formula units, the motion and the answer."""
 
     values: Mapping[str, float]
-    study: Study
+    study: SimulatedScene
     query: Query
     answer: float
 
@@ -60,13 +60,13 @@ class Variation:
         if not trace.tolerance:
             return None
         try:
-            found = answered(self.query, Study(scene, ENGINES[RECORDED](scene.mechanism, trace.state.times)))
+            found = answered(self.query, SimulatedScene(scene, ENGINES[RECORDED](scene.mechanism, trace.state.times)))
         except SimulationError:
             return None
         return None if found is None else Variation(self.values, *found)
 
 
-def answered(query: Query, study: Study) -> tuple[Study, Query, float] | None:
+def answered(query: Query, study: SimulatedScene) -> tuple[SimulatedScene, Query, float] | None:
     """Return the motion, query and answer, simulated as long as needed; None if there is no answer."""
     answer = KINDS[query.kind].loose_answer(query, study)
     time = KINDS[query.kind].time(query, study)

@@ -7,7 +7,7 @@ import numpy as np
 
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.expressions import Expression, Sum
-from sim2reason.solutions.algebra.functions import values
+from sim2reason.solutions.algebra.functions import array_values
 
 
 def sums_in(held: Expression) -> Iterator[Sum]:
@@ -28,6 +28,6 @@ def sign_of(held: Expression, at: Mapping[str, float]) -> float | None:
 
 def turns(held: Expression, sign: float | None, at: Mapping[str, Array]) -> list[bool]:
     """Return, for each set of numbers (m,), whether a formula's sign differs from `sign` or is undefined."""
-    found = values(held, at)
+    found = array_values(held, at)
     other = np.isfinite(found) if sign is None else np.isnan(found) | (np.copysign(1.0, found) != sign)
     return other.tolist()

@@ -12,9 +12,9 @@ from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.generation.modes.parts.likely_answers import likely_answer
 from sim2reason.generation.modes.parts.problem_symbol import ProblemSymbol, Variation, answered
 from sim2reason.generation.modes.parts.signs import sign_of, sums_in, turns
-from sim2reason.questions import KINDS, Query, Study
-from sim2reason.questions.dependence import roomy
-from sim2reason.questions.study import BEYOND, ENOUGH, SHORTEST
+from sim2reason.questions import KINDS, Query, SimulatedScene
+from sim2reason.questions.dependence import with_long_strings
+from sim2reason.questions.study import EXACT_STEP_ERROR, SHORTEST, TIME_MARGIN
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.state import Array
@@ -37,7 +37,7 @@ FARTHEST = 2.0  # times the largest number of a unit, by which signed numbers ar
 class Variations:
     """A query about a scene in which all stated numbers can be replaced."""
 
-    study: Study
+    study: SimulatedScene
     query: Query
     symbols: Sequence[ProblemSymbol]
     formula: Expression | None = None  # which likely gives the answers, if one is known
@@ -49,7 +49,7 @@ class Variations:
         return None if found is None else Variation(self._counted([held.value for held in self.symbols]), *found)
 
     def drawn(
-        self, rng: np.random.Generator, width: float, tries: int, unanswered: list[Study] | None = None
+        self, rng: np.random.Generator, width: float, tries: int, unanswered: list[SimulatedScene] | None = None
     ) -> Iterator[Variation]:
         """Yield answered variations with every number times a random factor of logarithm at most `width`.
 
@@ -60,7 +60,7 @@ class Variations:
             if found is not None:
                 yield found
 
-    def widely(self, rng: np.random.Generator, width: float, unanswered: list[Study]) -> Iterator[Variation]:
+    def widely(self, rng: np.random.Generator, width: float, unanswered: list[SimulatedScene]) -> Iterator[Variation]:
         """Yield many random variations; fewer where motions need integration, which costs ten times as much."""
         tries, wanted = WIDELY[bool(changing(self.study.mechanism))]
         yield from islice(self.drawn(rng, width, tries, unanswered), wanted)
@@ -71,7 +71,7 @@ class Variations:
         None are drawn for numbers that are restricted to one side.
         """
         moment = self.query.moment
-        other = moment.across(self.study.trace) if moment is not None else None
+        other = moment.mirrored_values(self.study.trace) if moment is not None else None
         if other is None:
             return
         numbers = iter(other)
@@ -82,7 +82,7 @@ class Variations:
                 yield found
 
     def turned(
-        self, rng: np.random.Generator, formulas: Sequence[Expression], width: float, unanswered: list[Study]
+        self, rng: np.random.Generator, formulas: Sequence[Expression], width: float, unanswered: list[SimulatedScene]
     ) -> Iterator[Variation]:
         """Yield variations in which a sum in one of the formulas changes its sign or vanishes.
 
@@ -126,7 +126,7 @@ class Variations:
         """Return numbers at a fraction of the way to others, on a logarithmic scale."""
         return tuple(held.value * (to / held.value) ** share for held, to in zip(self.symbols, values, strict=True))
 
-    def one_by_one(self, width: float, unanswered: list[Study]) -> Iterator[Variation]:
+    def one_by_one(self, width: float, unanswered: list[SimulatedScene]) -> Iterator[Variation]:
         """Yield variations with one number far smaller or larger than all others of its unit.
 
         Symbols state neither which of several numbers is the largest, nor whether an angle is acute.
@@ -147,7 +147,7 @@ class Variations:
         A text in symbols does not state their signs. Cheap motions are drawn more often, since most of these variations
         have no answer.
         """
-        unanswered: list[Study] = []
+        unanswered: list[SimulatedScene] = []
         here, may = [held.value for held in self.symbols], np.array([held.signed for held in self.symbols])
         for n in np.flatnonzero(may).tolist():
             yield from self._moving([*here[:n], -here[n], *here[n + 1 :]], unanswered)
@@ -164,11 +164,11 @@ class Variations:
         """Return, for each number, the largest or smallest magnitude in its unit."""
         return [extreme(abs(each.value) for each in self.symbols if each.unit == held.unit) for held in self.symbols]
 
-    def having(self, values: Sequence[float], unanswered: list[Study] | None = None) -> Variation | None:
+    def having(self, values: Sequence[float], unanswered: list[SimulatedScene] | None = None) -> Variation | None:
         """Return the variation with given numbers; None if it has no answer, or nearly a right angle."""
         return None if self._is_steep(values) else self._at(values, unanswered)
 
-    def _moving(self, values: Sequence[float], unanswered: list[Study]) -> Iterator[Variation]:
+    def _moving(self, values: Sequence[float], unanswered: list[SimulatedScene]) -> Iterator[Variation]:
         found = self.having(values, unanswered)
         if found is not None:
             yield found
@@ -204,19 +204,21 @@ class Variations:
         yield from (values for values in (np.array(middle) * factors).tolist() if not self._is_steep(values))
 
     def _at(
-        self, values: Sequence[float], unanswered: list[Study] | None, ends: tuple[float, ...] = ()
+        self, values: Sequence[float], unanswered: list[SimulatedScene] | None, ends: tuple[float, ...] = ()
     ) -> Variation | None:
         """Return the variation with given numbers, simulated to each of the end times `ends` (s) in turn."""
         said = dict(zip(self.symbols, values, strict=True))
         query, seen = self._asking(values), None
-        error = FINEST if unanswered is None else ENOUGH  # far away nothing is recorded: a formula holds or does not
+        error = (
+            FINEST if unanswered is None else EXACT_STEP_ERROR
+        )  # far away nothing is recorded: a formula holds or does not
         try:
             scene = self._roomy.having_all({held.path: value for held, value in said.items() if held.path})
             if scene.mechanism.routes != self.study.mechanism.routes:
                 return None  # the text tells another course of a string
             ends = ends or self._ends(query)
             for end in ends if unanswered is None or not self._waits(query) else (*ends, LATEST * ends[-1]):
-                seen = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, end]), error))
+                seen = SimulatedScene(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, end]), error))
                 found = answered(query, seen)
                 if found is not None:
                     return Variation(self._counted(values), *found)
@@ -229,7 +231,7 @@ class Variations:
     @cached_property
     def _roomy(self) -> Scene:
         """Return the scene with enough clearance on strings and edges for other numbers."""
-        return roomy(self.study.scene)
+        return with_long_strings(self.study.scene)
 
     def _counted(self, values: Sequence[float]) -> dict[str, float]:
         return {held.symbol: held.counted(value) for held, value in zip(self.symbols, values, strict=True)}
@@ -242,7 +244,7 @@ class Variations:
         if self.formula is None:
             return query
         answer = likely_answer(self.formula, self._counted(values), self.factor)
-        return KINDS[query.kind].expecting(query, answer)
+        return KINDS[query.kind].with_likely_answer(query, answer)
 
     @staticmethod
     def _waits(query: Query) -> bool:
@@ -255,7 +257,7 @@ class Variations:
         moment = query.moment
         times = [number for number, unit in moment.stated if unit == "s"] if moment is not None else []
         if times and not self._waits(query):
-            return (max(BEYOND * times[0], least),)
+            return (max(TIME_MARGIN * times[0], least),)
         comes = self._waits(query) or KINDS[query.kind].awaited
         mechanism = self.study.mechanism
         sooner = SOONER if mechanism.attractions else SOONER[-1:] if changing(mechanism) else ()

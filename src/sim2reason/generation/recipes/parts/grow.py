@@ -19,7 +19,7 @@ from sim2reason.generation.recipes.parts.open_ports import (
     takes,
 )
 from sim2reason.scenes.dsl.ablation import is_weightless, stuck_bodies
-from sim2reason.scenes.dsl.addresses import vacated
+from sim2reason.scenes.dsl.addresses import without_idle_fields
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.connection import CONNECTIONS, Connection, Joint, Link
 from sim2reason.scenes.dsl.entity import ENTITIES, Named
@@ -163,7 +163,7 @@ class Grower:
         if self._missing():
             raise SceneError("scene", "an entity of one kind is missing", "draw again")
         connections = tuple(draw(kind, self.rng, {}, given={"links": links}) for kind, links in self.joined)
-        entities = vacated(self.entities, (links for _, links in self.joined))
+        entities = without_idle_fields(self.entities, (links for _, links in self.joined))
         scene = Scene(entities=entities, connections=connections)
         stuck = stuck_bodies(scene.mechanism)
         if stuck:

@@ -8,17 +8,21 @@ import numpy as np
 from pydantic import ValidationError
 
 from sim2reason.errors import SceneError
-from sim2reason.scenes.dsl.addresses import changed, vacated
+from sim2reason.scenes.dsl.addresses import with_values, without_idle_fields
 from sim2reason.scenes.dsl.entity import ENTITIES, Named
 from sim2reason.scenes.dsl.model import Choice, Choices, Model, Parameter, draw, parameters
 from sim2reason.scenes.dsl.scene import Scene
 
 FACTORS, TURNS = (2.0, 0.5), (10.0, -10.0)  # a number is halved and doubled; an angle is changed by these degrees
-LEAST = 0.12  # relative change of a response; smaller ones may stay within the tolerance after a square root
+MIN_RESPONSE_CHANGE = (
+    0.12  # relative change of a response; smaller ones may stay within the tolerance after a square root
+)
 V = TypeVar("V", bound=Model)
 
 
-def idle(value: V, response: Callable[[V], Sequence[float]], least: float = LEAST) -> Iterator[str]:
+def idle_numbers(
+    value: V, response: Callable[[V], Sequence[float]], least: float = MIN_RESPONSE_CHANGE
+) -> Iterator[str]:
     """Yield the addresses of numbers whose halving and doubling changes all responses by less than `least`."""
     before = response(value)
     for number in parameters(value):
@@ -40,7 +44,7 @@ def _moved(value: V, number: Parameter) -> Iterator[V]:
     turned = number.measure.unit == "deg"
     for new in (number.value + turn for turn in TURNS) if turned else (number.value * factor for factor in FACTORS):
         try:
-            yield changed(value, {number.path: new})
+            yield with_values(value, {number.path: new})
         except (ValidationError, SceneError):
             continue
 
@@ -69,5 +73,5 @@ def one_of(ideas: Sequence[Idea], rng: np.random.Generator, name: str) -> Scene:
     for _ in range(REDRAWS):
         entity = draw(ENTITIES[idea.entity], rng, idea.choices)
         if idea.suits(entity):
-            return Scene(entities=vacated((Named(name=name, entity=entity),), ()))
+            return Scene(entities=without_idle_fields((Named(name=name, entity=entity),), ()))
     raise SceneError(idea.entity, f"none of {REDRAWS} draws suits what the recipe is about", "widen a range")

@@ -28,7 +28,7 @@ def leaves_circle(trace: Trace, end: float) -> bool:
     return any(event.kind == "slack" and event.time <= end for event in trace.events)
 
 
-def is_told_by_angles(moment: Moment, words: Words) -> bool:
+def is_given_by_geometry(moment: Moment, words: Words) -> bool:
     """Return whether geometry alone gives a body's position on its circle at a moment, as at the end of a swing."""
     known = isinstance(moment, Deflected | LowestPoint | TurnedThrough)
     return known or (words.released and isinstance(moment, Stopped))

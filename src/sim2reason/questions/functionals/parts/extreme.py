@@ -18,9 +18,9 @@ from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.simulation.trace import IMPACTS, Trace
 
 ROUNDS, PIECES = 3, 64  # refinements of a maximum between neighbouring samples, and pieces per refinement
-FLAT = 1e-9  # of the value: values that differ by less form a plateau, which has no maximum
+PLATEAU_RTOL = 1e-9  # of the value: values that differ by less form a plateau, which has no maximum
 TWIN = 1e-9  # of the interval: nearer samples are the two sides of an event, of which the later one counts
-CLEAR = 0.01  # of the value: least excess over the values at both ends of the interval
+END_MARGIN = 0.01  # of the value: least excess over the values at both ends of the interval
 
 
 PLACELESS = frozenset(
@@ -104,15 +104,15 @@ class Extreme(Functional):
             return None
         tops, reach = _tops(heights)
         ends = max(heights[0], heights[-1])
-        if not len(tops) or ends > reach - CLEAR * abs(reach):
+        if not len(tops) or ends > reach - END_MARGIN * abs(reach):
             return None
         at, top = self._highest(trace, name, times, tops)
         size = abs(top)
         jumps = any(event.changes_motion and times[at - 1] <= event.time <= times[at + 1] for event in trace.events)
-        flat = max(heights[at - 1], heights[at + 1]) > top - FLAT * size
-        beyond = highest > top + FLAT * size
+        flat = max(heights[at - 1], heights[at + 1]) > top - PLATEAU_RTOL * size
+        beyond = highest > top + PLATEAU_RTOL * size
         value = self.sign * top
-        return value if value > 0.0 and not (jumps or flat or beyond or ends > top - CLEAR * size) else None
+        return value if value > 0.0 and not (jumps or flat or beyond or ends > top - END_MARGIN * size) else None
 
     def loose_value(self, trace: Trace, name: str, end: float) -> float | None:
         """Return the greatest value anywhere in the interval, its ends included."""
@@ -162,11 +162,11 @@ def _tops(heights: Array) -> tuple[NDArray[np.intp], float]:
     Maxima are estimated by parabolas through three samples; two equal samples around a maximum may both be returned.
     """
     before, here, after = heights[:-2], heights[1:-1], heights[2:]
-    size = FLAT * np.abs(here)
+    size = PLATEAU_RTOL * np.abs(here)
     found = np.flatnonzero((here >= before) & (here >= after) & ((here > before + size) | (here > after + size)))
     if not len(found):
         return found, 0.0
     slope, bend = (after - before)[found] / 2.0, (2.0 * here - before - after)[found]
     reach = here[found] + slope**2 / (2.0 * bend)
     highest = float(reach.max())
-    return found[reach >= highest - CLEAR * abs(highest)] + 1, highest
+    return found[reach >= highest - END_MARGIN * abs(highest)] + 1, highest

@@ -11,7 +11,7 @@ from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.bounces import Bounced
 from sim2reason.questions.moments.collisions import Collided
 from sim2reason.questions.quadrature import integral
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words, ordinal
 from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism, Prop, Rigid
 from sim2reason.scenes.dsl.state import Array, State
@@ -20,7 +20,7 @@ from sim2reason.simulation.quantities.energy import KineticEnergy
 from sim2reason.simulation.trace import Event, Trace
 
 
-def encounter(moment: Moment, words: Words, name: str) -> tuple[str, ...]:
+def collision_phrases(moment: Moment, words: Words, name: str) -> tuple[str, ...]:
     """Return phrases such as *in their second collision* for a moment just after a collision of `name`; else none.
 
     Empty for a moment that is not just after one of `name`.
@@ -40,8 +40,8 @@ def encounter(moment: Moment, words: Words, name: str) -> tuple[str, ...]:
     )
 
 
-MOST = 12  # greatest number worth counting
-CLEAR = 0.03  # of the interval: least distance of its end from a counted event, unless it is that event
+MAX_COUNT = 12  # greatest number worth counting
+END_CLEARANCE = 0.03  # of the interval: least distance of its end from a counted event, unless it is that event
 
 
 class EventCount(Functional):
@@ -66,14 +66,14 @@ class EventCount(Functional):
         """Return the number of events up to the end."""
         return float(sum(time <= end for time in self.times(trace, name)))
 
-    def worth(self, study: Study, name: str, end: float) -> bool:
+    def worth(self, study: SimulatedScene, name: str, end: float) -> bool:
         """Return whether the count is in the usual range and no event is too close to the end of the interval."""
         times = self.times(study.trace, name)
-        near = any(0.0 < abs(time - end) < CLEAR * end for time in times)
-        return self.fewest <= (self.value(study.trace, name, end) or 0.0) <= MOST and not near
+        near = any(0.0 < abs(time - end) < END_CLEARANCE * end for time in times)
+        return self.fewest <= (self.value(study.trace, name, end) or 0.0) <= MAX_COUNT and not near
 
 
-LATE, NOTHING = 0.9, 1e-6  # of the interval; of the greatest rate
+LATE, ZERO_RATE_RTOL = 0.9, 1e-6  # of the interval; of the greatest rate
 
 
 class Integral(Functional):
@@ -90,12 +90,12 @@ class Integral(Functional):
         del trace, name
         return ()
 
-    def worth(self, study: Study, name: str, end: float) -> bool:
+    def worth(self, study: SimulatedScene, name: str, end: float) -> bool:
         """Return whether the integral still grows near the end of the interval, so that the end matters."""
         scan = study.trace.scan
         rates, within = np.abs(self.rate(scan, name)), scan.times <= end
         late = rates[within & (scan.times >= LATE * end)]
-        return float(late.max(initial=0.0)) > NOTHING * float(rates[within].max(initial=0.0))
+        return float(late.max(initial=0.0)) > ZERO_RATE_RTOL * float(rates[within].max(initial=0.0))
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """Return the integral by Gaussian quadrature on the engine's steps."""
@@ -114,7 +114,7 @@ def jumps(trace: Trace, of: Callable[[State], Array], times: Iterable[float]) ->
     ]
 
 
-def hits(trace: Trace, end: float, chosen: Callable[[Event], bool] = lambda _: True) -> list[float]:
+def collision_times(trace: Trace, end: float, chosen: Callable[[Event], bool] = lambda _: True) -> list[float]:
     """Return the times, s, of all collision events up to a time that satisfy a predicate, in order."""
     return [event.time for event in trace.events if event.kind == "collision" and event.time <= end and chosen(event)]
 
@@ -143,7 +143,7 @@ def energies(mechanism: Mechanism) -> tuple[Channel, ...]:
     return tuple(Channel(name, KineticEnergy.name) for name in massive(mechanism))
 
 
-def is_loose(mechanism: Mechanism, name: str) -> bool:
+def is_unconstrained(mechanism: Mechanism, name: str) -> bool:
     """Return whether nothing constrains a body in an impact: no string, rod, hinge, carrier or rider."""
     tied = {mechanism.site[s].body for line in mechanism.lines if _holds(line.law) for s in line.through}
     body = mechanism.body[name]

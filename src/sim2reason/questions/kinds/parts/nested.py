@@ -13,9 +13,9 @@ from sim2reason.questions.kinds import KINDS, Kind
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.query import Noun, Query, Targets
-from sim2reason.questions.study import BEYOND, SHORTEST, Study
+from sim2reason.questions.study import SHORTEST, TIME_MARGIN, SimulatedScene
 from sim2reason.questions.words import Words
-from sim2reason.simulation.certify import witnessed
+from sim2reason.simulation.certify import certify_trace
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities import QUANTITIES
 
@@ -43,7 +43,7 @@ class NestedQuery(Query):
         assert self.base is not None
         return replace(self.base, target=self.target, moment=self.moment)
 
-    def others(self, study: Study) -> list[Study | None]:
+    def others(self, study: SimulatedScene) -> list[SimulatedScene | None]:
         """Return the motions with other values of the number, to compare with a given motion; by default none."""
         del study
         return []
@@ -65,7 +65,7 @@ class NestedKind(Kind):
     costly = True
     inner: ClassVar[tuple[str, ...]] = INNER
 
-    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+    def draw(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Return a random query about an inner question and a number that is worth asking; None if there is none."""
         if study.mechanism is not study.scene.mechanism:
             return None
@@ -81,7 +81,7 @@ class NestedKind(Kind):
                     return query
         return None
 
-    def _numbers(self, study: Study, words: Words, rng: np.random.Generator) -> Iterable[str]:
+    def _numbers(self, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Iterable[str]:
         """Return the addresses of numbers that may vary, in random order; by default all that have names."""
         del study
         paths = list(words.named)
@@ -91,7 +91,7 @@ class NestedKind(Kind):
     def _is_named(self, inner: Query, words: Words, targets: Targets) -> bool:
         """Return whether the inner answer has a noun phrase that this kind can use."""
         noun = targets.get(inner.target) if inner.target is not None else None
-        names = KINDS[inner.kind].called(inner, words, noun) if noun is not None or inner.target is None else ()
+        names = KINDS[inner.kind].noun_phrases(inner, words, noun) if noun is not None or inner.target is None else ()
         return bool(names) and self._can_be_about(names[0])
 
     def _can_be_about(self, name: str) -> bool:
@@ -99,7 +99,7 @@ class NestedKind(Kind):
         return not name.startswith(AWKWARD)
 
     @abstractmethod
-    def _worth(self, inner: Query, path: str, study: Study, rng: np.random.Generator) -> Query | None:
+    def _worth(self, inner: Query, path: str, study: SimulatedScene, rng: np.random.Generator) -> Query | None:
         """Return a query about an inner query and a number; None if it is not worth asking."""
 
     def of_motion(self, query: Query) -> bool:
@@ -112,7 +112,7 @@ class NestedKind(Kind):
         inner = inner_of(query)
         return KINDS[inner.kind].channels(inner)
 
-    def indifferent(self, query: Query, study: Study, other: Study) -> bool:
+    def indifferent(self, query: Query, study: SimulatedScene, other: SimulatedScene) -> bool:
         """Return whether the inner answer is unaffected by the differences between the scenes."""
         inner = inner_of(query)
         return KINDS[inner.kind].indifferent(inner, study, other)
@@ -120,9 +120,9 @@ class NestedKind(Kind):
     def names(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """Return the noun phrases for the inner answer."""
         inner = inner_of(query)
-        return KINDS[inner.kind].called(inner, words, noun)
+        return KINDS[inner.kind].noun_phrases(inner, words, noun)
 
-    def inner_parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+    def inner_parsed(self, text: str, study: SimulatedScene, words: Words, targets: Targets) -> Iterator[Query]:
         """Yield all inner queries that a sentence may contain."""
         for name in self.inner:
             yield from filter(is_plain, KINDS[name].parsed(text, study, words, targets))
@@ -139,7 +139,7 @@ def stripped(inner: Query) -> Query:
     return replace(inner, target=None, moment=None)
 
 
-def answered(inner: Query, study: Study | None, *, loosely: bool = False) -> float | None:
+def usable_answer(inner: Query, study: SimulatedScene | None, *, loosely: bool = False) -> float | None:
     """Return the answer to a query in a motion, if it is usable; None without a motion or an answer."""
     if study is None or not _has_subject(inner, study):
         return None
@@ -151,15 +151,15 @@ def answered(inner: Query, study: Study | None, *, loosely: bool = False) -> flo
     return found if found is not None and np.isfinite(found) else None
 
 
-def vouched(inner: Query, other: Study) -> str:
+def variant_certification_gap(inner: Query, other: SimulatedScene) -> str:
     """Return why the answer to a query in a newly simulated motion is not certified; empty if it is."""
     kind, least = KINDS[inner.kind], SHORTEST * other.scene.horizon
-    until = max(BEYOND * (kind.time(inner, other) or 0.0), least)
-    seen, certificate = witnessed(Study.of(other.scene, np.linspace(0.0, until, SAMPLES)).trace)
-    return kind.doubt(inner, Study(other.scene, seen), certificate)
+    until = max(TIME_MARGIN * (kind.time(inner, other) or 0.0), least)
+    seen, certificate = certify_trace(SimulatedScene.of(other.scene, np.linspace(0.0, until, SAMPLES)).trace)
+    return kind.doubt(inner, SimulatedScene(other.scene, seen), certificate)
 
 
-def _has_subject(inner: Query, study: Study) -> bool:
+def _has_subject(inner: Query, study: SimulatedScene) -> bool:
     """Return whether a changed mechanism still has the query's subject."""
     target = inner.target
     return target is None or target.subject in QUANTITIES[target.quantity].subjects(study.mechanism)

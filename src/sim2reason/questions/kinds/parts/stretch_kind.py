@@ -9,25 +9,25 @@ from typing import ClassVar
 
 import numpy as np
 
-from sim2reason.questions.choices import hangs_on, has_formula_of_time
-from sim2reason.questions.doubt import doubt
+from sim2reason.questions.choices import depends_on_moment, has_formula_of_time
+from sim2reason.questions.doubt import certification_gap
 from sim2reason.questions.functionals import FUNCTIONALS, Functional
 from sim2reason.questions.functionals.parts.extreme import PLACELESS
-from sim2reason.questions.kinds import Kind, Measured, by_cause
+from sim2reason.questions.kinds import Kind, Measured, moments_by_cause
 from sim2reason.questions.moments import Happening, Moment
 from sim2reason.questions.moments.parts.reached import moment_of
 from sim2reason.questions.moments.times import AtTime, WholeMotion
 from sim2reason.questions.phrasing import again, asking
 from sim2reason.questions.query import Noun, Query, Target, Targets
 from sim2reason.questions.structured import StructuredQuestion, resolved
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.certify import Certificate
 
 ADVERBS = ("in all", "altogether")  # adverbs that can only end a sentence
 ENDS = 3  # ends of intervals tried for each functional
-TRIES = 5  # functionals tried in one draw
+MAX_FUNCTIONALS = 5  # functionals tried in one draw
 EVENTS = 3  # classes of events used as ends of intervals in one draw
 
 
@@ -54,25 +54,27 @@ class StretchKind(Kind):
 
     ends_matter: ClassVar[bool] = True
 
-    def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
+    def draw(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Return a query for a random functional of the motion that is worth asking; None if there is none."""
         del targets
         offers = any(True for _ in self._offered(words))
         return self._to(_ends(study, words, rng), study, words, rng) if offers else None
 
     def at(
-        self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
+        self, moment: Moment, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator
     ) -> Query | None:
         """Return a query for a functional over the interval that ends with the moment; None without one."""
         del targets
         return self._to([moment], study, words, rng)
 
-    def _to(self, ends: Iterable[Moment], study: Study, words: Words, rng: np.random.Generator) -> Query | None:
+    def _to(
+        self, ends: Iterable[Moment], study: SimulatedScene, words: Words, rng: np.random.Generator
+    ) -> Query | None:
         """Return a query for a functional over an interval with one of the given ends; None without one."""
         offered = [found for found in self._offered(words) if found[0].drawn_by_recipes]
         if not self.ends_matter:
             ends = (moment for moment in ends if not moment.stated)
-        for _ in range(TRIES):
+        for _ in range(MAX_FUNCTIONALS):
             if not offered:
                 break
             names = [functional.name for functional, _ in offered]
@@ -91,13 +93,13 @@ class StretchKind(Kind):
         for functional in functionals(self.name):
             yield from ((functional, name) for name in nouns(functional, words))
 
-    def _worth(self, query: StretchQuery, study: Study) -> bool:
+    def _worth(self, query: StretchQuery, study: SimulatedScene) -> bool:
         functional, end, answer = FUNCTIONALS[query.functional], _end(query, study), _value(query, study)
         if end is None or answer is None or not answer > functional.least:
             return False
         return functional.worth(study, query.name, end) and (self._end_matters(query, study) or self.whole)
 
-    def _end_matters(self, query: StretchQuery, study: Study) -> bool:
+    def _end_matters(self, query: StretchQuery, study: SimulatedScene) -> bool:
         """Return whether another end of the interval would change the answer; True for kinds without this condition."""
         functional, moment = FUNCTIONALS[query.functional], query.moment
         if not self.ends_matter or moment is None:
@@ -108,14 +110,14 @@ class StretchKind(Kind):
             found = (functional.value(study.trace, query.name, end) for end in times.tolist())
             return np.array([value if value is not None else nan for value in found])
 
-        return time is not None and hangs_on(moment, study.trace, time, values)
+        return time is not None and depends_on_moment(moment, study.trace, time, values)
 
-    def answer(self, query: Query, study: Study) -> float | None:
+    def answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the value of the functional."""
         assert isinstance(query, StretchQuery)
         return _value(query, study)
 
-    def loose_answer(self, query: Query, study: Study) -> float | None:
+    def loose_answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the value of the functional, also an extreme at an end of the interval."""
         assert isinstance(query, StretchQuery)
         found, end = _value(query, study), _end(query, study)
@@ -141,7 +143,7 @@ class StretchKind(Kind):
             )
         )
 
-    def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
+    def noun_phrases(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """Return noun phrases such as *the greatest speed of A before the string first goes slack*; none for counts."""
         del noun
         assert isinstance(query, StretchQuery)
@@ -156,7 +158,7 @@ class StretchKind(Kind):
         """Return the names of all functionals that apply to a subject of the scene."""
         return tuple(found.name for found in functionals(self.name) if found.of.names(words.mechanism))
 
-    def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
+    def posed(self, asked: StructuredQuestion, study: SimulatedScene, words: Words) -> Query | None:
         """Return the query for a functional from the start to a moment, by default over the whole motion.
 
         A sum has no end of its own where the motion does not repeat itself, as the number of ever smaller bounces.
@@ -169,7 +171,7 @@ class StretchKind(Kind):
         end = moment if isinstance(named, WholeMotion) else named
         return StretchQuery(self.name, None, end, found.name, resolved("of", asked.of, names))
 
-    def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
+    def parsed(self, text: str, study: SimulatedScene, words: Words, targets: Targets) -> Iterator[Query]:
         """Yield a query for every functional, subject and moment that a sentence names."""
         del targets
         heard = [
@@ -179,7 +181,7 @@ class StretchKind(Kind):
         ]
         if not heard:
             return
-        moments = [moment for cls in by_cause() for moment in cls.parsed(text, study.trace, words)]
+        moments = [moment for cls in moments_by_cause() for moment in cls.parsed(text, study.trace, words)]
         for functional, name in heard:
             for moment in moments:
                 if functional.when(moment, words, name):
@@ -191,11 +193,11 @@ class StretchKind(Kind):
         found = FUNCTIONALS[query.functional]
         return Measured(found.name, found.unit, found.least, whole=self.whole)
 
-    def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
+    def doubt(self, query: Query, study: SimulatedScene, certificate: Certificate | None) -> str:
         """Return why the functional's channels, or events up to its end, are not certified; empty if they are."""
         assert isinstance(query, StretchQuery)
         channels = FUNCTIONALS[query.functional].channels(study.mechanism, query.name)
-        return doubt(certificate, self.time(query, study), query.moment, channels)
+        return certification_gap(certificate, self.time(query, study), query.moment, channels)
 
 
 def functionals(kind: str) -> tuple[Functional, ...]:
@@ -206,11 +208,11 @@ def functionals(kind: str) -> tuple[Functional, ...]:
 @lru_cache(maxsize=128)
 def nouns(functional: Functional, words: Words) -> Mapping[str, Noun]:
     """Return the noun phrases of a functional by subject, for all subjects that the text can name."""
-    return functional.asked(words)
+    return functional.noun_phrases(words)
 
 
 @lru_cache(maxsize=32)
-def _value(query: StretchQuery, study: Study) -> float | None:
+def _value(query: StretchQuery, study: SimulatedScene) -> float | None:
     functional, end = FUNCTIONALS[query.functional], _end(query, study)
     if end is None or query.name not in functional.of.names(study.mechanism):  # it is held in a changed mechanism
         return None
@@ -221,19 +223,19 @@ def _fitting(ends: Iterable[Moment], functional: Functional, words: Words, name:
     return (moment for moment in ends if functional.when(moment, words, name))
 
 
-def _end(query: StretchQuery, study: Study) -> float | None:
+def _end(query: StretchQuery, study: SimulatedScene) -> float | None:
     """Return the end of the interval, s, just before or at the moment; None if the moment does not occur."""
     if query.moment is None:
         return None
     time = study.time(query.moment)
-    return query.moment.side(time) if time is not None else None
+    return query.moment.evaluation_time(time) if time is not None else None
 
 
-def _ends(study: Study, words: Words, rng: np.random.Generator) -> Iterator[Moment]:
+def _ends(study: SimulatedScene, words: Words, rng: np.random.Generator) -> Iterator[Moment]:
     """Yield moments that may end an interval: the whole motion, some events and a stated time."""
     events = 0
     timed = has_formula_of_time(study.mechanism)
-    classes = [cls for cls in by_cause() if cls.drawn_by_recipes and (timed or cls is not AtTime)]
+    classes = [cls for cls in moments_by_cause() if cls.drawn_by_recipes and (timed or cls is not AtTime)]
     order: list[int] = rng.permutation(len(classes)).tolist()
     for cls in sorted((classes[number] for number in order), key=_rank):
         happens = issubclass(cls, Happening)

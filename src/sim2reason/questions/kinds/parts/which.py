@@ -7,9 +7,9 @@ from math import isfinite
 from typing import ClassVar
 
 from sim2reason.questions.kinds import KINDS, Kind
-from sim2reason.questions.kinds.parts.nested import answered
+from sim2reason.questions.kinds.parts.nested import usable_answer
 from sim2reason.questions.query import Query
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
@@ -78,29 +78,29 @@ class WhichKind(Kind):
     def conclusion(self, query: WhichQuery, words: Words) -> str:
         """Return the clause that concludes a solution for the first candidate, before the number."""
 
-    def answer(self, query: Query, study: Study) -> float | None:
+    def answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the number, negative if the second candidate is right."""
         return self._answer(query, study, loosely=False)
 
-    def loose_answer(self, query: Query, study: Study) -> float | None:
+    def loose_answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the same number from the answers that a reader may give."""
         return self._answer(query, study, loosely=True)
 
-    def _answer(self, query: Query, study: Study, *, loosely: bool) -> float | None:
-        first, second = (answered(each, study, loosely=loosely) for each in _pair_of(query))
+    def _answer(self, query: Query, study: SimulatedScene, *, loosely: bool) -> float | None:
+        first, second = (usable_answer(each, study, loosely=loosely) for each in _pair_of(query))
         if first is None or second is None:
             return None
         found = self.number(min(first, second), max(first, second))
         return found if found is None or (first <= second if self.is_least else first >= second) else -found
 
-    def oriented(self, query: WhichQuery, study: Study) -> WhichQuery:
+    def oriented(self, query: WhichQuery, study: SimulatedScene) -> WhichQuery:
         """Return the query with the correct candidate of a motion first, if it is known."""
         found = self.answer(query, study)
         return query.exchanged if found is not None and found < 0.0 else query
 
-    def worth(self, query: WhichQuery, study: Study, words: Words) -> WhichQuery | None:
+    def worth(self, query: WhichQuery, study: SimulatedScene, words: Words) -> WhichQuery | None:
         """Return the oriented query; None if the values hardly differ or the text cannot tell the candidates apart."""
-        first, second = (answered(each, study) for each in query.both)
+        first, second = (usable_answer(each, study) for each in query.both)
         if first is None or second is None or not abs(first - second) > CLEARLY * max(abs(first), abs(second)):
             return None
         found = self.answer(query, study)
@@ -112,7 +112,7 @@ class WhichKind(Kind):
         """Return whether either answer may depend on the initial motion."""
         return any(KINDS[each.kind].of_motion(each) for each in _pair_of(query))
 
-    def time(self, query: Query, study: Study) -> float | None:
+    def time(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the time, s, by which both answers are determined; None if one never is."""
         times = [KINDS[each.kind].time(each, study) if _is_possible(each, study) else None for each in _pair_of(query)]
         known = [time for time in times if time is not None]
@@ -122,7 +122,7 @@ class WhichKind(Kind):
         """Return the channels of both queries."""
         return tuple(channel for each in _pair_of(query) for channel in KINDS[each.kind].channels(each))
 
-    def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
+    def doubt(self, query: Query, study: SimulatedScene, certificate: Certificate | None) -> str:
         """Return the first reason why either query is not certified; empty if both are."""
         reasons = (KINDS[each.kind].doubt(each, study, certificate) for each in _pair_of(query))
         return next(filter(None, reasons), "")
@@ -141,5 +141,5 @@ def _pair_of(query: Query) -> tuple[Query, Query]:
     return query.both
 
 
-def _is_possible(query: Query, study: Study) -> bool:
+def _is_possible(query: Query, study: SimulatedScene) -> bool:
     return query.moment is None or query.moment.possible(study.mechanism)

@@ -7,7 +7,7 @@ from typing import Self
 import numpy as np
 
 from sim2reason.questions.moments import Clause, Happening, Moment
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Trace
@@ -22,7 +22,7 @@ class JustBefore(Happening):
     inner: Moment
 
     @classmethod
-    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+    def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """Return no moments, since none are ever drawn."""
         del study, words, rng
         return ()

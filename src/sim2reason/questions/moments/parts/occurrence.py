@@ -7,9 +7,9 @@ from typing import ClassVar, Self
 
 import numpy as np
 
-from sim2reason.questions.choices import STILL, still
+from sim2reason.questions.choices import REST_SPEED_RTOL, rest_speed
 from sim2reason.questions.moments import Clause, Happening
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words, numbers_of, ordinal
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.quantities.subjects import Subject
@@ -93,7 +93,7 @@ class Occurrence(VerbHappening):
     number: int = 1
 
     @classmethod
-    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+    def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """Return the first events of every subject, up to its greatest number."""
         del rng
         happened = {name for event in study.trace.events if event.kind in cls.kinds for name in event.subjects}
@@ -208,12 +208,12 @@ class SlipChange(Occurrence):
 
     def slipped(self, event: Event, trace: Trace) -> bool:
         """Return whether the body slips until shortly before an event, also if it only reverses."""
-        slips = np.abs(slip(trace.scan, self.name))
-        before = slips[trace.scan.times < event.time - STILL * trace.scan.times[-1]]
-        return len(before) > 0 and float(before[-1]) > still(trace, slips)
+        slips = np.abs(slip_velocity(trace.scan, self.name))
+        before = slips[trace.scan.times < event.time - REST_SPEED_RTOL * trace.scan.times[-1]]
+        return len(before) > 0 and float(before[-1]) > rest_speed(trace, slips)
 
 
-def slip(state: State, name: str) -> Array:
+def slip_velocity(state: State, name: str) -> Array:
     """Return the velocity of slip of a body on its face, m/s, (n,)."""
     mechanism = state.mechanism
     total = np.zeros(len(state.times))
@@ -222,6 +222,6 @@ def slip(state: State, name: str) -> Array:
     return total
 
 
-def rolls(words: Words, name: str) -> bool:
+def can_roll(words: Words, name: str) -> bool:
     """Return whether a body on a face can rotate, so that it may roll rather than slide."""
     return len(words.mechanism.contacts[name].slip) > 1

@@ -8,11 +8,11 @@ from typing import ClassVar, NamedTuple, Self
 
 import numpy as np
 
-from sim2reason.questions.choices import apart
+from sim2reason.questions.choices import is_clear_of_events
 from sim2reason.questions.crossing import first_crossing
 from sim2reason.questions.moments import Clause
 from sim2reason.questions.moments.parts.occurrence import VerbHappening, when_phrases
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.fields import Magnetic, Push, Resistance
 from sim2reason.scenes.dsl.mechanism import Mechanism
@@ -43,15 +43,15 @@ class Passage(VerbHappening):
         """Return the function, (n,), which is negative before the moment and positive after it."""
 
     @classmethod
-    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+    def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """Return the moments of all subjects that occur away from events."""
         del rng
         return [moment for name in cls.candidates(words) if (moment := cls(name)).comes(study)]
 
-    def comes(self, study: Study) -> bool:
+    def comes(self, study: SimulatedScene) -> bool:
         """Return whether the moment occurs, and away from events."""
         time = study.time(self)
-        return time is not None and apart(time, study.trace)
+        return time is not None and is_clear_of_events(time, study.trace)
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
@@ -108,7 +108,7 @@ class Threshold(Passage):
     value: float  # in the units of the text, as spoken
 
     @classmethod
-    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+    def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """Return the moment of one random subject with a random value."""
         names = list(cls.candidates(words))
         if not names:
@@ -137,7 +137,7 @@ class Threshold(Passage):
         return ((self.value, self.unit),)
 
     @property
-    def tells(self) -> tuple[Channel, ...]:
+    def revealed_channels(self) -> tuple[Channel, ...]:
         """Return the channel of the quantity, whose value is stated."""
         return self.channels
 
@@ -151,7 +151,7 @@ class Threshold(Passage):
         return words.amount(self.value, self.unit)
 
 
-SLIGHT = 0.02  # of a velocity or an acceleration: smaller components are zero
+COMPONENT_RTOL = 0.02  # of a velocity or an acceleration: smaller components are zero
 
 
 class ActingFields(NamedTuple):
@@ -222,7 +222,7 @@ class FieldPassage(Passage):
         """Return whether the moment may be asked for in these fields."""
 
 
-def begins(state: State, name: str) -> tuple[Array, Array]:
+def initial_rates(state: State, name: str) -> tuple[Array, Array]:
     """Return the initial velocity, m/s, and acceleration, m/s², of a body in fields, (3,) each."""
     mechanism = state.mechanism
     body = mechanism.body[name]

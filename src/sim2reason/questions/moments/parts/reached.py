@@ -17,7 +17,7 @@ from sim2reason.questions.moments.parts.occurrence import when_phrases
 from sim2reason.questions.moments.parts.passage import Threshold
 from sim2reason.questions.query import Target, quantities_named, target_named, targets
 from sim2reason.questions.structured import StructuredQuestion, measured, moment_named, one_of
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words, round_number
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.channels import Channel
@@ -65,7 +65,7 @@ class Reached(Happening):
     number: int = 1  # 2 for the second time that it passes through the value, up or down
 
     @classmethod
-    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+    def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """Return no moments, as the mode that asks for times draws the value."""
         del study, words, rng
         return ()
@@ -94,7 +94,7 @@ class Reached(Happening):
         return ((self.given.value, self.target.unit),)
 
     @property
-    def tells(self) -> tuple[Channel, ...]:
+    def revealed_channels(self) -> tuple[Channel, ...]:
         """Return the channel of the quantity."""
         return self.channels
 

@@ -7,11 +7,11 @@ from typing import ClassVar, Self
 
 import numpy as np
 
-from sim2reason.questions.crossing import begins_beyond, crossings, jumps
+from sim2reason.questions.crossing import crossings, jumps, rises_from_zero
 from sim2reason.questions.moments.parts.occurrence import Verb
 from sim2reason.questions.moments.parts.passage import Passage
 from sim2reason.questions.words import Words
-from sim2reason.scenes.dsl.mechanism import Coordinate, Elastic, Mechanism, Meeting, Prop
+from sim2reason.scenes.dsl.mechanism import CollisionPair, Coordinate, Elastic, Mechanism, Prop
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.scenes.dsl.vectors import inner
 from sim2reason.simulation.channels import Channel
@@ -19,10 +19,10 @@ from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.simulation.quantities.relative import DistanceBetween
 from sim2reason.simulation.quantities.springs import Extension, ExtensionRate
-from sim2reason.simulation.quantities.subjects.bodies import Bodies, moves
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, can_move
 from sim2reason.simulation.quantities.subjects.lines import Springs
 from sim2reason.simulation.quantities.subjects.pairs import Pairs, members
-from sim2reason.simulation.quantities.subjects.paths import EVEN, center_path, parallel
+from sim2reason.simulation.quantities.subjects.paths import DIRECTION_TOL, center_path, parallel
 from sim2reason.simulation.trace import Trace
 
 
@@ -33,7 +33,7 @@ def moves_freely(mechanism: Mechanism) -> bool:
     return not any(acts) and not rubs and all(c.kind == "slide" for c in mechanism.coordinates)
 
 
-def meets_once(mechanism: Mechanism) -> bool:
+def collides_once(mechanism: Mechanism) -> bool:
     """Return whether at most one collision can occur: that of two bodies with equal free acceleration.
 
     What accelerates them is the same for both, so that they never come together again.
@@ -53,15 +53,15 @@ def goes_straight_up(mechanism: Mechanism, name: str) -> bool:
     pushed = any(force.body == name for force in mechanism.forces)
     if body.parent or name in mechanism.contacts or name in tied or struck or pushed:
         return False
-    moved = [c for c in body.coordinates if c.speed or abs(c.axis[2]) > EVEN or len(body.coordinates) == 1]
+    moved = [c for c in body.coordinates if c.speed or abs(c.axis[2]) > DIRECTION_TOL or len(body.coordinates) == 1]
     if len(moved) != 1 or any(c.kind != "slide" for c in body.coordinates):
         return False
     return _is_thrown(mechanism, moved[0]) or _takes_off(mechanism, moved[0])
 
 
-def _is_ground(meeting: Meeting) -> bool:
+def _is_ground(meeting: CollisionPair) -> bool:
     """Return whether a collision partner is the fixed ground below the body."""
-    return meeting.a is None and meeting.normal is not None and meeting.normal[2] > 1.0 - EVEN
+    return meeting.a is None and meeting.normal is not None and meeting.normal[2] > 1.0 - DIRECTION_TOL
 
 
 def _is_thrown(mechanism: Mechanism, way: Coordinate) -> bool:
@@ -78,7 +78,7 @@ def _takes_off(mechanism: Mechanism, way: Coordinate) -> bool:
     return stands and bool(drives) and all(inner(way.axis, drive) > 0.0 for drive in drives)
 
 
-SAME = 1e-6  # relative to the range of values: smaller differences are rounding
+EXTREME_RTOL = 1e-6  # relative to the range of values: smaller differences are rounding
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +105,7 @@ class Peak(Passage):
 
     def time(self, trace: Trace) -> float | None:
         """Return the time of the first maximum, s; None if it is exceeded later or preceded by a jump of the rate."""
-        if begins_beyond(trace, self.excess) and not self.exceeded:
+        if rises_from_zero(trace, self.excess) and not self.exceeded:
             return None
         reached = ((time, float(self.extent(trace.at(time))[0])) for time in crossings(trace, self.excess))
         first = next(((time, value) for time, value in reached if value > self.above), None)
@@ -116,7 +116,7 @@ class Peak(Passage):
             return earliest if self.exceeded and earliest < inf else None
         everywhere = self.extent(trace.scan)
         greatest, least = float(everywhere.max()), float(everywhere.min())
-        return first[0] if first[1] >= greatest - SAME * (greatest - least) else None
+        return first[0] if first[1] >= greatest - EXTREME_RTOL * (greatest - least) else None
 
 
 CIRCLE = 1e-2  # relative: an orbit whose distance varies by less is a circle without apsides
@@ -153,7 +153,7 @@ class Apsis(Peak):
         return Verb(f"reaches {distance}", f"reach {distance}")
 
     @property
-    def comes_round(self) -> bool:
+    def requires_return(self) -> bool:
         """Return True, as bodies that escape have no further turning point."""
         return True
 
@@ -175,9 +175,9 @@ class Apsis(Peak):
 def _one_round(words: Words, name: str) -> tuple[str, str] | None:
     """Return the moving body of a pair and the fixed one; None if both move."""
     a, b = members(name)
-    if moves(words.mechanism, a) and moves(words.mechanism, b):
+    if can_move(words.mechanism, a) and can_move(words.mechanism, b):
         return None
-    return (a, b) if moves(words.mechanism, a) else (b, a)
+    return (a, b) if can_move(words.mechanism, a) else (b, a)
 
 
 @dataclass(frozen=True, slots=True)
@@ -195,7 +195,7 @@ class SpringTurn(Peak):
     local_verb: ClassVar[Verb]
 
     @property
-    def tells(self) -> tuple[Channel, ...]:
+    def revealed_channels(self) -> tuple[Channel, ...]:
         """Return all channels of the spring, whose extremes are asked for directly."""
         return tuple(Channel(self.name, found.name) for found in QUANTITIES.values() if found.of.name == self.of.name)
 

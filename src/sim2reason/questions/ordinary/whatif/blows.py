@@ -4,7 +4,7 @@ import re
 
 from sim2reason.questions.following import FollowedMotion
 from sim2reason.questions.kinds.period import PENDULUM
-from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.hearing import TokenizedSentence
 from sim2reason.questions.ordinary.reading import Reader, Reading, Understood
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.questions.structured import EQUILIBRIUM, START, StructuredQuestion
@@ -37,7 +37,7 @@ BLOW_PATTERNS = (
 )
 
 
-def of_blow(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
+def of_blow(heard: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
     """Return the question for the impulse that sets a body at rest in motion, which is its initial momentum."""
     found = next(filter(None, (re.fullmatch(told, heard.text) for told in BLOW_PATTERNS)), None)
     if found is None or words.released:
@@ -134,7 +134,9 @@ def _is_small(motion: FollowedMotion, words: Words, reader: Reader) -> bool:
     return meant is not None and (meant.followed.answer or SMALL) < SMALL and "deg" in meant.posed.unit(words)
 
 
-def of_small_oscillations(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
+def of_small_oscillations(
+    heard: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
+) -> Understood | None:
     """Return the question for the period or a frequency of small oscillations; None if there are several modes."""
     if any(re.fullmatch(told, heard.text) for told in PENDULUMS):
         return _in_one_mode(PENDULUM, motion, words, reader)

@@ -4,8 +4,8 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from sim2reason.questions.ordinary.base_forms import based
-from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.base_forms import with_base_forms
+from sim2reason.questions.ordinary.hearing import ALL, TokenizedSentence
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, pattern
 from sim2reason.questions.ordinary.whatif.plainer_conditions import plainer_condition
 from sim2reason.questions.ordinary.whatif.statements import asked_by
@@ -166,7 +166,7 @@ def _factor(found: re.Match[str]) -> float:
     return next(value for told, value in MULTIPLES.items() if re.fullmatch(told, groups["mult"]))
 
 
-def conditions(text: str, subject: str, heard: Heard) -> Iterator[StatedCondition]:
+def conditions(text: str, subject: str, heard: TokenizedSentence) -> Iterator[StatedCondition]:
     """Yield the conditions that a clause may state, as an outcome or as results; nothing if a word is left over."""
     said = _statement(text, subject)
     outcome = _outcome(said, heard)
@@ -247,7 +247,7 @@ _MEANWHILE = re.compile(
 )
 
 
-def _outcome(said: str, heard: Heard) -> StatedCondition | None:
+def _outcome(said: str, heard: TokenizedSentence) -> StatedCondition | None:
     """Return the condition of a statement that names an outcome, if this accounts for every word; else None."""
     bare = _TAUT_TOO.sub("", said)
     taut = bare != said
@@ -257,7 +257,7 @@ def _outcome(said: str, heard: Heard) -> StatedCondition | None:
     bare = _MEANWHILE.sub("", bare)
     while (shorter := _START.sub("", bare)) != bare:
         bare = shorter
-    based_on = based(bare)
+    based_on = with_base_forms(bare)
     based_on = _TURNED.sub("", based_on)
     subjects = list(dict.fromkeys(re.findall(_S, bare)))
     for told, outcome in PHRASES.items():

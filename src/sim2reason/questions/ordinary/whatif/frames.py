@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from functools import cache
 from typing import NamedTuple
 
-from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.hearing import TokenizedSentence
 from sim2reason.questions.ordinary.vocabulary import GROUNDS
 from sim2reason.questions.ordinary.whatif.numbers import NUMBER, NamedNumber, named_number, number_pattern
 from sim2reason.questions.posing import DIFFERENCE, GREATEST, LEAST, RATIO, VALUE
@@ -240,7 +240,7 @@ class WantedFrame(NamedTuple):
     grows: bool | None = None
 
 
-def framed(text: str, heard: Heard) -> Iterator[WantedFrame]:
+def framed(text: str, heard: TokenizedSentence) -> Iterator[WantedFrame]:
     """Yield each way to split a sentence into the number that it asks for and the condition on it."""
     subject = {f"@{index}@": said for index, said in enumerate(heard.subjects)}
     bound = _BOUNDED.fullmatch(text)

@@ -8,10 +8,10 @@ from math import isclose, isfinite
 import numpy as np
 
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
-from sim2reason.questions.dependence import Dependence
-from sim2reason.questions.following import FOLLOWED_NO_LONGER, FollowedMotion, follow, motion_of
+from sim2reason.questions.dependence import AnswerFunction
+from sim2reason.questions.following import FOLLOWED_NO_LONGER, FollowedMotion, simulate_scene, simulate_until_answer
 from sim2reason.questions.inversion import values_giving
-from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.ordinary.hearing import ALL, TokenizedSentence
 from sim2reason.questions.ordinary.reading import Reader, Understood
 from sim2reason.questions.ordinary.whatif.conditions import StatedCondition, conditions
 from sim2reason.questions.ordinary.whatif.frames import WantedFrame, framed
@@ -27,9 +27,9 @@ from sim2reason.questions.ordinary.whatif.plainer import plainer
 from sim2reason.questions.ordinary.whatif.supposed_rows import MULTIPLES
 from sim2reason.questions.ordinary.whatif.told_direction import directed, told_direction, told_values
 from sim2reason.questions.ordinary.whatif.understanding import of_all
-from sim2reason.questions.posing import GREATEST, LEAST, MINUS, RATIO, VALUE, PosedQuestion, posed
+from sim2reason.questions.posing import GREATEST, LEAST, MINUS, RATIO, VALUE, PosedQuestion, pose_question
 from sim2reason.questions.structured import StructuredQuestion, measured
-from sim2reason.questions.study import COARSE
+from sim2reason.questions.study import COARSE_STEP_ERROR
 from sim2reason.questions.unknown import number_at, range_of, with_number
 from sim2reason.questions.variation import words_in
 from sim2reason.questions.words import Words
@@ -44,7 +44,7 @@ _WEIGHT = re.compile(
 _CHANGES = re.compile(r"\b(?:mass|heavy|heavier|g|gravity)\b")
 
 
-def with_weights(heard: Heard, scene: Scene, words: Words) -> Heard:
+def with_weights(heard: TokenizedSentence, scene: Scene, words: Words) -> TokenizedSentence:
     """Return a sentence with a mass in place of each weight in newtons; unchanged if it asks for a mass or for g."""
     found = _WEIGHT.search(heard.text)
     if found is None or _CHANGES.search(heard.text) or scene.units.spell("N") != "N":
@@ -61,20 +61,22 @@ def with_weights(heard: Heard, scene: Scene, words: Words) -> Heard:
     return replace(heard, text=text, numbers=(*heard.numbers, value))
 
 
-def _factor(said: str, heard: Heard) -> float:
+def _factor(said: str, heard: TokenizedSentence) -> float:
     if said.startswith("#"):
         return float(heard.number(said.partition(" ")[0]).partition(" ")[0])
     return next((value for told, value in MULTIPLES.items() if re.fullmatch(told, said)), 1.0)
 
 
-SAME = 1e-6  # relative: largest difference from the stated result
+RESULT_RTOL = 1e-6  # relative: largest difference from the stated result
 TRIED = 6  # values of a number tried to see whether a question has an answer
 OWN = "mass", "speed", "angular speed", "charge"  # numbers of the subject, if the sentence does not name an owner
-MOST = 4  # readings of a result for which numbers are sought
+MAX_READINGS = 4  # readings of a result for which numbers are sought
 _FROM_BOTTOM = re.compile(r"\b(?:at|from) (?:its |circle 's )?(?:bottom|lowest point|lowest position) .*\bround\b")
 
 
-def number_making_so(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
+def number_making_so(
+    heard: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
+) -> Understood | None:
     """Return the meaning of a sentence that asks for a number by its effect; None if it is no such sentence.
 
     Raises:
@@ -96,14 +98,19 @@ def number_making_so(heard: Heard, motion: FollowedMotion, words: Words, reader:
             break
     answers = [each.followed.answer for each in found]
     known = [answer for answer in answers if answer is not None]
-    if any(not isclose(answer, known[0], rel_tol=SAME) for answer in known):
+    if any(not isclose(answer, known[0], rel_tol=RESULT_RTOL) for answer in known):
         told_ways = dict.fromkeys(each.asked.told for each in found)
         raise TextError("question", "it can be read in several ways", f"did you mean: {' or: '.join(told_ways)}")
     return next((each for each in found if each.followed.answer is not None), next(iter(found), None))
 
 
 def _meant(
-    frame: WantedFrame, condition: StatedCondition, heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
+    frame: WantedFrame,
+    condition: StatedCondition,
+    heard: TokenizedSentence,
+    motion: FollowedMotion,
+    words: Words,
+    reader: Reader,
 ) -> Understood | None:
     number = frame.number
     if not number.owners and number.kind in OWN and frame.subject:
@@ -125,7 +132,7 @@ def _bringing_about(
     frame: WantedFrame,
     condition: StatedCondition,
     path: str,
-    heard: Heard,
+    heard: TokenizedSentence,
     motion: FollowedMotion,
     words: Words,
     reader: Reader,
@@ -146,7 +153,7 @@ def _by_result(
     frame: WantedFrame,
     condition: StatedCondition,
     path: str,
-    heard: Heard,
+    heard: TokenizedSentence,
     motion: FollowedMotion,
     words: Words,
     reader: Reader,
@@ -159,7 +166,7 @@ def _by_result(
         given = f"{asked.find} = {stated}" + (f", {frame.end}" if frame.end else "")
         wanted = StructuredQuestion(path, asked.of, asked.when, asked.along, given, compare=frame.compare)
         try:
-            question = posed(wanted, motion, words)
+            question = pose_question(wanted, motion, words)
         except TextError:
             continue
         unknown = question.unknown
@@ -193,7 +200,9 @@ def _with_taut_strings(values: list[float], question: PosedQuestion, path: str, 
     """Return the values of a number for which all strings stay taut up to the answer, or else all values."""
 
     def stays_taut(value: float) -> bool:
-        study = follow(question.query, motion_of(with_number(motion.study.scene, path, value))).study
+        study = simulate_until_answer(
+            question.query, simulate_scene(with_number(motion.study.scene, path, value))
+        ).study
         time = study.time(question.query.moment) if question.query.moment is not None else None
         until = study.trace.stable_until if time is None else time
         return not any(event.kind in ("slack", "taut") and event.time <= until for event in study.trace.events)
@@ -205,7 +214,7 @@ def _distinct(values: Sequence[float]) -> list[float]:
     """Return ordered values without near-duplicates, of which the least is kept."""
     found: list[float] = []
     for value in sorted(values):
-        if not found or not isclose(value, found[-1], rel_tol=SAME):
+        if not found or not isclose(value, found[-1], rel_tol=RESULT_RTOL):
             found.append(value)
     return found
 
@@ -216,7 +225,7 @@ def _stated(
     """Return the stated answer with its unit: a number, or a multiple of the answer in the scene as it is."""
     if not condition.factor:
         return condition.stated if " " in condition.stated or not unit else f"{condition.stated} {unit}"
-    answer = posed(asked, motion, words).followed(motion).answer
+    answer = pose_question(asked, motion, words).followed(motion).answer
     return f"{condition.factor * abs(answer):.15g} {unit}".strip() if answer else ""
 
 
@@ -224,7 +233,7 @@ def _ever(question: PosedQuestion, motion: FollowedMotion) -> bool:
     """Return whether a question has an answer for any of a few values of the number."""
     assert question.unknown is not None
     scene, path = motion.study.scene, question.unknown.path
-    dependence = Dependence(question.query, motion.study, path, COARSE)
+    dependence = AnswerFunction(question.query, motion.study, path, COARSE_STEP_ERROR)
     values = range_of(scene, path)
     return any(
         isfinite(dependence(value) or 0.0) and dependence(value) is not None
@@ -233,7 +242,7 @@ def _ever(question: PosedQuestion, motion: FollowedMotion) -> bool:
 
 
 def _askable(
-    heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
+    heard: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
 ) -> Iterator[tuple[StructuredQuestion, str]]:
     """Yield the structured questions that a question may mean, with units; only the one with an answer, if any."""
     try:
@@ -248,16 +257,16 @@ def _askable(
         return
     found = [*reader.readings(heard, motion, words), *reader.readings(_of_first(heard), motion, words)]
     seen = dict.fromkeys(reading.asked for reading in found)
-    for asked in list(seen)[:MOST]:
+    for asked in list(seen)[:MAX_READINGS]:
         try:
-            question = posed(asked, motion, words)
+            question = pose_question(asked, motion, words)
         except TextError:
             continue
         if question.unknown is None and question.less is None:
             yield asked, question.unit(words)
 
 
-def _of_first(heard: Heard) -> Heard:
+def _of_first(heard: TokenizedSentence) -> TokenizedSentence:
     """Return a question about the first of several bodies in place of all; the others are checked later."""
     first = (said.removeprefix(f"{ALL} ").partition(" & ")[0] for said in heard.subjects)
     return replace(heard, subjects=tuple(first))
@@ -266,7 +275,7 @@ def _of_first(heard: Heard) -> Heard:
 def _leads(
     value: float,
     path: str,
-    heard: Heard,
+    heard: TokenizedSentence,
     condition: StatedCondition,
     motion: FollowedMotion,
     words: Words,
@@ -275,13 +284,13 @@ def _leads(
     """Return whether a question has the stated answer with a value of a number, and its presumptions hold."""
     try:
         there = with_number(motion.study.scene, path, value)
-        found = of_all(reader, heard, motion_of(there), words_in(there, words))
+        found = of_all(reader, heard, simulate_scene(there), words_in(there, words))
     except (SceneError, SimulationError, UnsupportedError, TextError, ValueError):
         return False
     if found is None or found.followed.answer is None:
         return False
     stated = measured("question", condition.stated, found.posed.unit(words))
-    return isclose(abs(found.followed.answer), abs(stated), rel_tol=SAME, abs_tol=1e-9)
+    return isclose(abs(found.followed.answer), abs(stated), rel_tol=RESULT_RTOL, abs_tol=1e-9)
 
 
 def _checked(frame: WantedFrame, meant: Understood, motion: FollowedMotion) -> Understood:

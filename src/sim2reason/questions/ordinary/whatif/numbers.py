@@ -10,7 +10,7 @@ import numpy as np
 
 from sim2reason.questions.ordinary.hearing import ALL
 from sim2reason.questions.ordinary.vocabulary import GROUNDS
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.unknown import derived_numbers, with_number
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.model import Parameter
@@ -159,7 +159,7 @@ def named_number(found: re.Match[str], subject: Mapping[str, str]) -> NamedNumbe
     return NamedNumber(kind, tuple(subject[token] for token in tokens if token), found["ground"] is not None)
 
 
-def paths_of(named: NamedNumber, study: Study, words: Words) -> tuple[str, ...]:
+def paths_of(named: NamedNumber, study: SimulatedScene, words: Words) -> tuple[str, ...]:
     """Return the addresses of a named number, one for each owner; none if the name is ambiguous."""
     owners = tuple(each for said in named.owners for each in _each(said))
     if named.kind == EVERY_MASS:
@@ -217,7 +217,7 @@ def _place(parameter: Parameter) -> str:
     return "swing" if name == "deflection" else "plane" if part in ("plane", "track", "table") else ""
 
 
-def _belongs(path: str, value: float, owner: str, study: Study, words: Words, count: int) -> bool:
+def _belongs(path: str, value: float, owner: str, study: SimulatedScene, words: Words, count: int) -> bool:
     """Return whether a number belongs to an owner: by its address, or as an initial speed that the body has."""
     head = path.rpartition(".")[0]
     held = words.mentions.get(head, words.mentions.get(f"{head}.body"))
@@ -230,7 +230,9 @@ def _belongs(path: str, value: float, owner: str, study: Study, words: Words, co
     return count == 1
 
 
-def _rubbing(every: list[tuple[str, float]], owners: tuple[str, ...], study: Study, words: Words) -> tuple[str, ...]:
+def _rubbing(
+    every: list[tuple[str, float]], owners: tuple[str, ...], study: SimulatedScene, words: Words
+) -> tuple[str, ...]:
     """Return the address of the coefficient of friction between the owners, or of an owner and the fixed surface."""
     if len(every) != 1:
         if len(owners) == 2:
@@ -251,7 +253,9 @@ def _rubbing(every: list[tuple[str, float]], owners: tuple[str, ...], study: Stu
     return (every[0][0],) if fits else ()
 
 
-def _between(every: list[tuple[str, float]], owners: tuple[str, ...], study: Study, words: Words) -> tuple[str, ...]:
+def _between(
+    every: list[tuple[str, float]], owners: tuple[str, ...], study: SimulatedScene, words: Words
+) -> tuple[str, ...]:
     """Return the address of the coefficient of friction between a body and its carrier; none if there is none."""
     bodies = {said: name for name, said in words.called(Bodies()).items()}
     one, other = (bodies.get(said, "") for said in owners)
@@ -261,12 +265,12 @@ def _between(every: list[tuple[str, float]], owners: tuple[str, ...], study: Stu
     return tuple(found) if len(riders) == len(found) == 1 else ()
 
 
-def _is_carried(study: Study, path: str, value: float) -> bool:
+def _is_carried(study: SimulatedScene, path: str, value: float) -> bool:
     """Return whether a number belongs to a face of a body rather than of a fixed surface."""
     return any(study.mechanism.body[name].parent is not None for name in _roughens(study, path, value))
 
 
-def _roughens(study: Study, path: str, value: float) -> set[str]:
+def _roughens(study: SimulatedScene, path: str, value: float) -> set[str]:
     """Return the names of the bodies whose friction changes with a number."""
     faces = with_number(study.scene, path, value * MORE).mechanism.contacts
     return {name for name, face in study.mechanism.contacts.items() if face.friction != faces[name].friction}

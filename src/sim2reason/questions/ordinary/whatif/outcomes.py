@@ -6,8 +6,8 @@ from math import inf, isclose
 import numpy as np
 
 from sim2reason.errors import TextError
-from sim2reason.questions.following import FollowedMotion, motion_of
-from sim2reason.questions.moments.parts.occurrence import rolls
+from sim2reason.questions.following import FollowedMotion, simulate_scene
+from sim2reason.questions.moments.parts.occurrence import can_roll
 from sim2reason.questions.ordinary.hearing import ALL
 from sim2reason.questions.ordinary.reading import Reading, Understood
 from sim2reason.questions.ordinary.wanted import rubs, without_acceleration
@@ -39,14 +39,14 @@ from sim2reason.questions.ordinary.whatif.frames import WantedFrame
 from sim2reason.questions.ordinary.whatif.numbers import NamedNumber, paths_of
 from sim2reason.questions.ordinary.whens import AFTER, addresses
 from sim2reason.questions.outcomes.strings import Rises
-from sim2reason.questions.posing import GREATEST, LEAST, VALUE, posed
+from sim2reason.questions.posing import GREATEST, LEAST, VALUE, pose_question
 from sim2reason.questions.query import OWN_AXLE, OWN_PATH
 from sim2reason.questions.structured import START, StructuredQuestion, measured
 from sim2reason.questions.unknown import limits_of, number_at, with_number
 from sim2reason.questions.words import Words
 from sim2reason.simulation.quantities.kinematics import Acceleration, Velocity
 from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies
-from sim2reason.simulation.quantities.subjects.pairs import AND
+from sim2reason.simulation.quantities.subjects.pairs import PAIR_SEPARATOR
 
 NEEDED = "coefficient of friction needed"
 NEARLY = 1.0 - 1e-9
@@ -66,7 +66,7 @@ def special_outcome(
         yield from friction_needed(path, who or next(iter(frame.number.owners), ""), motion, words, stopped=False)
     elif outcome == SPINS and friction and path and not words.released:
         body = bodies.get(who) or (next(iter(bodies.values())) if len(bodies) == 1 else "")
-        if body and rolls(words, body):
+        if body and can_roll(words, body):
             yield Reading(StructuredQuestion(path, body, START, OWN_PATH, "acceleration = 0 m/s^2"))
     elif outcome == HALTED and path and who in bodies:
         yield Reading(StructuredQuestion(path, bodies[who], "collided", OWN_PATH, "velocity = 0 m/s"))
@@ -106,7 +106,7 @@ def friction_needed(path: str, who: str, motion: FollowedMotion, words: Words, *
         path = ""
     if of:
         change = f"{path} = {limits_of(motion.study.scene, path)[1]:g}" if path else ""
-        slips = words.mechanism.contacts[of].friction < inf and rolls(words, of) and not words.released
+        slips = words.mechanism.contacts[of].friction < inf and can_roll(words, of) and not words.released
         when = f"{of} stopped" if stopped else f"{of} stopped slipping" if slips else START
         asked = StructuredQuestion(NEEDED, of, when, change=change, compare=VALUE if change else "")
         yield Reading(asked, side=AFTER, steady=not change)
@@ -121,7 +121,7 @@ def slips_nevertheless(found: Understood) -> bool:
 
 
 def _rolling(words: Words) -> bool:
-    return any(rolls(words, name) for name in words.mechanism.contacts)
+    return any(can_roll(words, name) for name in words.mechanism.contacts)
 
 
 CIRCULAR_SPEED = "circular speed"
@@ -225,8 +225,10 @@ def on_the_other_side(
     if condition.outcome not in (ESCAPES, BOUND) or not frame.end or value is None or not found.asked.given:
         return False
     factor = BEYOND if frame.end == LEAST else 1.0 / BEYOND
-    there = motion_of(with_number(motion.study.scene, path, value * factor))
-    shape = posed(StructuredQuestion("eccentricity", found.asked.of, START), there, words).followed(there).answer
+    there = simulate_scene(with_number(motion.study.scene, path, value * factor))
+    shape = (
+        pose_question(StructuredQuestion("eccentricity", found.asked.of, START), there, words).followed(there).answer
+    )
     return shape is None or (shape > 1.0) != (condition.outcome == ESCAPES)
 
 
@@ -238,7 +240,7 @@ def moves_nevertheless(found: Understood, condition: StatedCondition, motion: Fo
     value, path = found.followed.answer, found.asked.find
     if condition.outcome != RESTS or not found.asked.given or value is None or found.asked.compare not in ("", VALUE):
         return False
-    study = motion_of(with_number(motion.study.scene, path, value)).study
+    study = simulate_scene(with_number(motion.study.scene, path, value)).study
     start, said = study.trace.at(0.0), condition.subject.removeprefix(f"{ALL} ").split(" & ")
     named = {name for name, phrase in words.called(Bodies()).items() if phrase in said}
     arms = any(phrase in said for phrase in words.called(TurningBodies()).values())
@@ -284,7 +286,7 @@ def _orbiting(outcome: str, path: str, pair: str, motion: FollowedMotion, words:
     if outcome != CIRCULAR:
         yield Reading(StructuredQuestion(path, pair, START, given="eccentricity = 1"))
         return
-    study, (a, b) = motion.study, pair.split(AND)
+    study, (a, b) = motion.study, pair.split(PAIR_SEPARATOR)
     start = study.trace.at(0.0)
     place = start.vector(start.frames.center(a).place)[0] - start.vector(start.frames.center(b).place)[0]
     velocity = Velocity.evaluate(start, a)[0] - Velocity.evaluate(start, b)[0]

@@ -3,8 +3,8 @@
 import re
 from collections.abc import Iterator, Mapping
 
-from sim2reason.questions.ordinary.base_forms import based
-from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.base_forms import with_base_forms
+from sim2reason.questions.ordinary.hearing import TokenizedSentence
 from sim2reason.questions.ordinary.vocabulary import GROUNDS, pattern
 
 _S = r"@\d+@"
@@ -216,7 +216,7 @@ OF_UNITS: Mapping[str, tuple[tuple[str, str], ...]] = {unit: rows for rows, unit
 """By unit, the statements whose numbers have the unit, each with the question for which the number is the answer."""
 
 
-def asked_by(said: str, heard: Heard) -> Iterator[tuple[str, str]]:
+def asked_by(said: str, heard: TokenizedSentence) -> Iterator[tuple[str, str]]:
     """Yield each question that a statement such as *A reaches 3 m/s* answers, with the stated number and its unit."""
     tokens = re.findall(r"#\d+#", said)
     for token in dict.fromkeys(tokens):
@@ -227,7 +227,7 @@ def asked_by(said: str, heard: Heard) -> Iterator[tuple[str, str]]:
             if found is not None:
                 groups = {name: group or "" for name, group in found.groupdict().items()}
                 if verb := groups.get("verb"):
-                    groups["verb"] = based(verb) or verb
+                    groups["verb"] = with_base_forms(verb) or verb
                 rest = groups.get("rest", "")
                 groups["rest"] = rest if not rest or rest.startswith((" ", ",")) else f" {rest}"
                 yield " ".join(question.format(**groups).split()), number

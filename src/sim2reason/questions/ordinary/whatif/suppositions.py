@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import NamedTuple
 
-from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.hearing import TokenizedSentence
 from sim2reason.questions.ordinary.whatif.numbers import NUMBER, NamedNumber, named_number, number_pattern
 from sim2reason.questions.ordinary.whatif.supposed_rows import (
     ADJUNCTS,
@@ -36,7 +36,7 @@ class Supposition(NamedTuple):
     way: str = ""
 
 
-def suppositions(text: str, heard: Heard) -> tuple[Supposition, ...]:
+def suppositions(text: str, heard: TokenizedSentence) -> tuple[Supposition, ...]:
     """Return the changes that a clause such as *A were twice as heavy and g were 5 m/s²* supposes, joined by *and*.
 
     There are none if a part of the clause is not understood.
@@ -52,12 +52,12 @@ def suppositions(text: str, heard: Heard) -> tuple[Supposition, ...]:
     return ()
 
 
-def adjunct(text: str, heard: Heard) -> tuple[Supposition, ...]:
+def adjunct(text: str, heard: TokenizedSentence) -> tuple[Supposition, ...]:
     """Return the change that a phrase such as *without friction* supposes; none if it is not understood."""
     return _first(text, heard, ADJUNCTS)
 
 
-def _first(text: str, heard: Heard, rows: Rows) -> tuple[Supposition, ...]:
+def _first(text: str, heard: TokenizedSentence, rows: Rows) -> tuple[Supposition, ...]:
     """Return the change of the first row that a text matches; none if it matches no row."""
     subject = {f"@{index}@": said for index, said in enumerate(heard.subjects)}
     said = re.sub(r"\b(?:just|instead only|only)\b ?", "", text).strip(" ,")
@@ -80,7 +80,7 @@ MEANT = {"level": "0", "ground": "0 m", "flat": "0", "upright": "90", "elastic":
 """By the group of a row that matches, the value that its words mean."""
 
 
-def _changed(how: str, number: NamedNumber, groups: Mapping[str, str | None], heard: Heard) -> Supposition:
+def _changed(how: str, number: NamedNumber, groups: Mapping[str, str | None], heard: TokenizedSentence) -> Supposition:
     token = groups.get("n")
     value = heard.number(token) if token else ""
     value = next((told for name, told in MEANT.items() if groups.get(name)), value)
@@ -90,7 +90,7 @@ def _changed(how: str, number: NamedNumber, groups: Mapping[str, str | None], he
     return Supposition(how, number, value, _factor(groups, heard), sign, groups.get("way") or "")
 
 
-def _factor(groups: Mapping[str, str | None], heard: Heard) -> float:
+def _factor(groups: Mapping[str, str | None], heard: TokenizedSentence) -> float:
     done, multiple = groups.get("done"), groups.get("mult")
     if done:
         return DONE[done]
@@ -147,14 +147,14 @@ class ChangedQuestion(NamedTuple):
     grows: bool | None = None
 
 
-def changed_questions(text: str, heard: Heard) -> Iterator[ChangedQuestion]:
+def changed_questions(text: str, heard: TokenizedSentence) -> Iterator[ChangedQuestion]:
     """Yield each way to read a sentence as a question about a changed scene."""
     for question, supposed in _split(text, heard):
         for asked, compare, grows in _compared(question):
             yield ChangedQuestion(_plainly(asked), supposed, compare, grows)
 
 
-def _split(text: str, heard: Heard) -> Iterator[tuple[str, tuple[Supposition, ...]]]:
+def _split(text: str, heard: TokenizedSentence) -> Iterator[tuple[str, tuple[Supposition, ...]]]:
     """Yield each way to split a sentence into a question and the changes that it supposes."""
     text = _with_subject(text, heard)
     leading = re.match(rf"{_IF} ", text)
@@ -175,7 +175,7 @@ def _split(text: str, heard: Heard) -> Iterator[tuple[str, tuple[Supposition, ..
     yield from _with_adjunct(text, heard)
 
 
-def _with_subject(text: str, heard: Heard) -> str:
+def _with_subject(text: str, heard: TokenizedSentence) -> str:
     """Return a sentence with the only subject in its leading clause, as *if it is thrown* or *if thrown*."""
     if len(heard.subjects) != 1:
         return text
@@ -185,7 +185,7 @@ def _with_subject(text: str, heard: Heard) -> str:
     )
 
 
-def _with_adjunct(text: str, heard: Heard) -> Iterator[tuple[str, tuple[Supposition, ...]]]:
+def _with_adjunct(text: str, heard: TokenizedSentence) -> Iterator[tuple[str, tuple[Supposition, ...]]]:
     """Yield the question and the changes of a sentence that ends or begins with a phrase such as *without friction*."""
     for found in re.finditer(r" (?=without |with |in absence |on )", text):
         if supposed := adjunct(text[found.end() :], heard):

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from sim2reason.questions.following import FollowedMotion
-from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.ordinary.hearing import TokenizedSentence
 from sim2reason.questions.ordinary.vocabulary import GROUNDS
 from sim2reason.questions.ordinary.whatif.frames import WantedFrame
 from sim2reason.questions.ordinary.whatif.numbers import NUMBERS
@@ -141,7 +141,7 @@ def _of_value(text: str) -> ToldDirection | None:
     return ToldDirection(f"what would {found['n']}{of} have to be {text[found.end() :]}", grows=grows)
 
 
-def directed(frames: Iterable[WantedFrame], told: ToldDirection, heard: Heard) -> Iterator[WantedFrame]:
+def directed(frames: Iterable[WantedFrame], told: ToldDirection, heard: TokenizedSentence) -> Iterator[WantedFrame]:
     """Yield the frames whose number the hint concerns, together with the hint."""
     for frame in frames:
         owners = frame.number.owners or ((heard.subject(frame.subject),) if frame.subject else ())

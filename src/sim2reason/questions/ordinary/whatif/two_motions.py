@@ -7,10 +7,10 @@ from math import isclose
 from typing import NamedTuple
 
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
-from sim2reason.questions.following import FollowedMotion, motion_of
-from sim2reason.questions.ordinary.hearing import ALL, Heard
+from sim2reason.questions.following import FollowedMotion, simulate_scene
+from sim2reason.questions.ordinary.hearing import ALL, TokenizedSentence
 from sim2reason.questions.ordinary.reading import Reader, Understood
-from sim2reason.questions.posing import VALUE, posed
+from sim2reason.questions.posing import VALUE, pose_question
 from sim2reason.questions.structured import StructuredQuestion, measured
 from sim2reason.questions.variation import FIELDS, SceneChange, removable, words_in
 from sim2reason.questions.words import Words
@@ -28,7 +28,7 @@ _UP_REMOVED = re.compile(r"rising|up|climbing")
 _DOWN = re.compile(r"falling|down|sinking")
 
 
-def named_things(said: str, heard: Heard, words: Words) -> tuple[str, ...]:
+def named_things(said: str, heard: TokenizedSentence, words: Words) -> tuple[str, ...]:
     """Return the names of the lines or the field that a phrase denotes; none if it is ambiguous.
 
     *string* alone means the only string, and *@0@ 's string* the only one that ends at a body.
@@ -55,7 +55,7 @@ def _body(phrase: str, words: Words) -> str:
     return next((name for name, said in words.called(Bodies()).items() if said == phrase), "")
 
 
-def time_of(stated: str, heard: Heard, words: Words) -> float | None:
+def time_of(stated: str, heard: TokenizedSentence, words: Words) -> float | None:
     """Return the time, in the scene's unit, of a number token; None if it is not a time."""
     try:
         return measured("question", heard.number(stated), words.units.spell("s"))
@@ -63,7 +63,9 @@ def time_of(stated: str, heard: Heard, words: Words) -> float | None:
         return None
 
 
-def moment_of(clause: str, heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> float | None:
+def moment_of(
+    clause: str, heard: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
+) -> float | None:
     """Return the time of the moment that a clause such as *A has slid 2 m* names; None if it is not understood."""
     moving = _MOVES.fullmatch(clause) or _REACHES.fullmatch(clause)
     if moving is not None:
@@ -72,14 +74,16 @@ def moment_of(clause: str, heard: Heard, motion: FollowedMotion, words: Words, r
     return found.followed.answer if found is not None and found.asked.find == "time" else None
 
 
-def _time_of_speed(moving: re.Match[str], heard: Heard, motion: FollowedMotion, words: Words) -> float | None:
+def _time_of_speed(
+    moving: re.Match[str], heard: TokenizedSentence, motion: FollowedMotion, words: Words
+) -> float | None:
     """Return the first time, s, at which a body has a stated speed; None if it then moves the other way."""
     phrase = heard.subject(moving["s"]).removeprefix(f"{ALL} ").partition(" & ")[0]
     body = _body(phrase, words)
     way = f"{moving.groupdict().get('verb') or ''} {moving.groupdict().get('way') or ''}"
     try:
         asked = StructuredQuestion("time", when=f"speed of {body} = {heard.number(moving['n'])}")
-        followed = posed(asked, motion, words).followed(motion)
+        followed = pose_question(asked, motion, words).followed(motion)
     except TextError:
         return None
     if followed.answer is None:
@@ -89,7 +93,7 @@ def _time_of_speed(moving: re.Match[str], heard: Heard, motion: FollowedMotion, 
     return None if wrong else followed.answer
 
 
-SAME = 1e-6  # relative: answers that differ by less are equal
+ANSWER_RTOL = 1e-6  # relative: answers that differ by less are equal
 SHARES = 0.31, 0.47, 0.83  # of the horizon: times of removal if the sentence states none
 _IF = r"(?:(?:suppose|if|imagine|assume|when|after|once|as soon as|supposing|assuming)(?: that)? )?"
 _LINE = r"(?:string|rope|cord|thread|rod|spring)"
@@ -155,7 +159,9 @@ class RemovedThings(NamedTuple):
     question: str
 
 
-def after_removal_of_things(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
+def after_removal_of_things(
+    heard: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
+) -> Understood | None:
     """Return the meaning of a sentence such as *the string is cut after 2 s; how much farther does A slide*.
 
     None if the sentence is not understood so.
@@ -172,17 +178,17 @@ def after_removal_of_things(heard: Heard, motion: FollowedMotion, words: Words, 
 
 
 def _agree(one: float | None, other: float | None) -> bool:
-    return one is not None and other is not None and isclose(one, other, rel_tol=SAME)
+    return one is not None and other is not None and isclose(one, other, rel_tol=ANSWER_RTOL)
 
 
 def _after(
-    names: tuple[str, ...], time: float, heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
+    names: tuple[str, ...], time: float, heard: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
 ) -> Understood | None:
     """Return the meaning of a question about the motion after objects are removed at a time, s."""
     varied = SceneChange(removed=names, after=time)
     try:
         scene = varied.applied(motion.study.scene)
-        there = motion_of(scene)
+        there = simulate_scene(scene)
     except (SceneError, SimulationError, UnsupportedError, ValueError) as error:
         raise TextError("question", f"nothing follows: {error}", "let it happen at another moment") from None
     found = reader.read(heard, there, words_in(scene, words))
@@ -192,7 +198,7 @@ def _after(
     return Understood(structured, replace(found.posed, varied=varied), found.followed)
 
 
-def _removed(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Iterator[RemovedThings]:
+def _removed(heard: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader) -> Iterator[RemovedThings]:
     """Yield each reading of a sentence as a question about the motion after a removal."""
     for told in (_FIRST, _LAST, _NOT):
         found = told.match(heard.text)
@@ -215,7 +221,7 @@ def _removed(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader)
 
 
 def _times(
-    groups: dict[str, str | None], heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
+    groups: dict[str, str | None], heard: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
 ) -> tuple[float, ...]:
     """Return the stated time, s, or several if none is stated; empty if the clause is not understood."""
     stated = groups.get("n") or groups.get("m") or groups.get("before") or groups.get("early") or ""
@@ -228,7 +234,7 @@ def _times(
     return tuple(share * motion.study.scene.horizon for share in SHARES)
 
 
-def _is_later(token: str, times: tuple[float, ...], heard: Heard, words: Words) -> bool:
+def _is_later(token: str, times: tuple[float, ...], heard: TokenizedSentence, words: Words) -> bool:
     """Return whether a time counted from the start can only be meant as counted from the removal, as it is shorter."""
     time = time_of(token, heard, words)
     return time is not None and all(time < removal for removal in times)

@@ -6,8 +6,8 @@ from dataclasses import replace
 from math import isclose
 
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
-from sim2reason.questions.following import Followed, FollowedMotion, motion_of
-from sim2reason.questions.ordinary.hearing import Heard
+from sim2reason.questions.following import FollowedMotion, SimulatedAnswer, simulate_scene
+from sim2reason.questions.ordinary.hearing import TokenizedSentence
 from sim2reason.questions.ordinary.reading import Reader, Understood
 from sim2reason.questions.ordinary.whatif.numbers import NamedNumber, paths_of
 from sim2reason.questions.ordinary.whatif.supposed_rows import FIXED, MORE, NONE, SAME, SWAPPED, TIMES
@@ -24,10 +24,12 @@ from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies
 
 TINY = 1e-9  # the least value of a number that must not be zero, in place of zero
-EQUAL = 1e-6  # relative: answers that differ by less are equal
+ANSWER_RTOL = 1e-6  # relative: answers that differ by less are equal
 
 
-def in_changed_scene(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
+def in_changed_scene(
+    heard: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
+) -> Understood | None:
     """Return the meaning of a sentence as a question about a changed scene; None if it is no such question."""
     for asked in changed_questions(heard.text, heard):
         varied = _variation(asked, motion, words)
@@ -40,12 +42,17 @@ def in_changed_scene(heard: Heard, motion: FollowedMotion, words: Words, reader:
 
 
 def _answered(
-    asked: ChangedQuestion, varied: SceneChange, heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
+    asked: ChangedQuestion,
+    varied: SceneChange,
+    heard: TokenizedSentence,
+    motion: FollowedMotion,
+    words: Words,
+    reader: Reader,
 ) -> Understood | None:
     told = replace(heard, text=asked.question)
     try:
         scene = varied.applied(motion.study.scene)
-        there = motion_of(scene)
+        there = simulate_scene(scene)
     except (SceneError, SimulationError, UnsupportedError, ValueError) as error:
         raise TextError("question", f"with that change there is no such motion: {error}", "change less") from None
     compare = asked.compare
@@ -64,7 +71,7 @@ def _answered(
     return Understood(structured, question, _compared(asked, before.followed, after.followed))
 
 
-def of_all(reader: Reader, heard: Heard, motion: FollowedMotion, words: Words) -> Understood | None:
+def of_all(reader: Reader, heard: TokenizedSentence, motion: FollowedMotion, words: Words) -> Understood | None:
     """Return the meaning of a question; without a subject, the common answer for all moving bodies."""
     found = reader.read(_with_only_subject(heard, words), motion, words)
     asks = re.match(
@@ -78,11 +85,11 @@ def of_all(reader: Reader, heard: Heard, motion: FollowedMotion, words: Words) -
     told = (replace(heard, text=f"what is {asks['q']} of @{n}@{rest}", subjects=bodies) for n in range(len(bodies)))
     every = [reader.read(each, motion, words) for each in told]
     answers = [each.followed.answer for each in every if each is not None and each.followed.answer is not None]
-    alike = len(answers) == len(every) and all(isclose(abs(a), abs(answers[0]), rel_tol=EQUAL) for a in answers)
+    alike = len(answers) == len(every) and all(isclose(abs(a), abs(answers[0]), rel_tol=ANSWER_RTOL) for a in answers)
     return every[0] if alike and every else None
 
 
-def _with_only_subject(heard: Heard, words: Words) -> Heard:
+def _with_only_subject(heard: TokenizedSentence, words: Words) -> TokenizedSentence:
     """Return a question such as *what is greatest angular speed* with the only moving or turning body as subject."""
     asks = re.fullmatch(r"what is (?:greatest|least|final) (?P<turns>angular )?(?:speed|velocity)", heard.text)
     if asks is None:
@@ -92,7 +99,7 @@ def _with_only_subject(heard: Heard, words: Words) -> Heard:
     return replace(heard, text=f"{heard.text} of @0@", subjects=alone) if len(alone) == 1 else heard
 
 
-def _compared(asked: ChangedQuestion, before: Followed, after: Followed) -> Followed:
+def _compared(asked: ChangedQuestion, before: SimulatedAnswer, after: SimulatedAnswer) -> SimulatedAnswer:
     """Return an answer compared with that before the change; TextError if the question presumes the other sign."""
     now, then = before.answer or 0.0, after.answer or 0.0
     if asked.grows is not None and (abs(then) > abs(now)) != asked.grows:

@@ -6,13 +6,13 @@ import numpy as np
 
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.query import Query
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.state import Array, Dynamics, State
-from sim2reason.simulation.trace import Trace, happened
+from sim2reason.simulation.trace import Trace, events_before
 
 
-def asked_until(query: Query, study: Study) -> float:
+def query_time(query: Query, study: SimulatedScene) -> float:
     """Return the time, s, of the query's moment; the end of the motion if it has none."""
     time = study.time(query.moment) if query.moment is not None else None
     return float(study.trace.state.times[-1]) if time is None else time
@@ -27,11 +27,11 @@ Formulas = Callable[[Array, Array, Array], tuple[Array, Array]]
 """Coordinates and their rates from times (n, 1), rates and accelerations of the start (1, n)."""
 
 
-def is_steady(query: Query, study: Study) -> bool:
+def is_steady(query: Query, study: SimulatedScene) -> bool:
     """Return whether bodies start from rest and move with constant accelerations up to the query's moment."""
     if any(coordinate.speed for coordinate in study.mechanism.coordinates):
         return False
-    return not happened(study.trace.events, asked_until(query, study)) and not changing(study.mechanism)
+    return not events_before(study.trace.events, query_time(query, study)) and not changing(study.mechanism)
 
 
 def with_formulas(trace: Trace, formulas: Formulas) -> Trace:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import hypot
 
-from sim2reason.scenes.dsl.frames import Frames, start
+from sim2reason.scenes.dsl.frames import Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import Inextensible, Line, Mechanism, RigidBody
 from sim2reason.scenes.dsl.vectors import minus
 
@@ -59,7 +59,7 @@ class _Holding:
 
     def __init__(self, mechanism: Mechanism) -> None:
         self._mechanism = mechanism
-        self._runs = list(_runs(mechanism, start(mechanism)))
+        self._runs = list(_runs(mechanism, initial_frames(mechanism)))
 
     def hanging(self, name: str, seen: frozenset[str] = frozenset()) -> HangingLoad | None:
         """Return a body with the loads that hang from it; None if it is not held by strings alone."""

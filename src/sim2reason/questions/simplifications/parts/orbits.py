@@ -6,10 +6,10 @@ from math import copysign, hypot, pi, sqrt
 
 import numpy as np
 
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array, Dynamics, State
-from sim2reason.scenes.dsl.vectors import minus, product
+from sim2reason.scenes.dsl.vectors import dot, minus
 from sim2reason.simulation.trace import Trace
 
 SQUARE = 1e-9  # cosine of a right angle
@@ -72,17 +72,17 @@ def orbits(mechanism: Mechanism) -> list[PlanetOrbit]:
     """Return the planets of a fixed star, if the mechanism contains nothing else; else none."""
     if len({pull.power for pull in mechanism.attractions} | {2.0}) > 1 or mechanism.burns or mechanism.lines:
         return []
-    frames, found = start(mechanism), list[PlanetOrbit]()
+    frames, found = initial_frames(mechanism), list[PlanetOrbit]()
     for pull in mechanism.attractions:
         star, planet = sorted((pull.a, pull.b), key=lambda name: len(mechanism.body[name].coordinates))
         coordinates = mechanism.body[planet].coordinates
         if mechanism.body[star].coordinates:
             continue
         axes = [c.axis for c in coordinates if c.kind == "slide"]
-        if len(coordinates) != 2 or len(axes) != 2 or abs(product(*axes)) > SQUARE:
+        if len(coordinates) != 2 or len(axes) != 2 or abs(dot(*axes)) > SQUARE:
             return []
         away = minus(frames.center(planet).place, frames.center(star).place)
-        x, y = (float(product(away, axis)) for axis in axes)
+        x, y = (float(dot(away, axis)) for axis in axes)
         one, other = (mechanism.number[c.name] for c in coordinates)
         velocity = coordinates[0].speed, coordinates[1].speed
         strength = pull.constant * mechanism.body[star].mass

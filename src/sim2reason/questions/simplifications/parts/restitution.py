@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism
-from sim2reason.questions.study import Study
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.scenes.dsl.mechanism import Mechanism
 
 
@@ -19,7 +19,7 @@ class OneRestitution(ChangedMechanism):
 
     restitution: ClassVar[float]
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the whole mechanism as the subject if a collision has another coefficient; else none."""
         del query
         return [""] if any(meeting.restitution != self.restitution for meeting in study.mechanism.meetings) else []

@@ -6,10 +6,10 @@ from math import isfinite
 from typing import ClassVar
 
 from sim2reason.questions.query import Query
-from sim2reason.questions.simplifications import Simplification
-from sim2reason.questions.study import Study
+from sim2reason.questions.simplifications import Misconception
+from sim2reason.questions.study import SimulatedScene
 from sim2reason.scenes.dsl.ablation import with_bodies
-from sim2reason.scenes.dsl.mechanism import Face, Mechanism, RigidBody
+from sim2reason.scenes.dsl.mechanism import Mechanism, RigidBody, SurfaceContact
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.solids import Overlooked, Shape, Solid, composed, transposed
 
@@ -64,12 +64,12 @@ def _turns(mechanism: Mechanism, name: str) -> bool:
     return body.parent is not None and _turns(mechanism, body.parent)
 
 
-def rough(mechanism: Mechanism) -> list[Face]:
+def rough(mechanism: Mechanism) -> list[SurfaceContact]:
     """Return the faces with finite friction on which a body can slip."""
     return [face for face in mechanism.faces if face.friction > 0.0 and isfinite(face.friction)]
 
 
-class OtherFigure(Simplification):
+class OtherFigure(Misconception):
     """The base class of misconceptions about the shape of one body, whose mass is kept.
 
     Class data:
@@ -78,7 +78,7 @@ class OtherFigure(Simplification):
 
     overlooked: ClassVar[Overlooked]
 
-    def subjects(self, query: Query, study: Study) -> Iterable[str]:
+    def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the bodies that can rotate and have such a simplified shape."""
         del query
         bodies = study.scene.bodies
@@ -88,7 +88,7 @@ class OtherFigure(Simplification):
             if isinstance(shape := bodies.get(name), Shape) and self.overlooked in shape.plainer
         ]
 
-    def simplified(self, study: Study, subject: str, until: float) -> Study | None:
+    def simplified(self, study: SimulatedScene, subject: str, until: float) -> SimulatedScene | None:
         """Return the motion with the moments of inertia of the simplified shape."""
         figure = _figure(study.scene, subject, self.overlooked)
 

@@ -5,7 +5,7 @@ from typing import ClassVar
 from sim2reason.errors import SceneError
 from sim2reason.scenes.connections.parts.two_ended import TwoEnded
 from sim2reason.scenes.dsl.builder import Builder
-from sim2reason.scenes.dsl.connection import FREE, Joint
+from sim2reason.scenes.dsl.connection import FREE_LENGTH, Joint
 from sim2reason.scenes.dsl.layout import opposite
 from sim2reason.scenes.dsl.measures import FreeLength
 from sim2reason.scenes.dsl.ports import Attachment, Port
@@ -15,7 +15,7 @@ class Straight(TwoEnded):
     """Base class of light straight lines between two attachments, along directions in which both can be left."""
 
     joins: ClassVar[type[Port]] = Attachment
-    free: FreeLength = FREE
+    free: FreeLength = FREE_LENGTH
 
     @property
     def spacing(self) -> float:

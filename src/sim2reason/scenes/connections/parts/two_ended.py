@@ -24,7 +24,7 @@ from sim2reason.scenes.dsl.model import field_types
 from sim2reason.scenes.dsl.ports import SitePort, StringEnd
 from sim2reason.scenes.dsl.template import Wordings, paths
 
-NOWHERE = (Link(entity="", port=""),)
+NO_LINK = (Link(entity="", port=""),)
 """Placeholder for the first end while only the last one is known."""
 
 _SLOTS = re.compile(r"\{(a|b|way)\}")
@@ -95,7 +95,7 @@ class TwoEnded(Connection):
         text = matcher.pieces[place]
         told = [*enumerate(cls.says.wordings), *enumerate(cls.leads.wordings)]
         for number, template in told:
-            if not all(matcher.may_be(place, piece) for piece, _ in _pieces(template)):
+            if not all(matcher.contains_fixed_words(place, piece) for piece, _ in _pieces(template)):
                 continue
             begin = state.with_choice(number).with_kind(name, cls)
             for end, then, legs in cls._matched(text, 0, _pieces(template), {}, (name, begin, matcher, routes)):
@@ -133,7 +133,7 @@ class TwoEnded(Connection):
     def _ends(cls, slot: str, legs: dict[str, Leg[S]], routes: Routes[S], state: S) -> Iterator[Leg[S]]:
         """Yield the ports that fit one end of the connection; the other end may be known."""
         other = tuple(leg.link for key, leg in legs.items() if key != slot)
-        for leg in routes.legs(cls, state, other or NOWHERE if slot == "b" else ()):
+        for leg in routes.legs(cls, state, other or NO_LINK if slot == "b" else ()):
             if leg.link not in other and cls.admits(leg.stops[0].port, "ab".index(slot), 1):
                 yield leg
 

@@ -56,7 +56,7 @@ AssemblyDeflection = Annotated[
     float, Ge(0), Le(175), Measure("deflection", "deg", r"\theta", decimals=0), Range(5.0, 90.0)
 ]
 TurnRate = Annotated[AngularVelocity, Range(0.5, 4.0)]
-ASSEMBLY_PERIODS, LONGEST = 1.5, 6.0  # periods of a small oscillation in the default duration, and s
+ASSEMBLY_PERIODS, MAX_DURATION = 1.5, 6.0  # periods of a small oscillation in the default duration, and s
 
 
 class WeldedArm(Entity):
@@ -121,7 +121,7 @@ class WeldedArm(Entity):
             arm = solid.center
             inertia += solid.inertia(mass)[1] + mass * (arm[0] ** 2 + arm[2] ** 2)
             moment += mass * arm[0]
-        longest = LONGEST * sqrt(GRAVITY / gravity)
+        longest = MAX_DURATION * sqrt(GRAVITY / gravity)
         return min(longest, ASSEMBLY_PERIODS * 2.0 * pi * sqrt(inertia / (gravity * max(abs(moment), 1e-9))))
 
     def build(self, room: Frame) -> None:

@@ -10,7 +10,7 @@ from pydantic import model_validator
 from sim2reason.scenes.authoring import Measure, Member, Part, Restitution, each, either
 from sim2reason.scenes.bodies.sliders import Glider
 from sim2reason.scenes.bodies.spring import Bumper, Coil
-from sim2reason.scenes.dsl.model import field_types, rebuilt
+from sim2reason.scenes.dsl.model import field_types, replace_validated
 
 Index = Annotated[int, Ge(0), Le(5), Member("gliders")]
 Wall = Annotated[float, Ge(-1e3), Le(1e3), Measure("position of a wall", "m", "X", decimals=2)]
@@ -42,7 +42,7 @@ class Buffered(Pair):
     buffer: Bumper
 
 
-def alike(gliders: Sequence[Glider]) -> tuple[Glider, ...]:
+def same_kind(gliders: Sequence[Glider]) -> tuple[Glider, ...]:
     """Return the gliders, all converted to the class of the first."""
     kind = type(gliders[0])
     return tuple(kind(mass=glider.mass, x=glider.x, v=glider.v) for glider in gliders)
@@ -51,10 +51,12 @@ def alike(gliders: Sequence[Glider]) -> tuple[Glider, ...]:
 Sprung = TypeVar("Sprung", Joined, Buffered)
 HARDEST = {Buffered: 2000.0, Joined: 500.0}  # N/m, of drawn springs; joined bodies keep oscillating
 
-SQUEEZED = 0.45  # fraction of its length: largest compression of a spring between two bodies
+MAX_COMPRESSION = 0.45  # fraction of its length: largest compression of a spring between two bodies
 
 
-def fit(gliders: Sequence[Glider], joined: Sequence[Joined], buffers: Sequence[Buffered]) -> dict[str, object]:
+def fit_neighbours(
+    gliders: Sequence[Glider], joined: Sequence[Joined], buffers: Sequence[Buffered]
+) -> dict[str, object]:
     """Return the drawn gliders from left to right with sufficient distances, and stiff springs."""
     ordered = _apart(sorted(gliders, key=lambda glider: glider.x), {pair.first for pair in joined})
     return {"gliders": ordered, "joined": _firm(joined, ordered), "buffers": _firm(buffers, ordered)}
@@ -70,7 +72,7 @@ def _apart(gliders: Sequence[Glider], joined: Container[int]) -> tuple[Glider, .
         places[index + 1] = max(places[index + 1], places[index] + room)
     for index in reversed(range(len(places))):
         places[index] = min(places[index], last - sum(rooms[index:]))
-    return tuple(rebuilt(glider, x=round(x, 2)) for glider, x in zip(gliders, places, strict=True))
+    return tuple(replace_validated(glider, x=round(x, 2)) for glider, x in zip(gliders, places, strict=True))
 
 
 def _firm(pairs: Sequence[Sprung], gliders: Sequence[Glider]) -> tuple[Sprung, ...]:
@@ -83,10 +85,10 @@ def _firm(pairs: Sequence[Sprung], gliders: Sequence[Glider]) -> tuple[Sprung, .
         one, other = gliders[pair.first], gliders[pair.second]
         room = pair.buffer.length if isinstance(pair, Buffered) else other.x - one.x
         spring = pair.buffer if isinstance(pair, Buffered) else pair.spring
-        least = one.mass * other.mass / (one.mass + other.mass) * (fastest / (SQUEEZED * room)) ** 2
+        least = one.mass * other.mass / (one.mass + other.mass) * (fastest / (MAX_COMPRESSION * room)) ** 2
         if least <= HARDEST[type(pair)]:
-            stiff = rebuilt(spring, stiffness=max(spring.stiffness, 10.0 * ceil(0.1 * least)))
-            found.append(rebuilt(pair, **{"buffer" if isinstance(pair, Buffered) else "spring": stiff}))
+            stiff = replace_validated(spring, stiffness=max(spring.stiffness, 10.0 * ceil(0.1 * least)))
+            found.append(replace_validated(pair, **{"buffer" if isinstance(pair, Buffered) else "spring": stiff}))
     return tuple(found)
 
 

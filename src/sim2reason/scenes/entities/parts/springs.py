@@ -20,7 +20,7 @@ from sim2reason.scenes.authoring import (
     placing,
 )
 from sim2reason.scenes.bodies.spring import Spring
-from sim2reason.scenes.dsl.model import as_said, rebuilt
+from sim2reason.scenes.dsl.model import replace_validated, round_as_stated
 
 LONG = Range(0.85, 1.15)  # initial length of a drawn spring, in natural lengths
 FIRM = Range(6.0, 15.0)  # stiffness times length, in weights of the block
@@ -38,8 +38,8 @@ def fitted_spring(drawn: Mapping[str, Any], rng: np.random.Generator) -> dict[st
     spring, weight = drawn["spring"], GRAVITY * drawn["block"].mass
     length = max(spring.length, SHORTEST)
     stiffness = max(spring.stiffness, rng.uniform(FIRM.low, FIRM.high) * weight / length)
-    firm = rebuilt(spring, stiffness=as_said(Spring, "stiffness", stiffness), length=length)
-    return {"spring": firm, "start": as_said(Spring, "length", rng.uniform(LONG.low, LONG.high) * length)}
+    firm = replace_validated(spring, stiffness=round_as_stated(Spring, "stiffness", stiffness), length=length)
+    return {"spring": firm, "start": round_as_stated(Spring, "length", rng.uniform(LONG.low, LONG.high) * length)}
 
 
 class Strained(Part):

@@ -9,13 +9,13 @@ from collections.abc import Mapping, Sequence
 
 from sim2reason.scenes.dsl.frames import BodyFrame, Frames
 from sim2reason.scenes.dsl.mechanism import (
+    CollisionPair,
     ConstantTension,
     Elastic,
     Force,
     Inextensible,
     Line,
     Mechanism,
-    Meeting,
     Prop,
 )
 from sim2reason.scenes.dsl.vectors import (
@@ -27,17 +27,17 @@ from sim2reason.scenes.dsl.vectors import (
     applied,
     cross,
     distance,
+    dot,
     minus,
     plus,
-    product,
     times,
 )
 from sim2reason.simulation.engines.exact.lengths import (
     ORIGIN,
     PathLength,
-    Phase,
     RowTerms,
     Separation,
+    SwitchState,
     merge,
     point_row,
     projected,
@@ -46,7 +46,7 @@ from sim2reason.simulation.engines.exact.lengths import (
 Numbers = list[Number]
 
 
-def of_time(mechanism: Mechanism, phase: Phase, time: Number) -> dict[str, Number]:
+def masses_at(mechanism: Mechanism, phase: SwitchState, time: Number) -> dict[str, Number]:
     """Return the masses of all bodies at a time, in kg; rockets lose the mass of burnt fuel."""
     masses: dict[str, Number] = {body.name: float(body.mass) for body in mechanism.bodies}
     for burn, burning in zip(mechanism.burns, phase.burning, strict=True):
@@ -60,7 +60,7 @@ class Assembly:
     def __init__(
         self,
         mechanism: Mechanism,
-        phase: Phase,
+        phase: SwitchState,
         state: tuple[Sequence[Number], Sequence[Number], Number],
         maths: Maths,
         frames: Frames | None = None,
@@ -70,7 +70,7 @@ class Assembly:
         self.q, self.v, self.time = state
         self.n, self.c = len(mechanism.coordinates), len(mechanism.faces)
         self.frames = frames or Frames(mechanism, self.q, self.v, maths)
-        self.masses = of_time(mechanism, phase, self.time)
+        self.masses = masses_at(mechanism, phase, self.time)
         self.mass: list[Numbers] = [[0.0] * self.n for _ in range(self.n)]
         self.lifted: list[Numbers] = [[0.0] * self.n for _ in range(self.c)]
         self.heave: list[Numbers] = [[0.0] * self.c for _ in range(self.c)]
@@ -92,16 +92,16 @@ class Assembly:
             for place, (i, axis) in enumerate(entries):
                 row = self.mass[i]
                 for j, other in entries[: place + 1]:
-                    part = product(axis, other)
+                    part = dot(axis, other)
                     if not (type(part) is float and part == 0.0):
                         row[j] = row[j] + mass * part
             for i, normal in point.lift.items():
                 row = self.lifted[i]
                 for j, other in entries:
-                    row[j] = row[j] + mass * product(normal, other)
+                    row[j] = row[j] + mass * dot(normal, other)
                 heave = self.heave[i]
                 for j, other in point.lift.items():
-                    heave[j] = heave[j] + mass * product(normal, other)
+                    heave[j] = heave[j] + mass * dot(normal, other)
         if frame.spin is not None and any(self.mechanism.body[name].inertia):
             self._spinning(frame, self.mechanism.body[name].inertia)
 
@@ -114,8 +114,8 @@ class Assembly:
         for place, (i, axis) in enumerate(own):
             moment = applied(inertia, axis)
             for j, other in own[: place + 1]:
-                self.mass[i][j] = self.mass[i][j] + product(moment, other)
-            self.force[i] = self.force[i] - product(axis, torque)
+                self.mass[i][j] = self.mass[i][j] + dot(moment, other)
+            self.force[i] = self.force[i] - dot(axis, torque)
 
     def full_mass(self) -> list[Numbers]:
         """Return the complete symmetric mass matrix (n, n) from its stored lower half."""
@@ -126,9 +126,9 @@ class Assembly:
     def _push(self, point: Point, force: Triple) -> None:
         """Add the generalized loads of a force at a point."""
         for i, axis in point.gradient.items():
-            self.force[i] = self.force[i] + product(axis, force)
+            self.force[i] = self.force[i] + dot(axis, force)
         for i, normal in point.lift.items():
-            self.press[i] = self.press[i] + product(normal, force)
+            self.press[i] = self.press[i] + dot(normal, force)
 
     def _loads(self) -> None:
         mechanism = self.mechanism
@@ -143,7 +143,7 @@ class Assembly:
         for pair in mechanism.attractions:
             one, other = self.frames.center(pair.a), self.frames.center(pair.b)
             apart = minus(other.place, one.place)
-            square = product(apart, apart)
+            square = dot(apart, apart)
             distance = self.maths.sqrt(square)
             strength = pair.constant * self.masses[pair.a] * self.masses[pair.b]
             pull = times(strength / (distance * _power(distance, square, pair.power)), apart)
@@ -203,7 +203,7 @@ class Assembly:
         for foot in self.mechanism.feet:
             point = self.frames.site(foot.site)
             down = times(-1.0, foot.normal)
-            gap = product(foot.normal, point.place) - foot.height
+            gap = dot(foot.normal, point.place) - foot.height
             found.append(point_row(point, down, gap))
             found.append(point_row(point, foot.along, gap))
         for meeting, stuck in zip(self.mechanism.meetings, self.phase.stuck, strict=True):
@@ -225,7 +225,7 @@ class Assembly:
             spare, rate = spare - reel * self.time, rate + reel
         return RowTerms(length.along, length.lift, spare, rate, -length.bias)
 
-    def separation(self, meeting: Meeting) -> Separation:
+    def separation(self, meeting: CollisionPair) -> Separation:
         """Return the gap between the two bodies of a collision pair, with its gradient, rate and bias."""
         other = self.frames.center(meeting.b)
         one = ORIGIN if meeting.a is None else self.frames.center(meeting.a)
@@ -237,8 +237,8 @@ class Assembly:
         parting = minus(other.velocity, one.velocity)
         bias = minus(other.bias, one.bias)
         along, lift = projected(one.gradient, other.gradient, normal), projected(one.lift, other.lift, normal)
-        gap = product(normal, apart) - meeting.distance
-        return Separation(gap, product(normal, parting), product(normal, bias), along, lift)
+        gap = dot(normal, apart) - meeting.distance
+        return Separation(gap, dot(normal, parting), dot(normal, bias), along, lift)
 
 
 def _power(distance: Number, square: Number, power: float) -> Number:

@@ -3,16 +3,31 @@
 from dataclasses import dataclass, replace
 from math import nan
 
-from sim2reason.simulation.engines.exact.contact_modes import NoForcesError, linked, scales, search, stiffest
+from sim2reason.simulation.engines.exact.contact_modes import (
+    NoForcesError,
+    count_resting_as_acting,
+    linked,
+    scales,
+    search,
+)
 from sim2reason.simulation.engines.exact.lengths import RowKind
-from sim2reason.simulation.engines.exact.linear import Forces, Gradient, Mode, Problem, Row, Solution, gradient, solve
+from sim2reason.simulation.engines.exact.linear import (
+    ContactMode,
+    Forces,
+    Gradient,
+    Problem,
+    Row,
+    Solution,
+    gradient,
+    solve,
+)
 from sim2reason.simulation.engines.exact.system import Instant, System
 
 RISING = 1e-9  # fraction of the largest velocity or acceleration: a separating contact opens faster than this
 PIVOTS = 64  # sets of separating contacts tried before the contact with the most negative normal force is returned
 
 
-def lifted(problem: Problem, heave: list[Row], found: Solution, small: float) -> tuple[int, ...]:
+def separating_contacts(problem: Problem, heave: list[Row], found: Solution, small: float) -> tuple[int, ...]:
     """Return the indices of the contacts that separate, in order; empty if no normal force is below -`small`.
 
     `heave` is the mass matrix of the rises alone, (c, c): Σ m n·n′ over the bodies that both carry.
@@ -38,12 +53,12 @@ def lifted(problem: Problem, heave: list[Row], found: Solution, small: float) ->
 
 
 def _rises(
-    problem: Problem, heave: list[Row], mode: Mode, apart: tuple[int, ...], small: float
+    problem: Problem, heave: list[Row], mode: ContactMode, apart: tuple[int, ...], small: float
 ) -> tuple[tuple[int, ...], frozenset[int]]:
     """Return the contacts of `apart` that open if exactly these separate, and those that contradict it."""
     opened, kept = _opened(problem, heave, apart)
     rubbing = tuple(side for grip, side in zip(problem.grips, mode.rubbing, strict=True) if grip.contact not in apart)
-    found = search(opened, Mode(mode.acting, rubbing))
+    found = search(opened, ContactMode(mode.acting, rubbing))
     least = RISING * max(map(abs, found.x))
     rises = list(zip(apart, found.x[len(problem.force) :], strict=True))
     closing = [number for number, rise in rises if rise < -least]
@@ -85,7 +100,7 @@ def _raised(row: Gradient, apart: tuple[int, ...], kept: list[int]) -> Gradient:
     return gradient([*row.along, *(row.lift[j] for j in apart)], [row.lift[i] for i in kept])
 
 
-FAINT = 1e-9  # threshold below which an entry of a force pattern counts as zero
+ZERO_PATTERN_TOL = 1e-9  # threshold below which an entry of a force pattern counts as zero
 
 
 @dataclass(slots=True)
@@ -96,7 +111,7 @@ class Balance:
     rows: Row
     normal: Row
     friction: Row
-    mode: Mode
+    mode: ContactMode
     lifted: tuple[int, ...]  # the contacts that separate
     loose: bool  # whether a massless part is held by no force
 
@@ -107,7 +122,7 @@ class Demand:
 
     tight: list[int]
     sliding: tuple[int, ...]
-    guess: Mode
+    guess: ContactMode
     kinds: list[RowKind]
 
 
@@ -131,20 +146,20 @@ def balance(system: System, instant: Instant, demand: Demand) -> Balance:
         system.budget,
     )
     guess = demand.guess
-    start = Mode(
+    start = ContactMode(
         tuple(guess.acting[number] for number in tight),
         tuple(now or before for now, before in zip(demand.sliding, guess.rubbing, strict=True)),
     )
     found = search(problem, start)
-    open_ended = _open(stiffest(problem, found).spare, found.forces)
+    open_ended = _open(count_resting_as_acting(problem, found).spare, found.forces)
     small, small_x = scales(problem, found.x)
     loose = found.loose or _unheld(instant, problem, found, open_ended, small)
-    away = lifted(problem, loads.heave, found, small)
+    away = separating_contacts(problem, loads.heave, found, small)
     kept = _kept(problem, found, start, small_x)
     return _spread(system, demand, found, kept, open_ended, away, loose=loose)
 
 
-def _kept(problem: Problem, found: Solution, before: Mode, small: float) -> Mode:
+def _kept(problem: Problem, found: Solution, before: ContactMode, small: float) -> ContactMode:
     """Return the contact mode of a solution without changes from the mode `before` that have no observable effect.
 
     A string that was taut stays so under no tension while its ends do not come together, and a contact at rest that is
@@ -157,7 +172,7 @@ def _kept(problem: Problem, found: Solution, before: Mode, small: float) -> Mode
     for number, side in enumerate(found.mode.rubbing):
         if side and not problem.sliding[number] and abs(problem.grips[number].slip.rate(found.x)) <= small:
             rubbing[number] = 0
-    return linked(problem, Mode(tuple(acting), tuple(rubbing)))
+    return linked(problem, ContactMode(tuple(acting), tuple(rubbing)))
 
 
 def _open(spare: list[Forces], forces: Forces) -> Forces:
@@ -169,7 +184,7 @@ def _open(spare: list[Forces], forces: Forces) -> Forces:
 
 def _masked(values: Row, patterns: list[Row]) -> Row:
     return [
-        nan if any(abs(pattern[number]) > FAINT for pattern in patterns) else value
+        nan if any(abs(pattern[number]) > ZERO_PATTERN_TOL for pattern in patterns) else value
         for number, value in enumerate(values)
     ]
 
@@ -196,7 +211,7 @@ def _spread(
     system: System,
     demand: Demand,
     found: Solution,
-    kept: Mode,
+    kept: ContactMode,
     forces: Forces,
     away: tuple[int, ...],
     *,
@@ -211,7 +226,7 @@ def _spread(
     for grip, force in zip(system.grips, forces.friction, strict=True):
         friction[grip.contact] = 0.0 if found.forces.normal[grip.contact] < 0.0 and not grip.both else force
     normal = [force if number in system.guided else _clipped(force) for number, force in enumerate(forces.normal)]
-    return Balance(found.x, rows, normal, friction, Mode(tuple(acting), kept.rubbing), away, loose)
+    return Balance(found.x, rows, normal, friction, ContactMode(tuple(acting), kept.rubbing), away, loose)
 
 
 def _clipped(force: float) -> float:

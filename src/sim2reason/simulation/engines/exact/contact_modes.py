@@ -10,14 +10,25 @@ from itertools import product
 from math import prod
 
 from sim2reason.errors import SimulationError
-from sim2reason.simulation.engines.exact.linear import Forces, Mode, Problem, RoughContact, Row, Solution, dot, solve
-from sim2reason.simulation.engines.exact.redundant_supports import bearing
+from sim2reason.simulation.engines.exact.linear import (
+    ContactMode,
+    Forces,
+    Problem,
+    RoughContact,
+    Row,
+    Solution,
+    dot,
+    solve,
+)
+from sim2reason.simulation.engines.exact.redundant_supports import admissible_forces
 
 TOLERANCE = 1e-10  # fraction of the largest load or velocity: values below count as zero
 FLIPS = 40  # iterations of the search before all modes are tried
 MODES = 2000  # largest number of modes for an exhaustive search
 EVALUATION, BEARING = 2_000, 50_000  # least operations of one mode and of a search for alternative forces
-FAINT = 1e-6  # fraction of the largest mass: artificial mass of a massless unsupported body during the search
+ARTIFICIAL_MASS_RATIO = (
+    1e-6  # fraction of the largest mass: artificial mass of a massless unsupported body during the search
+)
 
 
 class NoForcesError(SimulationError):
@@ -35,14 +46,14 @@ class Flips:
         """Return the number of changes."""
         return len(self.rows) + len(self.rubbing)
 
-    def apply(self, mode: Mode) -> Mode:
+    def apply(self, mode: ContactMode) -> ContactMode:
         """Return the contact mode with all changes applied."""
         acting, rubbing = list(mode.acting), list(mode.rubbing)
         for number in self.rows:
             acting[number] = not acting[number]
         for number, side in self.rubbing:
             rubbing[number] = side
-        return Mode(tuple(acting), tuple(rubbing))
+        return ContactMode(tuple(acting), tuple(rubbing))
 
     def each(self) -> Iterator["Flips"]:
         """Yield the changes one at a time."""
@@ -50,7 +61,7 @@ class Flips:
         yield from (Flips([], [pair]) for pair in self.rubbing)
 
 
-def search(problem: Problem, guess: Mode) -> Solution:
+def search(problem: Problem, guess: ContactMode) -> Solution:
     """Return the first consistent solution, starting from a guess of the contact mode.
 
     Normal forces may come out negative: the caller then ends the motion. Friction has no law for them, so only
@@ -65,8 +76,8 @@ def search(problem: Problem, guess: Mode) -> Solution:
     return found
 
 
-def _searched(problem: Problem, guess: Mode, *, lenient: bool) -> Solution | None:
-    tried: set[Mode] = set()
+def _searched(problem: Problem, guess: ContactMode, *, lenient: bool) -> Solution | None:
+    tried: set[ContactMode] = set()
     mode = linked(problem, guess)
     for _ in range(FLIPS):
         solution = evaluate(problem, mode)
@@ -82,17 +93,17 @@ def _searched(problem: Problem, guess: Mode, *, lenient: bool) -> Solution | Non
     return _exhausted(problem, tried, lenient=lenient)
 
 
-def linked(problem: Problem, mode: Mode) -> Mode:
+def linked(problem: Problem, mode: ContactMode) -> ContactMode:
     """Return the contact mode, corrected so that held rows act and dependent rows act exactly with their leaders."""
     if not any(problem.held):
         return mode
     acting = list(mode.acting)
     for number, leader in enumerate(problem.follows):
         acting[number] = acting[leader] if leader >= 0 else acting[number] or problem.held[number]
-    return Mode(tuple(acting), mode.rubbing)
+    return ContactMode(tuple(acting), mode.rubbing)
 
 
-def _exhausted(problem: Problem, tried: set[Mode], *, lenient: bool) -> Solution | None:
+def _exhausted(problem: Problem, tried: set[ContactMode], *, lenient: bool) -> Solution | None:
     """Try all contact modes in order, those with the most acting rows and sticking contacts first."""
     choices: list[tuple[int, ...]] = [(True,) if held else (True, False) for held in problem.held]
     choices += [
@@ -103,7 +114,7 @@ def _exhausted(problem: Problem, tried: set[Mode], *, lenient: bool) -> Solution
         return None
     for choice in product(*choices):
         acting, rubbing = choice[: len(problem.rows)], choice[len(problem.rows) :]
-        mode = linked(problem, Mode(tuple(map(bool, acting)), tuple(rubbing)))
+        mode = linked(problem, ContactMode(tuple(map(bool, acting)), tuple(rubbing)))
         if mode in tried:
             continue
         solution = evaluate(problem, mode)
@@ -112,7 +123,7 @@ def _exhausted(problem: Problem, tried: set[Mode], *, lenient: bool) -> Solution
     return None
 
 
-def evaluate(problem: Problem, mode: Mode) -> Solution:
+def evaluate(problem: Problem, mode: ContactMode) -> Solution:
     """Solve the linear system of one contact mode."""
     n = len(problem.force)
     active = [number for number, acts in enumerate(mode.acting) if acts]
@@ -120,7 +131,9 @@ def evaluate(problem: Problem, mode: Mode) -> Solution:
     found = solve(_system(problem, mode, active, 0.0))
     loose = any(any(abs(part) > TOLERANCE for part in null[:n]) for null in found.nulls)
     if loose:
-        faint = FAINT * (max((row[number] for number, row in enumerate(problem.mass)), default=0.0) or 1.0)
+        faint = ARTIFICIAL_MASS_RATIO * (
+            max((row[number] for number, row in enumerate(problem.mass)), default=0.0) or 1.0
+        )
         found = solve(_system(problem, mode, active, faint))
     x = found.x[:n]
     forces = _forces(problem, mode, x, _spread(found.x[n:], active, len(mode.acting)), 1.0)
@@ -131,7 +144,7 @@ def evaluate(problem: Problem, mode: Mode) -> Solution:
     if not spare or loose or not found.consistent or not _flips(problem, solution).count():
         return solution
     problem.budget.spend(BEARING)
-    better = bearing(problem, mode, x)
+    better = admissible_forces(problem, mode, x)
     if better is None:
         return solution
     rows, friction = better
@@ -147,7 +160,7 @@ def _extra(grip: RoughContact, side: int) -> bool:
     return side == 0 and grip.coordinate < 0
 
 
-def _system(problem: Problem, mode: Mode, active: list[int], faint: float) -> list[Row]:
+def _system(problem: Problem, mode: ContactMode, active: list[int], faint: float) -> list[Row]:
     """Return the equations in (x, λ of the acting rows, f of some sticking contacts), one list each, right side last.
 
     If the slip of a sticking contact depends on one coordinate only, the equation of motion of that coordinate gives
@@ -185,7 +198,7 @@ def _spread(values: Row, active: list[int], size: int) -> Row:
     return [*spread, *values[len(active) :]]
 
 
-def _forces(problem: Problem, mode: Mode, x: Row, multipliers: Row, load: float) -> Forces:
+def _forces(problem: Problem, mode: ContactMode, x: Row, multipliers: Row, load: float) -> Forces:
     """Return all multipliers, given x, λ and the unknown friction; `load` 0 leaves the loads out."""
     count = len(problem.rows)
     acting, held = multipliers[:count], iter(multipliers[count:])
@@ -239,7 +252,7 @@ def _flips(problem: Problem, solution: Solution, *, lenient: bool = False) -> Fl
     return flips
 
 
-def stiffest(problem: Problem, solution: Solution) -> Solution:
+def count_resting_as_acting(problem: Problem, solution: Solution) -> Solution:
     """Return the same solution with every resting constraint counted as acting and every resting contact as sticking.
 
     Its `spare` then lists the force patterns that the motion does not determine.
@@ -253,5 +266,5 @@ def stiffest(problem: Problem, solution: Solution) -> Solution:
         side if problem.sliding[number] or abs(grip.slip.rate(solution.x)) > small_x else 0
         for number, (grip, side) in enumerate(zip(problem.grips, solution.mode.rubbing, strict=True))
     )
-    mode = linked(problem, Mode(acting, rubbing))
+    mode = linked(problem, ContactMode(acting, rubbing))
     return solution if mode == solution.mode else evaluate(problem, mode)

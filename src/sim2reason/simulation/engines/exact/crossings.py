@@ -15,7 +15,7 @@ ARMED = 1e-9  # value that a margin must exceed after starting at zero before it
 DRIFT = 1e-7  # a margin may start this far below zero, as integration and impacts leave it
 TANGENTS = 12  # pairs of tangents used to locate a minimum
 EDGE = 0.05  # fraction of an interval: fraction near its ends where an intersection of tangents is ignored
-NEAR = 1e-6  # fraction of a step: width of the finite difference for a slope
+SLOPE_STEP = 1e-6  # fraction of a step: width of the finite difference for a slope
 HALVES = 12  # bisections towards the start in search of a margin that rises from zero
 
 Margin = Callable[[float], float]
@@ -96,7 +96,7 @@ def _dips(margin: Margin, samples: Sequence[Sample]) -> list[Sample]:
 
 def _dip(margin: Margin, one: Sample, other: Sample) -> Sample | None:
     (low, left), (high, right) = one, other
-    falls, rises = _slope(margin, low, left, NEAR), _slope(margin, high, right, -NEAR)
+    falls, rises = _slope(margin, low, left, SLOPE_STEP), _slope(margin, high, right, -SLOPE_STEP)
     for _ in range(TANGENTS):
         if not falls < 0.0 < rises:
             return None
@@ -108,7 +108,7 @@ def _dip(margin: Margin, one: Sample, other: Sample) -> Sample | None:
         value = margin(meet)
         if value < 0.0:
             return meet, value
-        slope = _slope(margin, meet, value, NEAR)
+        slope = _slope(margin, meet, value, SLOPE_STEP)
         if slope < 0.0:
             low, left, falls = meet, value, slope
         else:
@@ -184,12 +184,12 @@ class StepTable:
             self.polynomials[:, new] = np.array([steps[number].polynomial for number in new]).transpose(2, 0, 1)
 
 
-SMALL = 1e-3  # m or rad: a larger displacement counts as size 1
+UNIT_SIZE_DISPLACEMENT = 1e-3  # m or rad: a larger displacement counts as size 1
 NONE = 1e-12  # m or rad: a smaller displacement is round-off of a body at rest
 STEP = 1e-8  # m or rad: step of finite differences
 
 
-def magnitude(rate: Rate, time: float, values: Values, first: Values) -> float:
+def motion_scale(rate: Rate, time: float, values: Values, first: Values) -> float:
     """Return the scale of a small motion, in m or rad, estimated from one instant; 1 if the motion is not small.
 
     If forces depend on position, the motion has a time scale τ = 1/√|∂a/∂q|. In this time, speed and acceleration cause
@@ -206,11 +206,11 @@ def magnitude(rate: Rate, time: float, values: Values, first: Values) -> float:
         return 1.0
     speed, acceleration = (max(map(abs, part), default=0.0) for part in (values[n:], first[n:]))
     size = max(speed / sqrt(stiffest), acceleration / stiffest)
-    return size if NONE < size < SMALL else 1.0
+    return size if NONE < size < UNIT_SIZE_DISPLACEMENT else 1.0
 
 
-ROUNDS = 200  # largest number of iterations
-PATIENCE = 4  # iterations in which the interval should at least be halved
+MAX_ROOT_ITERATIONS = 200  # largest number of iterations
+BISECTION_PATIENCE = 4  # iterations in which the interval should at least be halved
 EPSILON = 2.3e-16  # relative resolution of a float
 
 
@@ -226,12 +226,14 @@ def bracketed_root(function: Callable[[float], float], low: float, high: float) 
     if above <= 0.0:
         return low
     side, width = 0, high - low
-    for number in range(ROUNDS):
+    for number in range(MAX_ROOT_ITERATIONS):
         middle = (low * below - high * above) / (below - above)
-        slow = number % PATIENCE == PATIENCE - 1 and high - low > 0.5 * width  # one end never moves at a flat root
+        slow = (
+            number % BISECTION_PATIENCE == BISECTION_PATIENCE - 1 and high - low > 0.5 * width
+        )  # one end never moves at a flat root
         if slow or not low < middle < high:
             middle = 0.5 * (low + high)
-        if number % PATIENCE == PATIENCE - 1:
+        if number % BISECTION_PATIENCE == BISECTION_PATIENCE - 1:
             width = high - low
         value = function(middle)
         if value > 0.0:

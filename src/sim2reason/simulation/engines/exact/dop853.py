@@ -21,7 +21,7 @@ Stages = tuple[Values, ...]
 
 ORDER = 8  # order of the error estimate
 COEFFICIENTS = 7  # coefficients of the polynomial of each unknown over a step
-SAFETY, LEAST, MOST = 0.9, 0.2, 8.0  # safety factor, smallest and largest ratio of successive steps
+SAFETY, MIN_STEP_RATIO, MAX_STEP_RATIO = 0.9, 0.2, 8.0  # safety factor, smallest and largest ratio of successive steps
 
 
 class Advance(NamedTuple):
@@ -42,7 +42,9 @@ def advance(rate: Rate, time: float, values: Values, first: Values, h: float, to
 
 def factor(error: float) -> float:
     """Return the ratio of the next step size to this one, given the error relative to the tolerance."""
-    return MOST if error == 0.0 else min(MOST, max(LEAST, SAFETY * error ** (-1.0 / ORDER)))
+    return (
+        MAX_STEP_RATIO if error == 0.0 else min(MAX_STEP_RATIO, max(MIN_STEP_RATIO, SAFETY * error ** (-1.0 / ORDER)))
+    )
 
 
 def dense(rate: Rate, time: float, values: Values, h: float, new: Values, stages: Stages) -> tuple[Values, ...]:

@@ -14,14 +14,14 @@ import numpy as np
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact.affine import LinearEquations
 from sim2reason.simulation.engines.exact.dop853 import Values
-from sim2reason.simulation.engines.exact.eigenpairs import REST, SOUND, DampedModes, found_damped
+from sim2reason.simulation.engines.exact.eigenpairs import REST_SPEED, SOUND, DampedModes, find_damped_modes
 
 TURNED = 1e-9  # fraction of the largest eigenvalue: a smaller imaginary part counts as zero
-STILL = 1e-13  # fraction of the largest eigenvalue: a smaller eigenvalue counts as zero
+ZERO_EIGENVALUE_RTOL = 1e-13  # fraction of the largest eigenvalue: a smaller eigenvalue counts as zero
 SHARE = 8  # subdivisions of the fastest period
 HALVINGS = 30  # largest number of times that an interval is halved
 FINE = 64  # subdivisions of the fastest period if margins are evaluated on each piece
-LONGEST = 2500 * FINE  # largest number of pieces in one interval
+MAX_PIECES = 2500 * FINE  # largest number of pieces in one interval
 POLISHES = 60  # iterations for the time of a turning point
 SHARP = 4e-16  # relative accuracy of the time of a turning point
 
@@ -110,7 +110,7 @@ class Modes:
 
 
 @dataclass(frozen=True)
-class Stretch:
+class LinearInterval:
     """An interval of linear motion that is solved by eigenmodes."""
 
     modes: Modes | DampedModes
@@ -137,24 +137,30 @@ def pieces(modes: Modes | DampedModes, span: float) -> int:
     return max(1, int(np.ceil(span * modes.fastest / (2.0 * pi) * SHARE)))
 
 
-def found_modes(linear: LinearEquations, time: float, values: Values) -> Modes | DampedModes | None:
+def find_modes(linear: LinearEquations, time: float, values: Values) -> Modes | DampedModes | None:
     """Return the eigenmodes of linear equations from an instant on; None if the eigenvectors do not form a basis."""
     n, here, base = len(linear.base), np.array(values), linear.accelerations(values)
     if linear.damped:
-        return found_damped(time, here, linear.slopes, base)
+        return find_damped_modes(time, here, linear.slopes, base)
     found, vectors = linear.squares
     squares, ways = np.real(found), np.real(vectors)
     largest = float(np.abs(found).max())
-    if not largest or np.abs(np.imag(found)).max() > TURNED * largest or squares.min() < -STILL * largest:
+    if (
+        not largest
+        or np.abs(np.imag(found)).max() > TURNED * largest
+        or squares.min() < -ZERO_EIGENVALUE_RTOL * largest
+    ):
         return None
     if np.linalg.cond(ways) > SOUND:
         return None
-    kept = np.where(squares > STILL * largest, squares, 0.0)
+    kept = np.where(squares > ZERO_EIGENVALUE_RTOL * largest, squares, 0.0)
     force, speed = np.linalg.solve(ways, np.array([base, here[n:]]).T).T
     return Modes(time, here[:n], ways, kept, force, speed)
 
 
-def stretch(modes: Modes | DampedModes, span: float, left: Array, slopes: Array, shortest: float) -> Stretch | None:
+def stretch(
+    modes: Modes | DampedModes, span: float, left: Array, slopes: Array, shortest: float
+) -> LinearInterval | None:
     """Return the longest interval within `span`, s, without an event; None if it would be below `shortest`, s.
 
     `left` are the values of all margins (m,) at its start, and `slopes` their gradients, (m, 2n).
@@ -166,7 +172,7 @@ def stretch(modes: Modes | DampedModes, span: float, left: Array, slopes: Array,
         within *= 0.5
     if within < span:
         within = max(within, _certain(modes, span, left, slopes))
-    return Stretch(modes, within) if within >= shortest else None
+    return LinearInterval(modes, within) if within >= shortest else None
 
 
 def _certain(modes: Modes | DampedModes, span: float, left: Array, slopes: Array) -> float:
@@ -177,7 +183,7 @@ def _certain(modes: Modes | DampedModes, span: float, left: Array, slopes: Array
     h = 2.0 * pi / modes.fastest / FINE
     sag = modes.bend(slopes) * h * h / 8.0
     done, count = 0, FINE
-    while done < LONGEST and done * h < span:
+    while done < MAX_PIECES and done * h < span:
         at: Array = modes.time + h * np.arange(done, done + count + 1, dtype=np.float64)
         values = left + (modes.at(at) - modes.start) @ slopes.T
         spent = (np.minimum(values[:-1], values[1:]) <= sag).any(axis=1)
@@ -187,7 +193,7 @@ def _certain(modes: Modes | DampedModes, span: float, left: Array, slopes: Array
     return min(span, h * done)
 
 
-def turns(modes: Modes | DampedModes, span: float) -> list[tuple[float, int]]:
+def turning_times(modes: Modes | DampedModes, span: float) -> list[tuple[float, int]]:
     """Return the times at which the speed of a coordinate passes through zero, in order, each with its coordinate."""
     span = modes.moves_until(span)
     n, count = len(modes.start) // 2, pieces(modes, span)
@@ -196,7 +202,7 @@ def turns(modes: Modes | DampedModes, span: float) -> list[tuple[float, int]]:
     found: list[tuple[float, int]] = []
     for number in range(n):
         own = speeds[:, number]
-        fast = np.maximum(np.abs(own[:-1]), np.abs(own[1:])) > REST
+        fast = np.maximum(np.abs(own[:-1]), np.abs(own[1:])) > REST_SPEED
         at = np.flatnonzero((own[:-1] * own[1:] < 0.0) & fast)
         if len(at):
             found += [(time, number) for time in _turns(modes, number, times[at], times[at + 1]).tolist()]

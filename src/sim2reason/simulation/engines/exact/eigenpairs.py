@@ -12,7 +12,7 @@ from sim2reason.scenes.dsl.state import Array
 Complex = npt.NDArray[np.complex128]
 Exact = Sequence[Sequence[Fraction]]
 
-ROUNDS = 4  # Newton iterations; each doubles the number of digits
+NEWTON_ITERATIONS = 4  # Newton iterations; each doubles the number of digits
 SHIFT = 1e-6  # fraction of the largest eigenvalue: a larger Newton correction has converged to another eigenvalue
 
 
@@ -39,7 +39,7 @@ def eigenpairs(matrix: Exact) -> tuple[Complex, Complex]:
 def _improved(matrix: Exact, plain: Array, rate: complex, way: Complex, shift: float) -> tuple[complex, Complex]:
     n, first = len(way), way.conj()
     best, least = (rate, way), np.inf
-    for _ in range(ROUNDS):
+    for _ in range(NEWTON_ITERATIONS):
         residual = _residual(matrix, rate, way)
         size = float(np.abs(residual).max())
         if not size < least or abs(rate - best[0]) > shift:
@@ -76,9 +76,9 @@ def _product(row: Sequence[Fraction], values: Sequence[Fraction]) -> Fraction:
     return sum((part * value for part, value in zip(row, values, strict=True) if part), Fraction())
 
 
-STILL = 1e-13  # fraction of the largest rate: a smaller rate counts as zero
+ZERO_RATE_RTOL = 1e-13  # fraction of the largest rate: a smaller rate counts as zero
 SOUND = 1e8  # largest condition number of the eigenvectors; at critical damping they do not form a basis
-REST = 1e-11  # m/s or rad/s; a slower motion counts as rest
+REST_SPEED = 1e-11  # m/s or rad/s; a slower motion counts as rest
 
 
 @dataclass(frozen=True)
@@ -105,7 +105,7 @@ class DampedModes:
     def least(self, slopes: Array, span: float) -> Array:
         """Return lower bounds (m,) of the changes, within `span` seconds, of functions with these slopes (m, 2n)."""
         weights = (slopes @ self.ways) * self.begins
-        real = np.abs(np.imag(self.rates)) <= STILL * self.fastest
+        real = np.abs(np.imag(self.rates)) <= ZERO_RATE_RTOL * self.fastest
         sinks = np.real(weights) * np.expm1(np.where(real, np.real(self.rates), 0.0) * span)
         found: Array = np.where(real, np.minimum(sinks, 0.0), -np.abs(weights) - np.real(weights)).sum(axis=1)
         return found
@@ -126,10 +126,10 @@ class DampedModes:
         n = len(self.start) // 2
         size = float(np.abs(self.ways[n:] * self.begins).sum())
         slowest = float(-np.real(self.rates).max())
-        return min(span, float(np.log(size / REST)) / slowest) if size > REST else 0.0
+        return min(span, float(np.log(size / REST_SPEED)) / slowest) if size > REST_SPEED else 0.0
 
 
-def found_damped(time: float, start: Array, slopes: Exact, base: Array) -> DampedModes | None:
+def find_damped_modes(time: float, start: Array, slopes: Exact, base: Array) -> DampedModes | None:
     """Return the eigenmodes of a damped motion that all decay; None if one does not or they do not form a basis.
 
     `slopes` are those of the accelerations with respect to x, (n, 2n), and `base` the accelerations at the start, (n,).
@@ -139,7 +139,7 @@ def found_damped(time: float, start: Array, slopes: Exact, base: Array) -> Dampe
     if not size:
         return None
     rates, vectors = eigenpairs(_scaled(slopes, Fraction(size)))
-    if np.linalg.cond(vectors) > SOUND or np.abs(rates).min() <= STILL * size or np.real(rates).max() >= 0.0:
+    if np.linalg.cond(vectors) > SOUND or np.abs(rates).min() <= ZERO_RATE_RTOL * size or np.real(rates).max() >= 0.0:
         return None
     ways: Complex = np.repeat([1.0, size], n)[:, None] * vectors
     rest = start.copy()

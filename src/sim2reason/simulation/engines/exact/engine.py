@@ -7,10 +7,10 @@ from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.contact_modes import NoForcesError
 from sim2reason.simulation.engines.exact.flow import Flow
-from sim2reason.simulation.engines.exact.glide import STILL, SteadyEquations, halt
+from sim2reason.simulation.engines.exact.glide import REST_RATE, ConstantEquations, halt
 from sim2reason.simulation.engines.exact.margins import ENDS, Margin, StopReason
 from sim2reason.simulation.engines.exact.motion import BEGINS, STOPS, TIE, Motion
-from sim2reason.simulation.engines.exact.settling import REST, Settling
+from sim2reason.simulation.engines.exact.settling import REST_SPEED, Settling
 from sim2reason.simulation.engines.exact.system import Instant
 from sim2reason.simulation.trace import ENGINES, FINEST, Trace
 
@@ -73,7 +73,7 @@ class _Run(Settling):
 
     def step(self) -> bool:
         """Settle the present instant and advance to the next event; return False at the end."""
-        self.v = [0.0 if abs(speed) < REST else speed for speed in self.v]
+        self.v = [0.0 if abs(speed) < REST_SPEED else speed for speed in self.v]
         before = self.instant()
         snapped = self.impact(before)
         if snapped is None:
@@ -102,7 +102,7 @@ class _Run(Settling):
             return False
         return not ended
 
-    def _glide(self, steady: SteadyEquations, instant: Instant, found: Balance, left: float) -> StopReason:
+    def _glide(self, steady: ConstantEquations, instant: Instant, found: Balance, left: float) -> StopReason:
         stop = steady.glide(instant, found, left)
         span = stop.elapsed
         self._note_turns(found, span)
@@ -152,7 +152,7 @@ class _Run(Settling):
     def _halt(self, number: int) -> None:
         """Apply the end of sliding at a contact; a slip along one coordinate sets its speed to exactly zero."""
         grip = self.system.grips[number]
-        if grip.coordinate >= 0 and abs(self.v[grip.coordinate]) < STILL:
+        if grip.coordinate >= 0 and abs(self.v[grip.coordinate]) < REST_RATE:
             self.v = [0.0 if k == grip.coordinate else speed for k, speed in enumerate(self.v)]
 
     def _cross(self, number: int, side: int) -> None:

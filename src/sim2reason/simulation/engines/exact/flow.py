@@ -16,32 +16,35 @@ from sim2reason.simulation.engines.exact.crossings import (
     StepTable,
     Watch,
     bracketed_root,
-    magnitude,
+    motion_scale,
 )
-from sim2reason.simulation.engines.exact.eigenmodes import Stretch, found_modes, pieces, stretch, turns
-from sim2reason.simulation.engines.exact.formulas import CurvedEquations
-from sim2reason.simulation.engines.exact.lengths import Phase
+from sim2reason.simulation.engines.exact.eigenmodes import LinearInterval, find_modes, pieces, stretch, turning_times
+from sim2reason.simulation.engines.exact.formulas import VariableEquations
+from sim2reason.simulation.engines.exact.lengths import SwitchState
 from sim2reason.simulation.engines.exact.margins import StopReason
 from sim2reason.simulation.engines.exact.system import Instant
 
 ABSOLUTE = 1e-2  # absolute error per relative tolerance of a step, in m or rad and their rates
-SHORTEST = 1e-13  # fraction of the duration: a smaller step indicates a singularity
+MIN_STEP = 1e-13  # fraction of the duration: a smaller step indicates a singularity
 OFF = 1e-6  # m; larger violation of an acting constraint is an error
 TIE = 1e-10  # fraction of the duration: events closer than this are simultaneous
 POLISHES = 4  # corrections of an event time by an integrator step
-PATIENCE = 200  # steps after which the number of remaining steps is first estimated
-MANY = 20_000  # remaining steps above which linear equations are solved by eigenmodes instead
-FAINT, SMALL = 1e-12, 1e-4  # m or rad; displacements too small for `ABSOLUTE`; below the first none is resolved
+STEPS_BEFORE_ESTIMATE = 200  # steps after which the number of remaining steps is first estimated
+EIGENMODE_STEP_THRESHOLD = 20_000  # remaining steps above which linear equations are solved by eigenmodes instead
+MIN_RESOLVED_DISPLACEMENT, SMALL_DISPLACEMENT = (
+    1e-12,
+    1e-4,
+)  # m or rad; displacements too small for `ABSOLUTE`; below the first none is resolved
 SHORTEST_LEAP = 10  # least length of an interval solved by eigenmodes, in fastest periods
 PIECE = 20  # operations of a piece of an eigenmode interval, for each coordinate
-REST = 1e-11  # m/s or rad/s; residual round-off of a speed that is zero
+REST_SPEED = 1e-11  # m/s or rad/s; residual round-off of a speed that is zero
 
 
 class Flow:
     """The numerical integration of one contact mode, from its start to the event that ends it."""
 
     def __init__(
-        self, equations: CurvedEquations, instant: Instant, phase: Phase, found: Balance, tolerance: float
+        self, equations: VariableEquations, instant: Instant, phase: SwitchState, found: Balance, tolerance: float
     ) -> None:
         """Generate the code of the mode unless it exists; `tolerance` is the relative error of a step."""
         self._relative = tolerance
@@ -51,7 +54,9 @@ class Flow:
         self.start = self.time = instant.time
         self.values: dop853.Values = (*instant.q, *instant.v)
         self.steps: list[FlowStep] = []
-        self.stretches: list[Stretch] = []  # between steps, where the motion is linear and steps would be too many
+        self.stretches: list[
+            LinearInterval
+        ] = []  # between steps, where the motion is linear and steps would be too many
         self._watch = Watch(())
         self.turns: list[tuple[float, int]] = []  # when a coordinate's speed passes through zero, and which
 
@@ -82,13 +87,13 @@ class Flow:
     def _advance(self, duration: float, longest: float) -> StopReason:
         end, rate = self.start + duration, self.formulas.rate
         first = rate(self.time, self.values)
-        self._tolerance = ABSOLUTE * self._relative * magnitude(rate, self.time, self.values, first), self._relative
+        self._tolerance = ABSOLUTE * self._relative * motion_scale(rate, self.time, self.values, first), self._relative
         before = self.formulas.margins(self.time, self.values)
         self._watch = Watch(before)
         length = dop853.first_step(rate, self.time, self.values, first, self._tolerance)
         while self.time < end:
             length = min(length, end - self.time)
-            if not length >= SHORTEST * longest and end - self.time > SHORTEST * longest:  # or it is no number
+            if not length >= MIN_STEP * longest and end - self.time > MIN_STEP * longest:  # or it is no number
                 return self._singular()
             self._equations.system.budget.spend(self.formulas.cost)
             try:
@@ -109,7 +114,7 @@ class Flow:
             first, before = tried.stages[-1], after
             self._watch.passed(after)
             length *= dop853.factor(tried.error)
-            if len(self.steps) % PATIENCE == 0 and self._leap(end, (end - self.time) / length):
+            if len(self.steps) % STEPS_BEFORE_ESTIMATE == 0 and self._leap(end, (end - self.time) / length):
                 first, before = rate(self.time, self.values), self.formulas.margins(self.time, self.values)
                 self._watch.passed(before)
         if self.steps and not self.stretches and self._is_small():
@@ -123,7 +128,11 @@ class Flow:
         present.
         """
         budget = self._equations.system.budget
-        if steps < MANY and steps * self.formulas.cost < budget.left and (self.stretches or not self._is_small()):
+        if (
+            steps < EIGENMODE_STEP_THRESHOLD
+            and steps * self.formulas.cost < budget.left
+            and (self.stretches or not self._is_small())
+        ):
             return False
         took = not self.stretches and self._take(self.steps[0], end)
         while self.time < end and self._take(None, end):
@@ -136,9 +145,9 @@ class Flow:
         far = 0.0
         for step in reversed(self.steps):  # an ordinary motion is known by the first of them
             far = max(far, *(abs(a - b) for a, b in zip(here, step.values[:n], strict=False)), 0.0)
-            if far > SMALL:
+            if far > SMALL_DISPLACEMENT:
                 return False
-        return far > FAINT
+        return far > MIN_RESOLVED_DISPLACEMENT
 
     def _take(self, begin: FlowStep | None, end: float, periods: float = SHORTEST_LEAP) -> bool:
         """Solve a linear interval by eigenmodes from the first step on, replacing all steps, or from the present."""
@@ -146,7 +155,7 @@ class Flow:
         if linear is None:
             return False
         time, values = (begin.time, begin.values) if begin else (self.time, self.values)
-        modes = found_modes(linear, time, values)
+        modes = find_modes(linear, time, values)
         if modes is None:
             return False
         left = np.array(self.formulas.margins(time, values))
@@ -157,7 +166,7 @@ class Flow:
         if begin:
             self.steps, self.turns = [], []
         self.stretches.append(found)
-        self.turns += turns(modes, found.length)
+        self.turns += turning_times(modes, found.length)
         self.time, self.values = found.time + found.length, found.new
         return True
 
@@ -248,7 +257,7 @@ class Flow:
         n = self._equations.system.size
         for number in range(n, 2 * n):
             old, new = step.values[number], step.new[number]
-            if old * new < 0.0 and abs(old) > REST and abs(new) > REST:
+            if old * new < 0.0 and abs(old) > REST_SPEED and abs(new) > REST_SPEED:
                 sign = 1.0 if old > 0.0 else -1.0
                 path = step.polynomial[number]
                 x = bracketed_root(lambda x, o=old, p=path, s=sign: s * dop853.interpolated_one(o, p, x), 0.0, 1.0)

@@ -11,44 +11,46 @@ from math import inf
 
 from sim2reason.scenes.dsl.constancy import straight
 from sim2reason.scenes.dsl.frames import Frames
-from sim2reason.scenes.dsl.vectors import Number, minus, product
+from sim2reason.scenes.dsl.vectors import Number, dot, minus
 from sim2reason.simulation.engines.exact.affine import linear_equations
 from sim2reason.simulation.engines.exact.assembly import Assembly
-from sim2reason.simulation.engines.exact.lengths import Phase, RowTerms
-from sim2reason.simulation.engines.exact.linear import FreeForces, Mode, Row, Unknowns, eliminated
+from sim2reason.simulation.engines.exact.lengths import RowTerms, SwitchState
+from sim2reason.simulation.engines.exact.linear import ContactMode, FreeForces, Row, Unknowns, solve_symbolic
 from sim2reason.simulation.engines.exact.margins import Formulas, Margin
 from sim2reason.simulation.engines.exact.system import Instant, System
 from sim2reason.simulation.engines.exact.tape import Symbol, Tape, value_of
 
-FAINT = 1e-9  # a smaller change of a margin counts as zero
-MEET = 1e-9  # m; the ends of a straight line segment that are closer coincide
+ZERO_MARGIN_CHANGE = 1e-9  # a smaller change of a margin counts as zero
+COINCIDENCE_DISTANCE = 1e-9  # m; the ends of a straight line segment that are closer coincide
 PIVOT = 1e-6  # fraction of its initial size: a pivot that shrinks below this is unusable
-TOGETHER = 1e-7  # m; at smaller distances a line has no direction, and a step could skip the coincidence of its points
+PASSING_DISTANCE = (
+    1e-7  # m; at smaller distances a line has no direction, and a step could skip the coincidence of its points
+)
 STAGES, MARGINS = 13, 3  # evaluations of rates and of margins per step
 UNKNOWN, FIXED = 400, 500  # operations of a step for each coordinate, and in total at least
 WRITING = 100  # operations to generate the code that executes one operation
 
 
-class CurvedEquations:
+class VariableEquations:
     """Equations of motion on a tape for each phase, and their code for each contact mode."""
 
     def __init__(self, system: System) -> None:
         """Start without equations; they are recorded on first use."""
         self.system = system
-        self._recorded: dict[Phase, _Recorded] = {}
+        self._recorded: dict[SwitchState, _Recorded] = {}
 
-    def instant(self, time: float, q: Row, v: Row, phase: Phase) -> Instant:
+    def instant(self, time: float, q: Row, v: Row, phase: SwitchState) -> Instant:
         """Return the numerical equations at one instant."""
         return self.system.instant(time, q, v, phase)
 
-    def formulas(self, instant: Instant, phase: Phase, mode: Mode) -> Formulas:
+    def formulas(self, instant: Instant, phase: SwitchState, mode: ContactMode) -> Formulas:
         """Return the code of a contact mode, generated on first use."""
         recorded = self._recorded.get(phase)
         if recorded is None:
             recorded = self._recorded[phase] = _Recorded(self.system, phase)
         return recorded.formulas(instant, mode)
 
-    def forget(self, phase: Phase, mode: Mode) -> None:
+    def forget(self, phase: SwitchState, mode: ContactMode) -> None:
         """Discard the code of a contact mode, so that its pivots are chosen anew."""
         self._recorded[phase].made.pop(mode, None)
 
@@ -56,7 +58,7 @@ class CurvedEquations:
 class _Recorded:
     """The equations of one phase, recorded on a tape."""
 
-    def __init__(self, system: System, phase: Phase) -> None:
+    def __init__(self, system: System, phase: SwitchState) -> None:
         n = system.size
         self.system, self.phase = system, phase
         self.tape = Tape(["t", *(f"q{i}" for i in range(n)), *(f"v{i}" for i in range(n))])
@@ -66,16 +68,16 @@ class _Recorded:
         self.assembly = Assembly(system.mechanism, phase, (self.q, self.v, self.time), self.tape, frames)
         self.mass = self.assembly.full_mass()
         self.rows = self.assembly.rows(system.starts)
-        self.made: dict[Mode, Formulas] = {}
+        self.made: dict[ContactMode, Formulas] = {}
 
-    def formulas(self, instant: Instant, mode: Mode) -> Formulas:
+    def formulas(self, instant: Instant, mode: ContactMode) -> Formulas:
         """Return the code of a contact mode, generated at the given instant if it is new."""
         if mode not in self.made:
             self.tape.stand([instant.time, *instant.q, *instant.v])
             self.made[mode] = self._formulas(mode)
         return self.made[mode]
 
-    def _formulas(self, mode: Mode) -> Formulas:
+    def _formulas(self, mode: ContactMode) -> Formulas:
         tape = self.tape
         found = self._solved(mode)
         normal = self._normals(found)
@@ -88,7 +90,9 @@ class _Recorded:
         watched = self._watched(mode, rows, normal, friction)
         patterns = [self._patterns(mode, spare) for spare in found.free]
         parts = {margin: [pattern.get(margin, 0.0) for pattern in patterns] for margin, _ in watched}
-        open_ended = {m for m, changes in parts.items() if any(abs(value_of(part)) > FAINT for part in changes)}
+        open_ended = {
+            m for m, changes in parts.items() if any(abs(value_of(part)) > ZERO_MARGIN_CHANGE for part in changes)
+        }
         braced = [(margin, number) for margin, number in watched if margin in open_ended]
         watched = [(margin, number) for margin, number in watched if margin not in open_ended]
         outputs = [number for _, number in (*watched, *braced)] + [
@@ -107,7 +111,7 @@ class _Recorded:
         linear = partial(linear_equations, tape, found.x, [number for _, number in watched])
         return Formulas(rate, write, margins, tuple(names), held, tuple(passing), closing, cost, linear, due)
 
-    def _patterns(self, mode: Mode, free: FreeForces) -> dict[Margin, Number]:
+    def _patterns(self, mode: ContactMode, free: FreeForces) -> dict[Margin, Number]:
         """Return the changes of the force margins due to one pattern of undetermined forces."""
         lift: list[Number] = [0.0] * self.system.count
         for number, force in free.rows.items():
@@ -124,7 +128,7 @@ class _Recorded:
 
     # ---- one mode, solved
 
-    def _solved(self, mode: Mode) -> Unknowns:
+    def _solved(self, mode: ContactMode) -> Unknowns:
         """Return accelerations, multipliers of acting rows, and friction of sticking contacts."""
         system, n = self.system, self.system.size
         active = [number for number, acts in enumerate(mode.acting) if acts]
@@ -141,7 +145,7 @@ class _Recorded:
                 self._rub(equations, grip.friction * side, grip.contact, grip.slip.terms, active)
         equations += [_equation(terms[i], n, width) for i in active]
         equations += [[*grips[g].slip.along, *([0.0] * (width - n)), 0.0] for g in sticking]
-        return eliminated(equations, n, active, sticking)
+        return solve_symbolic(equations, n, active, sticking)
 
     def _rub(
         self,
@@ -172,7 +176,7 @@ class _Recorded:
             normal.append(total)
         return normal
 
-    def _friction(self, mode: Mode, found: Unknowns, normal: list[Number]) -> list[Number]:
+    def _friction(self, mode: ContactMode, found: Unknowns, normal: list[Number]) -> list[Number]:
         friction: list[Number] = [0.0] * self.system.count
         for number, (grip, side) in enumerate(zip(self.system.grips, mode.rubbing, strict=True)):
             along = found.friction[number] if side == 0 else -grip.friction * side * normal[grip.contact]
@@ -182,7 +186,7 @@ class _Recorded:
     # ---- margins
 
     def _watched(
-        self, mode: Mode, rows: list[Number], normal: list[Number], friction: list[Number]
+        self, mode: ContactMode, rows: list[Number], normal: list[Number], friction: list[Number]
     ) -> list[tuple[Margin, Number]]:
         system = self.system
         found = list(chain(self._row_margins(mode, rows), self._contact_margins(mode, normal, friction)))
@@ -208,7 +212,7 @@ class _Recorded:
             found.append((Margin("strain", number), side * (self.assembly.length(line).value - law.length)))
         return found
 
-    def _row_margins(self, mode: Mode, rows: list[Number]) -> list[tuple[Margin, Number]]:
+    def _row_margins(self, mode: ContactMode, rows: list[Number]) -> list[tuple[Margin, Number]]:
         found: list[tuple[Margin, Number]] = []
         for number, kind in enumerate(self.system.kinds(self.phase)):
             if kind.both:
@@ -219,7 +223,9 @@ class _Recorded:
                 found.append((Margin("spare", number), self.rows[number].value))
         return found
 
-    def _contact_margins(self, mode: Mode, normal: list[Number], friction: list[Number]) -> list[tuple[Margin, Number]]:
+    def _contact_margins(
+        self, mode: ContactMode, normal: list[Number], friction: list[Number]
+    ) -> list[tuple[Margin, Number]]:
         system = self.system
         found = [(Margin("normal", i), force) for i, force in enumerate(normal) if i not in system.guided]
         for number, (grip, side) in enumerate(zip(system.grips, mode.rubbing, strict=True)):
@@ -236,7 +242,7 @@ class _Recorded:
                 found.append((Margin("grip", number, -1), bound - friction[grip.contact]))
         return found
 
-    def _keeps(self, mode: Mode, first: str, last: str) -> bool:
+    def _keeps(self, mode: ContactMode, first: str, last: str) -> bool:
         """Return whether an acting constraint consists of this segment alone, so that its length is constant."""
         known = self.system.mechanism.line
         acting = [kind.name for kind, acts in zip(self.system.kinds(self.phase), mode.acting, strict=True) if acts]
@@ -253,7 +259,7 @@ class _Recorded:
                 and straight(self.system.mechanism, self.system.frames, *runs[margin.number]) is None
             ):
                 one, other = (frames.site(name) for name in runs[margin.number])
-                found[place] = product(minus(other.place, one.place), minus(other.velocity, one.velocity))
+                found[place] = dot(minus(other.place, one.place), minus(other.velocity, one.velocity))
         return found
 
     def _distance(self, first: str, last: str) -> Number:
@@ -264,7 +270,7 @@ class _Recorded:
         for number, (a, b) in enumerate(zip(one, other, strict=True)):
             apart = b - a
             total = total + (apart * apart if way is None else apart * way[number])
-        return self.tape.sqrt(total) - TOGETHER if way is None else total - MEET
+        return self.tape.sqrt(total) - PASSING_DISTANCE if way is None else total - COINCIDENCE_DISTANCE
 
     def _borders(self) -> list[tuple[Margin, Number]]:
         found: list[tuple[Margin, Number]] = []

@@ -8,16 +8,16 @@ from math import hypot, inf, sqrt
 
 import numpy as np
 
-from sim2reason.scenes.dsl.mechanism import Inextensible, Meeting
+from sim2reason.scenes.dsl.mechanism import CollisionPair, Inextensible
 from sim2reason.scenes.dsl.vectors import Number, Triple, Vector, inner, minus, relative
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.balance import Balance
-from sim2reason.simulation.engines.exact.lengths import Phase
+from sim2reason.simulation.engines.exact.lengths import SwitchState
 from sim2reason.simulation.engines.exact.linear import Gradient, Row
 from sim2reason.simulation.engines.exact.margins import Margin, StopReason
 from sim2reason.simulation.engines.exact.system import TOUCHING, Instant, Near, System
 
-STILL = 1e-9  # m/s, rad/s or m/s²; slower motion counts as rest
+REST_RATE = 1e-9  # m/s, rad/s or m/s²; slower motion counts as rest
 ROUNDING = 1e-12  # threshold of round-off
 
 
@@ -28,9 +28,9 @@ def crossing(c: float, b: float, a: float) -> float:
     returns. Roots are computed in the form without cancellation.
     """
     if c <= TOUCHING:
-        if b < -STILL or (b <= STILL and a < -STILL):
+        if b < -REST_RATE or (b <= REST_RATE and a < -REST_RATE):
             return 0.0
-        return -2.0 * b / a if b > STILL and a < -ROUNDING else inf
+        return -2.0 * b / a if b > REST_RATE and a < -ROUNDING else inf
     square = b * b - 2.0 * a * c
     if square < 0.0 or (b >= 0.0 and a >= 0.0):
         return inf
@@ -78,12 +78,12 @@ class Approach:
 
     def hit(self) -> float:
         """Return the time until the gap next closes, s, or infinity."""
-        resting = self.touching and abs(self.rate) <= STILL
+        resting = self.touching and abs(self.rate) <= REST_RATE
         if self._straight():
             r = hypot(*self.apart)
             pull = inner(self.apart, self.acceleration) / r
             return inf if resting else crossing(self.gap, self.rate, pull)
-        if self.touching and self.rate < -STILL:
+        if self.touching and self.rate < -REST_RATE:
             return 0.0
         return _first_root(self._polynomial(), 2 if resting else int(self.touching))
 
@@ -146,7 +146,7 @@ TIE = 1e-11  # s; events closer than this are simultaneous
 class _Pair:
     """A collision pair with the separation `apart` + Σ axis·q."""
 
-    meeting: Meeting
+    meeting: CollisionPair
     apart: Vector
     slides: Steps
     lifts: Steps
@@ -167,7 +167,7 @@ class _Pair:
         if normal is None:
             return near.hit()
         gap, rate = inner(normal, near.apart) - near.distance, inner(normal, near.velocity)
-        resting = gap <= TOUCHING and abs(rate) <= STILL
+        resting = gap <= TOUCHING and abs(rate) <= REST_RATE
         return inf if resting else crossing(gap, rate, inner(normal, near.acceleration))
 
 
@@ -179,7 +179,7 @@ def _carried(slides: Steps, values: Row) -> Vector:
     return (x, y, z)
 
 
-class SteadyEquations:
+class ConstantEquations:
     """Equations of motion that are constant in time, with their closed-form solution."""
 
     def __init__(self, system: System) -> None:
@@ -197,7 +197,7 @@ class SteadyEquations:
         self._pairs = tuple(self._pair(meeting) for meeting in system.mechanism.meetings)
         self._runs = [(run.value, _sparse(run.along)) for run in system.runs.values()]
 
-    def _pair(self, meeting: Meeting) -> _Pair:
+    def _pair(self, meeting: CollisionPair) -> _Pair:
         other = self.system.frames.center(meeting.b)
         if meeting.a is None:
             return _Pair(meeting, _plain(other.place), _steps({}, other.gradient), _steps({}, other.lift))
@@ -206,7 +206,7 @@ class SteadyEquations:
         slides, lifts = _steps(one.gradient, other.gradient), _steps(one.lift, other.lift)
         return _Pair(meeting, _plain(apart), slides, lifts)
 
-    def instant(self, time: float, q: Row, v: Row, phase: Phase) -> Instant:
+    def instant(self, time: float, q: Row, v: Row, phase: SwitchState) -> Instant:
         """Return the equations at one instant: constant apart from margins, with one row for each pair that sticks."""
         spare, rates = list[float](), list[float]()
         for row, reel, room in zip(self._rows, self._reels, self._spare, strict=True):
@@ -257,7 +257,7 @@ class SteadyEquations:
         for number in range(len(self._rows)):
             if not found.mode.acting[number]:
                 spare, rate = instant.spare[number], -instant.rates[number]
-                if spare > TOUCHING or abs(rate) > STILL:
+                if spare > TOUCHING or abs(rate) > REST_RATE:
                     time = crossing(spare, rate, -instant.rows[number].rate(found.a))
                     due.append((time, Margin("spare", number)))
         for number, grip in enumerate(self.system.grips):

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from sim2reason.scenes.dsl.mechanism import Mechanism, Rigid
-from sim2reason.scenes.dsl.vectors import Gradient, Number, Point, Triple, product, relative
+from sim2reason.scenes.dsl.vectors import Gradient, Number, Point, Triple, dot, relative
 
 
-class Phase(NamedTuple):
+class SwitchState(NamedTuple):
     """The on/off state that events change: forces in regions, engines, pairs stuck together and one-sided springs."""
 
     inside: tuple[tuple[bool, ...], ...] = ()  # for each force, for each border of its region
@@ -63,7 +63,7 @@ class RowKind:
     follows: int  # the index of the row with which this one acts; −1 for none
 
 
-def row_kinds(mechanism: Mechanism, phase: Phase) -> list[RowKind]:
+def row_kinds(mechanism: Mechanism, phase: SwitchState) -> list[RowKind]:
     """Return the kinds of all constraint rows in order: lines, two rows for each foot, pairs that stick together."""
     found = [RowKind(line.law.row, line.name, isinstance(line.law, Rigid), -1) for line in mechanism.constraints]
     for foot in mechanism.feet:
@@ -77,14 +77,14 @@ def row_kinds(mechanism: Mechanism, phase: Phase) -> list[RowKind]:
 
 def projected(one: Gradient, other: Gradient, way: Triple) -> dict[int, Number]:
     """Return the gradient of the relative motion of the second point to the first along `way`, by coordinate."""
-    return {i: product(way, axis) for i, axis in relative(one, other).items()}
+    return {i: dot(way, axis) for i, axis in relative(one, other).items()}
 
 
 def point_row(point: Point, way: Triple, gap: Number) -> RowTerms:
     """Return the constraint row that holds a point along the direction `way`."""
-    along = {i: product(way, axis) for i, axis in point.gradient.items()}
-    lift = {i: product(way, normal) for i, normal in point.lift.items()}
-    return RowTerms(along, lift, gap, product(way, point.velocity), -product(way, point.bias))
+    along = {i: dot(way, axis) for i, axis in point.gradient.items()}
+    lift = {i: dot(way, normal) for i, normal in point.lift.items()}
+    return RowTerms(along, lift, gap, dot(way, point.velocity), -dot(way, point.bias))
 
 
 def merge(total: dict[int, Number], more: Mapping[int, Number]) -> None:

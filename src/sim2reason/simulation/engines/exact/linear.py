@@ -127,7 +127,7 @@ class RoughContact:
         return 0 if self.never else (slip > least) - (slip < -least)
 
 
-class Mode(NamedTuple):
+class ContactMode(NamedTuple):
     """A contact mode: which constraint rows act, and how each rough contact rubs: 0 sticks, ±1 slips."""
 
     acting: tuple[bool, ...]
@@ -169,7 +169,7 @@ class Forces(NamedTuple):
 class Solution:
     """The solution x for one contact mode; `spare` are force patterns that do not change the motion."""
 
-    mode: Mode
+    mode: ContactMode
     x: Row
     forces: Forces
     spare: list[Forces]
@@ -197,7 +197,7 @@ class FreeForces(NamedTuple):
     friction: dict[int, Number]
 
 
-def eliminated(equations: list[Equation], size: int, active: list[int], sticking: list[int]) -> Unknowns:
+def solve_symbolic(equations: list[Equation], size: int, active: list[int], sticking: list[int]) -> Unknowns:
     """Solve for `size` accelerations, then the multipliers of `active` rows, then the friction of `sticking` contacts.
 
     An unknown that redundant constraints leave undetermined is zero.

@@ -10,8 +10,8 @@ from sim2reason.base.lazy import cached_property
 from sim2reason.simulation.engines.exact.affine import LinearEquations
 from sim2reason.simulation.engines.exact.dop853 import Rate
 
-FAINT = 1e-12  # smaller coefficients count as zero
-MOST = 4000  # largest number of combined conditions
+ZERO_COEFFICIENT_TOL = 1e-12  # smaller coefficients count as zero
+MAX_CONDITIONS = 4000  # largest number of combined conditions
 
 
 class Condition(NamedTuple):
@@ -30,10 +30,10 @@ def greatest_least(bases: Sequence[float], parts: Sequence[Sequence[float]]) -> 
     """
     found = [Condition(b, tuple(p), frozenset({i})) for i, (b, p) in enumerate(zip(bases, parts, strict=True))]
     for place in range(len(parts[0]) if parts else 0):
-        rising = [one for one in found if one.parts[place] > FAINT]
-        falling = [one for one in found if one.parts[place] < -FAINT]
-        kept = [one for one in found if abs(one.parts[place]) <= FAINT]
-        found = [*kept, *(_combined(one, other, place) for one in rising for other in falling)][:MOST]
+        rising = [one for one in found if one.parts[place] > ZERO_COEFFICIENT_TOL]
+        falling = [one for one in found if one.parts[place] < -ZERO_COEFFICIENT_TOL]
+        kept = [one for one in found if abs(one.parts[place]) <= ZERO_COEFFICIENT_TOL]
+        found = [*kept, *(_combined(one, other, place) for one in rising for other in falling)][:MAX_CONDITIONS]
     least = min(found, key=lambda one: one.base, default=Condition(float("inf"), (), frozenset()))
     return least.base, least.of
 

@@ -14,11 +14,11 @@ from sim2reason.scenes.dsl.state import Array, Dynamics, State
 from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.flow import Flow, sampled
 from sim2reason.simulation.engines.exact.lengths import RowKind
-from sim2reason.simulation.engines.exact.linear import Mode, RoughContact, Row
+from sim2reason.simulation.engines.exact.linear import ContactMode, RoughContact, Row
 from sim2reason.simulation.trace import EVENT_KINDS, Event, in_order
 
 CROWD = 5e-3  # s; repeated impacts of one body, or jerks of one string, within this time end the motion
-SAME = 8  # latest events that are compared to avoid duplicates
+DUPLICATE_WINDOW = 8  # latest events that are compared to avoid duplicates
 TIE = 1e-11  # s; events closer than this are simultaneous
 BEGINS = {"string": "taut", "prop": "land", "foot": "land"}  # kind of the event at which a constraint begins to act
 STOPS = {"string": "slack", "prop": "leave", "foot": "leave"}  # kind of the event at which a constraint ceases to act
@@ -41,7 +41,7 @@ class EventLog:
         Collisions are always recorded, since two bodies that touch others may collide more than once at an instant.
         """
         event = Event(time, kind, subjects)
-        if kind == "collision" or event not in self.events[-SAME:]:
+        if kind == "collision" or event not in self.events[-DUPLICATE_WINDOW:]:
             self.events.append(event)
 
     def end(self, time: float, kind: str, *subjects: str) -> None:
@@ -58,7 +58,7 @@ class EventLog:
         """Store the time and subjects of an impact on the named bodies or rows."""
         self._hits |= dict.fromkeys(names, (time, subjects))
 
-    def crowded(self, time: float, names: Iterable[str]) -> float | None:
+    def previous_impact_time(self, time: float, names: Iterable[str]) -> float | None:
         """Return the time of the previous impact if one of `names` is struck again too soon; None otherwise.
 
         Alternating impacts could continue without end.
@@ -77,7 +77,7 @@ class EventLog:
             self.record(time, BEGINS[kinds[number].kind], kinds[number].name)
 
     def changed(
-        self, time: float, kinds: list[RowKind], modes: tuple[Mode, Mode], rows: set[int], *, first: bool
+        self, time: float, kinds: list[RowKind], modes: tuple[ContactMode, ContactMode], rows: set[int], *, first: bool
     ) -> None:
         """Record the constraints that begin or cease to act between two modes; those in `rows` with a jerk."""
         before, after = modes
@@ -89,7 +89,7 @@ class EventLog:
             elif before.acting[number] and not after.acting[number] and not first:
                 self.record(time, STOPS[kind.kind], kind.name)
 
-    def rubbed(self, time: float, grips: tuple[RoughContact, ...], modes: tuple[Mode, Mode]) -> None:
+    def rubbed(self, time: float, grips: tuple[RoughContact, ...], modes: tuple[ContactMode, ContactMode]) -> None:
         """Record the contacts that begin to stick or to slip."""
         for grip, was, now in zip(grips, modes[0].rubbing, modes[1].rubbing, strict=True):
             if was != now:

@@ -7,13 +7,13 @@ admissible forces exist. This module finds any admissible set.
 import numpy as np
 
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.simulation.engines.exact.linear import Mode, Problem, Row
+from sim2reason.simulation.engines.exact.linear import ContactMode, Problem, Row
 
 ROUNDING = 1e-12  # relative threshold of round-off
 ALLOWED = 1e-9  # fraction of the largest load: admissible residual
 
 
-def bearing(problem: Problem, mode: Mode, x: Row) -> tuple[Row, Row] | None:
+def admissible_forces(problem: Problem, mode: ContactMode, x: Row) -> tuple[Row, Row] | None:
     """Return admissible multipliers λ of the acting rows and friction f of all contacts for this x, or None.
 
     Admissible means λ ≥ 0 except for two-sided rows, |f| ≤ µN and N ≥ 0. As equations with nonnegative unknowns:

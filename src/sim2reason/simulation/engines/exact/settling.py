@@ -4,12 +4,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sim2reason.scenes.dsl.mechanism import Mechanism
-from sim2reason.simulation.engines.exact.balance import Balance, Demand, balance, lifted
+from sim2reason.simulation.engines.exact.balance import Balance, Demand, balance, separating_contacts
 from sim2reason.simulation.engines.exact.contact_modes import search
 from sim2reason.simulation.engines.exact.flow import Flow
-from sim2reason.simulation.engines.exact.formulas import CurvedEquations
-from sim2reason.simulation.engines.exact.glide import STILL, SteadyEquations
-from sim2reason.simulation.engines.exact.linear import Mode, Problem, RoughContact, Row, dot
+from sim2reason.simulation.engines.exact.formulas import VariableEquations
+from sim2reason.simulation.engines.exact.glide import REST_RATE, ConstantEquations
+from sim2reason.simulation.engines.exact.linear import ContactMode, Problem, RoughContact, Row, dot
 from sim2reason.simulation.engines.exact.margins import Margin
 from sim2reason.simulation.engines.exact.motion import EventLog, Segment
 from sim2reason.simulation.engines.exact.system import TOUCHING, Instant, Near, System
@@ -18,7 +18,7 @@ ROUNDING = 1e-9  # fraction of the largest impulse or momentum: a smaller negati
 
 
 @dataclass(slots=True)
-class Struck:
+class ImpactResult:
     """The state just after an impact."""
 
     v: Row  # the velocities just after
@@ -38,7 +38,7 @@ class Impact:
     follows: tuple[int, ...]
 
 
-def strike(system: System, instant: Instant, impact: Impact, still: float) -> Struck:
+def solve_impact(system: System, instant: Instant, impact: Impact, still: float) -> ImpactResult:
     """Compute the state just after an impact; closing speeds below `still`, m/s, count as zero."""
     rows = [instant.rows[number] for number in impact.rows]
     targets = [instant.rows[number].rate(instant.v) - instant.rates[number] for number in impact.rows]
@@ -65,13 +65,13 @@ def strike(system: System, instant: Instant, impact: Impact, still: float) -> St
         system.budget,
     )
     sides = tuple(grip.side(slip) for grip, slip in zip(system.grips, instant.slips, strict=True))
-    found = search(problem, Mode(tuple(acting), sides))
+    found = search(problem, ContactMode(tuple(acting), sides))
     small = ROUNDING * max(map(abs, (*found.forces.normal, *momenta)), default=0.0)
-    apart = lifted(problem, loads.heave, found, small)
-    return Struck(found.x, found.mode.acting[: len(impact.rows)], found.mode.rubbing, apart)
+    apart = separating_contacts(problem, loads.heave, found, small)
+    return ImpactResult(found.x, found.mode.acting[: len(impact.rows)], found.mode.rubbing, apart)
 
 
-REST = 1e-11  # m/s or rad/s; residual round-off of a speed that is zero
+REST_SPEED = 1e-11  # m/s or rad/s; residual round-off of a speed that is zero
 DRIFT = 1e-7  # m or m/s; admissible drift of a constraint
 
 
@@ -82,16 +82,16 @@ class Settling:
         """Initialize at the start of the motion; raises as `System` does."""
         self.tolerance = tolerance
         self.system = System(mechanism)
-        self.steady = None if self.system.changing else SteadyEquations(self.system)
-        self.curved = CurvedEquations(self.system) if self.steady is None else None
-        self.still = STILL if self.curved is None else DRIFT
+        self.steady = None if self.system.changing else ConstantEquations(self.system)
+        self.curved = VariableEquations(self.system) if self.steady is None else None
+        self.still = REST_RATE if self.curved is None else DRIFT
         self.mechanism, self.duration = mechanism, duration
         self.now = 0.0
         self.q: Row = [0.0] * self.system.size
         self.v: Row = [float(coordinate.speed) for coordinate in mechanism.coordinates]
         self.phase = self.system.phase
         self.kinds = self.system.kinds(self.phase)
-        self.mode = Mode((True,) * len(self.kinds), (0,) * len(self.system.grips))
+        self.mode = ContactMode((True,) * len(self.kinds), (0,) * len(self.system.grips))
         self.due: tuple[Margin, ...] = ()
         self.segments: list[Segment] = []
         self.event_log = EventLog(mechanism)
@@ -113,7 +113,7 @@ class Settling:
         if self.curved is not None and self.segments:
             snapped = {i for i in snapped if not self.mode.acting[i] or instant.rates[i] > 1.0}
         touching = [i for i, near in enumerate(instant.pairs) if self._takes_part(i, near)]
-        hits = [i for i in touching if instant.pairs[i].rate < -STILL]
+        hits = [i for i in touching if instant.pairs[i].rate < -REST_RATE]
         if not snapped and not hits:
             return snapped
         if self._crowded(hits, snapped):
@@ -123,7 +123,7 @@ class Settling:
 
     def _takes_part(self, number: int, near: Near) -> bool:
         """Return whether a pair takes part in an impact; a resting pair that may bounce is struck later."""
-        resting = near.meeting.restitution > 0.0 and near.rate >= -STILL
+        resting = near.meeting.restitution > 0.0 and near.rate >= -REST_RATE
         return near.touching and not resting and not self.phase.stuck[number]
 
     def _strike(self, instant: Instant, full: list[int], touching: list[int], snapped: set[int]) -> None:
@@ -135,9 +135,9 @@ class Settling:
             tuple(self.kinds[i].both for i in full),
             tuple(place.get(self.kinds[i].follows, -1) for i in full),
         )
-        found = strike(self.system, instant, impact, STILL)
-        hits = [i for i in touching if instant.pairs[i].rate < -STILL]
-        self.v = [0.0 if abs(speed) < REST else speed for speed in found.v]
+        found = solve_impact(self.system, instant, impact, REST_RATE)
+        hits = [i for i in touching if instant.pairs[i].rate < -REST_RATE]
+        self.v = [0.0 if abs(speed) < REST_SPEED else speed for speed in found.v]
         self._rest(found.rubbing)
         for number in hits:
             names = self.mechanism.meetings[number].names
@@ -163,13 +163,15 @@ class Settling:
         self.phase = self.phase._replace(stuck=stuck)
         kinds = self.system.kinds(self.phase)
         first = sum(kind.kind != "stuck" for kind in kinds)
-        self.mode = Mode((*self.mode.acting[:first], *(True for _ in kinds[first:])), self.mode.rubbing)
+        self.mode = ContactMode((*self.mode.acting[:first], *(True for _ in kinds[first:])), self.mode.rubbing)
         self.kinds = kinds
 
     def _crowded(self, hits: list[int], snapped: set[int]) -> bool:
         """End the motion if a body is hit or a string jerks again too soon, as such impacts may repeat endlessly."""
         names = [name for i in hits for name in self.system.movable[i]]
-        early = self.event_log.crowded(self.now, [*names, *(f"row {self.kinds[number].name}" for number in snapped)])
+        early = self.event_log.previous_impact_time(
+            self.now, [*names, *(f"row {self.kinds[number].name}" for number in snapped)]
+        )
         if early is None:
             return False
         self.now = early
@@ -226,11 +228,13 @@ class Settling:
             if margin.kind == "grip":
                 sliding[margin.number] = guess[margin.number] = margin.side
         acting = tuple(acts or number in snapped for number, acts in enumerate(self.mode.acting))
-        return balance(self.system, instant, Demand(tight, tuple(sliding), Mode(acting, tuple(guess)), self.kinds))
+        return balance(
+            self.system, instant, Demand(tight, tuple(sliding), ContactMode(acting, tuple(guess)), self.kinds)
+        )
 
     def _least(self, grip: RoughContact) -> float:
-        """Return the slip that counts as zero: exactly zero if it is the rate of one coordinate, else `STILL`."""
-        return 0.0 if self.curved is None and grip.coordinate >= 0 else STILL
+        """Return the slip that counts as zero: exactly zero if it is the rate of one coordinate, else `REST_RATE`."""
+        return 0.0 if self.curved is None and grip.coordinate >= 0 else REST_RATE
 
     def _is_tight(self, instant: Instant, number: int, rates: Sequence[float]) -> bool:
         """Return whether a row may act: its length has reached the bound and does not recede.
@@ -254,9 +258,9 @@ class Settling:
     def _pressed(self, instant: Instant, number: int, a: Row) -> bool:
         """Return whether two bodies in resting contact are pressed together, which would cause infinitely many hits."""
         near = instant.pairs[number]
-        if self.phase.stuck[number] or abs(near.rate) > STILL:
+        if self.phase.stuck[number] or abs(near.rate) > REST_RATE:
             return False
-        return near.second(a) < -STILL
+        return near.second(a) < -REST_RATE
 
     def _is_torn(self, instant: Instant, due: Margin, a: Row) -> bool:
         """Return whether a foot that loses contact would return at once because nothing holds it along its plane.
@@ -265,7 +269,7 @@ class Settling:
         """
         if due.kind != "force" or self.kinds[due.number].kind != "foot":
             return False
-        return instant.rows[due.number].rate(a) - instant.targets[due.number] > STILL
+        return instant.rows[due.number].rate(a) - instant.targets[due.number] > REST_RATE
 
     def append(self, found: Balance, flow: Flow | None) -> None:
         """Record the segment that starts at the present state."""

@@ -9,13 +9,13 @@ from math import inf
 from sim2reason.base.lazy import cached_property
 from sim2reason.errors import SceneError, UnsupportedError
 from sim2reason.scenes.dsl.constancy import ALIGNED, changing, steady
-from sim2reason.scenes.dsl.frames import start
-from sim2reason.scenes.dsl.mechanism import Line, Mechanism, Meeting, Rigid
+from sim2reason.scenes.dsl.frames import initial_frames
+from sim2reason.scenes.dsl.mechanism import CollisionPair, Line, Mechanism, Rigid
 from sim2reason.scenes.dsl.start_speeds import check_speeds
-from sim2reason.scenes.dsl.vectors import Distance, Number, Triple, minus, product
+from sim2reason.scenes.dsl.vectors import Distance, Number, Triple, dot, minus
 from sim2reason.simulation.budget import Budget
 from sim2reason.simulation.engines.exact.assembly import Assembly
-from sim2reason.simulation.engines.exact.lengths import Phase, RowKind, RowTerms, row_kinds
+from sim2reason.simulation.engines.exact.lengths import RowKind, RowTerms, SwitchState, row_kinds
 from sim2reason.simulation.engines.exact.linear import Gradient, RoughContact, Row, gradient, solve
 
 TOUCHING = 1e-9  # m; lengths with a smaller difference are equal
@@ -35,7 +35,7 @@ class Limit:
 class Near:
     """A collision pair at an instant: gap, rate, second derivative at q̈ = 0, and the gradient if the bodies touch."""
 
-    meeting: Meeting
+    meeting: CollisionPair
     gap: float
     rate: float
     bias: float
@@ -97,7 +97,7 @@ class System:
         """
         self.mechanism = mechanism
         self.size, self.count = len(mechanism.coordinates), len(mechanism.faces)
-        self.frames = start(mechanism)
+        self.frames = initial_frames(mechanism)
         self.budget = Budget()
         self._kinds: dict[tuple[bool, ...], list[RowKind]] = {}
         self.grips = _grips(mechanism)
@@ -124,12 +124,12 @@ class System:
             total += run.value
         return total
 
-    def _check_apart(self, meeting: Meeting) -> None:
+    def _check_apart(self, meeting: CollisionPair) -> None:
         places = [
             (0.0, 0.0, 0.0) if name is None else self.frames.center(name).place for name in (meeting.a, meeting.b)
         ]
         apart = minus(places[1], places[0])
-        gap = math.hypot(*apart) if meeting.normal is None else product(meeting.normal, apart)
+        gap = math.hypot(*apart) if meeting.normal is None else dot(meeting.normal, apart)
         if gap < meeting.distance - TOUCHING:
             other = "what is fixed" if meeting.a is None else meeting.b
             raise SceneError(meeting.a or meeting.b, f"it overlaps {other} at the start", "move them apart")
@@ -161,7 +161,7 @@ class System:
         )
 
     @cached_property
-    def phase(self) -> Phase:
+    def phase(self) -> SwitchState:
         """Return the initial on/off state: regions that contain their body, burning engines, no stuck pairs."""
         inside = tuple(
             tuple(margin > 0.0 for margin in force.region.margins(self.frames.center(force.body).place, math))
@@ -170,10 +170,10 @@ class System:
             for force in self.mechanism.forces
         )
         burning = tuple(burn.until > 0.0 for burn in self.mechanism.burns)
-        phase = Phase(inside, burning, (False,) * len(self.mechanism.meetings))
+        phase = SwitchState(inside, burning, (False,) * len(self.mechanism.meetings))
         return phase._replace(strained=self._strained(phase)) if self.mechanism.half_springs else phase
 
-    def _strained(self, phase: Phase) -> tuple[bool, ...]:
+    def _strained(self, phase: SwitchState) -> tuple[bool, ...]:
         """Return for each one-sided spring whether it acts at the start, or immediately after if it is relaxed."""
         phase = phase._replace(strained=(False,) * len(self.mechanism.half_springs))
         speeds = [float(coordinate.speed) for coordinate in self.mechanism.coordinates]
@@ -185,14 +185,14 @@ class System:
             found.append(strain > TOUCHING or (abs(strain) <= TOUCHING and law.side * float(length.rate) > 0.0))
         return tuple(found)
 
-    def kinds(self, phase: Phase) -> list[RowKind]:
+    def kinds(self, phase: SwitchState) -> list[RowKind]:
         """Return the kinds of all constraint rows in a phase."""
         found = self._kinds.get(phase.stuck)
         if found is None:
             found = self._kinds[phase.stuck] = row_kinds(self.mechanism, phase)
         return found
 
-    def instant(self, time: float, q: Row, v: Row, phase: Phase) -> Instant:
+    def instant(self, time: float, q: Row, v: Row, phase: SwitchState) -> Instant:
         """Return the numerical equations of one instant; the caller handles arithmetic errors."""
         assembly = Assembly(self.mechanism, phase, (q, v, time), math)
         rows = assembly.rows(self.starts)
@@ -224,7 +224,7 @@ class System:
         return gradient(spread(row.along, self.size), spread(row.lift, self.count))
 
 
-def _near(assembly: Assembly, meeting: Meeting) -> Near:
+def _near(assembly: Assembly, meeting: CollisionPair) -> Near:
     apart = assembly.separation(meeting)
     return Near(meeting, float(apart.gap), float(apart.rate), float(apart.bias), apart.along, apart.lift)
 
@@ -258,7 +258,7 @@ def _grips(mechanism: Mechanism) -> tuple[RoughContact, ...]:
                 face.subject, "it rests on a face but has no slide along it", "let it slide along the face"
             )
         slides = [c for c in body.coordinates if c.kind == "slide"]
-        if not face.turning and any(abs(product(slide.axis, face.normal)) > ALIGNED for slide in slides):
+        if not face.turning and any(abs(dot(slide.axis, face.normal)) > ALIGNED for slide in slides):
             raise UnsupportedError(f"{face.subject}: it slides off the face that it rests on")
         if face.friction > 0.0 and len(slides) > 1:
             raise UnsupportedError(f"{face.subject}: a rough contact that slides in two directions has no model here")

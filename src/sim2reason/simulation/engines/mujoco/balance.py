@@ -16,12 +16,12 @@ from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.compiled_model import CompiledModel, Flags, Integers
 
-TURNS = 24  # largest number of iterations of overlaps and creep
-ROUNDS = 60  # largest number of iterations of the normal forces behind the friction
+MAX_OVERLAP_ITERATIONS = 24  # largest number of iterations of overlaps and creep
+MAX_NORMAL_ITERATIONS = 60  # largest number of iterations of the normal forces behind the friction
 PATIENT = 30  # rounds after which small forces may keep changing
-CLOSE = 1e-10  # fraction of the largest force: smaller differences count as equal
+FORCE_RTOL = 1e-10  # fraction of the largest force: smaller differences count as equal
 EQUAL = 1e-7  # the same for forces that are not unique
-LEAST = 1e-12  # m; an overlap that still creates a constraint row
+MIN_OVERLAP = 1e-12  # m; an overlap that still creates a constraint row
 
 
 @dataclass(frozen=True)
@@ -58,11 +58,11 @@ def balance(model: CompiledModel, demand: ForceDemand) -> ForceBalance:
     rough = model.friction > 0.0
     normal = np.zeros(len(rough)) if demand.normal is None else demand.normal
     history: list[tuple[Array, Array]] = []
-    for number in range(ROUNDS):
+    for number in range(MAX_NORMAL_ITERATIONS):
         found = _turns(model, demand, normal)
         fresh = found.forces[model.presses]
         change = np.where(rough, fresh - normal, 0.0)
-        close = 10.0 * (CLOSE if number < PATIENT else EQUAL)
+        close = 10.0 * (FORCE_RTOL if number < PATIENT else EQUAL)
         if np.abs(change).max(initial=0.0) <= close * (_largest(found.forces) + 1e-6):
             return found
         history.append((normal, change))
@@ -90,14 +90,14 @@ def _turns(model: CompiledModel, demand: ForceDemand, normal: Array) -> ForceBal
     applied = demand.applied.copy()
     np.subtract.at(applied, model.rubs, demand.sliding * model.friction * normal)
     model.arm(demand.strings, demand.pairs, demand.locked, limits, applied)
-    overlap, creep = np.full(model.slots, LEAST), np.zeros(model.size)
+    overlap, creep = np.full(model.slots, MIN_OVERLAP), np.zeros(model.size)
     last: ForceBalance | None = None
-    for turn in range(TURNS):
+    for turn in range(MAX_OVERLAP_ITERATIONS):
         model.overlap(overlap)
         model.load(demand.q, demand.v + creep)
         rows = model.rows()
         found = ForceBalance(model.a, model.forces(rows), rows)
-        if last is not None and _same(found, last, CLOSE if turn < 5 else EQUAL):
+        if last is not None and _same(found, last, FORCE_RTOL if turn < 5 else EQUAL):
             return found
         overlap, creep = _corrected(model, demand, found, limits)
         last = found
@@ -118,7 +118,7 @@ def _same(a: ForceBalance, b: ForceBalance, close: float) -> bool:
 
 def _corrected(model: CompiledModel, demand: ForceDemand, found: ForceBalance, limits: Array) -> tuple[Array, Array]:
     """Return the overlaps and creep for which the given forces cause no acceleration beyond the targets."""
-    overlap = np.full(model.slots, LEAST)
+    overlap = np.full(model.slots, MIN_OVERLAP)
     if not len(found.rows):
         return overlap, np.zeros(model.size)
     soft, forces = model.softness(), found.forces[found.rows]
@@ -126,7 +126,7 @@ def _corrected(model: CompiledModel, demand: ForceDemand, found: ForceBalance, l
     stiff = soft.stiffness > 0.0
     needed = (give + demand.targets[found.rows] + soft.damping * rate) / np.where(stiff, soft.stiffness, 1.0)
     overlap[found.rows] = needed
-    overlap[: model.grips.start] = np.maximum(overlap[: model.grips.start], LEAST)
+    overlap[: model.grips.start] = np.maximum(overlap[: model.grips.start], MIN_OVERLAP)
     held = ~stiff & (np.abs(forces) < np.append(np.zeros(model.grips.start), limits)[found.rows])
     if not held.any():
         return overlap, np.zeros(model.size)

@@ -8,8 +8,14 @@ from sim2reason.errors import SimulationError, UnsupportedError
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.compiled_model import STEP, CompiledModel, Flags, Integers
-from sim2reason.simulation.engines.mujoco.event_detection import STILL, TOUCHING, EventDetector
-from sim2reason.simulation.engines.mujoco.forces import Settled, SoftMode, settle, strike, weightless
+from sim2reason.simulation.engines.mujoco.event_detection import REST_RATE, TOUCHING, EventDetector
+from sim2reason.simulation.engines.mujoco.forces import (
+    ContactMode,
+    SettledForces,
+    solve_forces,
+    solve_impact,
+    weightless,
+)
 from sim2reason.simulation.engines.mujoco.record import Recorder
 from sim2reason.simulation.trace import EVENT_KINDS, Event, Trace
 
@@ -18,8 +24,8 @@ STEPS = 100_000  # largest number of steps
 CLOSER = 20  # times that a step is shortened to end at a contact
 CROWD = 5e-3  # s; repeated impacts of one body, or jerks of one string, within this time end the motion
 TIE = 1e-9  # s; events closer than this are simultaneous
-TOGETHER = 1e-7  # s; the same for ends of the motion, as lengths are known to 1e-8 m and may change slowly
-REST = 1e-8  # m/s or rad/s; residual round-off of a speed that is zero
+END_SIMULTANEITY_TOL = 1e-7  # s; the same for ends of the motion, as lengths are known to 1e-8 m and may change slowly
+REST_SPEED = 1e-8  # m/s or rad/s; residual round-off of a speed that is zero
 SHORT = 1e-7  # s; the last step ends this long before two sites coincide, as a string has no direction there
 STEADY = 1e-4  # fraction of the largest load; forces are constant between events
 ORDER = {kind: place for place, kind in enumerate(EVENT_KINDS)}  # rank of simultaneous events
@@ -27,7 +33,7 @@ ORDER = {kind: place for place, kind in enumerate(EVENT_KINDS)}  # rank of simul
 
 def run(mechanism: Mechanism, times: Array) -> Trace:
     """Return the motion at `times` (m,), in seconds, increasing from 0; raises as `simulate` of the package does."""
-    motion = SoftMotion(mechanism, float(times[-1]))
+    motion = ConstantLoop(mechanism, float(times[-1]))
     while motion.advance():
         if motion.segments > SEGMENTS:
             raise SimulationError(f"more than {SEGMENTS} events before {times[-1]:g} s; simulate a shorter time")
@@ -36,7 +42,7 @@ def run(mechanism: Mechanism, times: Array) -> Trace:
     return Trace("mujoco", record.state(times), tuple(events), motion.now, motion.cut, record.state)
 
 
-class SoftMotion:
+class ConstantLoop:
     """A motion under construction, extended from event to event."""
 
     def __init__(self, mechanism: Mechanism, duration: float) -> None:
@@ -48,7 +54,7 @@ class SoftMotion:
         self.q = np.zeros(self.model.size)
         self.v = np.zeros(self.model.size)
         self.v[self.model.coordinates] = [coordinate.speed for coordinate in mechanism.coordinates]
-        self.mode: SoftMode | None = None
+        self.mode: ContactMode | None = None
         self.record = Recorder(mechanism)
         self.events: list[Event] = []
         self.hits: dict[str, tuple[float, tuple[str, ...]]] = {}
@@ -57,13 +63,13 @@ class SoftMotion:
 
     def advance(self) -> bool:
         """Advance to just before the next event; return False at the end."""
-        self.v[np.abs(self.v) < REST] = 0.0
+        self.v[np.abs(self.v) < REST_SPEED] = 0.0
         snapped = self._impact()
         if self.cut:
             return False
         self.segments += 1
         taut = snapped | (np.ones_like(snapped) if self.mode is None else self.mode.taut)
-        settled = settle(self.model, self.detector, self.q, self.v, taut)
+        settled = solve_forces(self.model, self.detector, self.q, self.v, taut)
         self.model.check()
         self._note_changes(settled, snapped)
         if self._ended(settled):
@@ -77,13 +83,13 @@ class SoftMotion:
         """Compute all impacts and jerks at an instant; return which strings became taut with a jerk."""
         zero = np.zeros(self.model.size)
         strings = self.detector.strings(self.q, self.v, zero)
-        snapped = (strings.value <= TOUCHING) & (strings.rate < -STILL)
+        snapped = (strings.value <= TOUCHING) & (strings.rate < -REST_RATE)
         gaps = self.detector.approach(self.q, self.v, zero).gaps
-        hits = np.flatnonzero((gaps.value <= TOUCHING) & (gaps.rate < -STILL))
+        hits = np.flatnonzero((gaps.value <= TOUCHING) & (gaps.rate < -REST_RATE))
         if not (snapped.any() or len(hits)) or self._crowded(hits, np.flatnonzero(snapped)):
             return snapped
-        self.v, lifted = strike(self.model, self.detector, self.q, self.v)
-        self.v[np.abs(self.v) < REST] = 0.0
+        self.v, lifted = solve_impact(self.model, self.detector, self.q, self.v)
+        self.v[np.abs(self.v) < REST_SPEED] = 0.0
         for number in hits:
             pair = self.mechanism.meetings[number]
             self._note("collision", *pair.names)
@@ -94,7 +100,7 @@ class SoftMotion:
         if self.cut:
             self._note_snapped(snapped)
         if self.cut and not self.record.times:
-            self._note_forces(settle(self.model, self.detector, self.q, self.v, snapped))
+            self._note_forces(solve_forces(self.model, self.detector, self.q, self.v, snapped))
         return snapped
 
     def _note_snapped(self, snapped: Flags) -> None:
@@ -119,7 +125,7 @@ class SoftMotion:
 
     # ---- forces
 
-    def _note_changes(self, settled: Settled, snapped: Flags) -> None:
+    def _note_changes(self, settled: SettledForces, snapped: Flags) -> None:
         mode, before = settled.mode, self.mode
         if (
             settled.loose and before is not None
@@ -134,12 +140,12 @@ class SoftMotion:
             if before is not None and before.rubbing[number] != mode.rubbing[number]:
                 self._note("slip" if mode.rubbing[number] else "stick", name)
 
-    def _ended(self, settled: Settled) -> bool:
+    def _ended(self, settled: SettledForces) -> bool:
         if not self.record.times:
             self._note_forces(settled)
         self._lift(settled.lifted)
         gaps = self.detector.approach(self.q, self.v, settled.balance.a).gaps
-        pressed = (gaps.value <= TOUCHING) & (np.abs(gaps.rate) <= STILL) & (gaps.second < -STILL)
+        pressed = (gaps.value <= TOUCHING) & (np.abs(gaps.rate) <= REST_RATE) & (gaps.second < -REST_RATE)
         if not self.cut and settled.loose:
             self._end("indeterminate", *self._unheld())
         elif not self.cut and pressed.any():
@@ -153,7 +159,7 @@ class SoftMotion:
 
     # ---- motion
 
-    def _travel(self, settled: Settled) -> bool:
+    def _travel(self, settled: SettledForces) -> bool:
         """Step to the next event; return False at the end."""
         self._note_forces(settled)
         a = settled.balance.a
@@ -162,7 +168,7 @@ class SoftMotion:
             change = self.detector.next_change(self.q, self.v, a, loose, settled.mode.rubbing)
             ends = self.detector.finish(self.q, self.v, a).used_up()
             finish, left = float(ends.min(initial=inf)), self.duration - self.now
-            ending = finish <= left + TOGETHER
+            ending = finish <= left + END_SIMULTANEITY_TOL
             if min(finish, left) <= change + TIE and ending and finish <= SHORT:
                 return self._finish(ends)
             if left <= TIE:
@@ -197,17 +203,17 @@ class SoftMotion:
     def _finish(self, ends: Array) -> bool:
         soonest = float(ends.min())
         self.now += soonest
-        for number in np.flatnonzero(ends <= soonest + TOGETHER):
+        for number in np.flatnonzero(ends <= soonest + END_SIMULTANEITY_TOL):
             kind, subjects = self.detector.ends[int(number)]
             self._end(kind, *subjects)
         return False
 
     # ---- notes
 
-    def _note_forces(self, settled: Settled) -> None:
+    def _note_forces(self, settled: SettledForces) -> None:
         self._keep(settled, self.q, self.v, settled.balance.a, settled.balance.forces)
 
-    def _note_step(self, settled: Settled, a: Array) -> None:
+    def _note_step(self, settled: SettledForces, a: Array) -> None:
         forces = self.model.forces(self.model.rows())
         if np.abs(forces - settled.balance.forces).max(initial=0.0) > STEADY * self.model.load_scale:
             raise SimulationError("MuJoCo: a force changes between two events")
@@ -215,7 +221,7 @@ class SoftMotion:
         self._keep(settled, self.q, self.v, a, forces)
         self._note_turns(before, time)
 
-    def _keep(self, settled: Settled, q: Array, v: Array, a: Array, forces: Array) -> None:
+    def _keep(self, settled: SettledForces, q: Array, v: Array, a: Array, forces: Array) -> None:
         model, n = self.model, self.model.coordinates
         normal = forces[model.presses]
         friction = forces[model.grips] - settled.mode.rubbing * model.friction * normal
@@ -229,7 +235,7 @@ class SoftMotion:
         n = len(self.mechanism.coordinates)
         old, new = before[n : 2 * n], self.record.motion[-1][n : 2 * n]
         rough = set(self.model.rubs[self.model.friction > 0.0])
-        for number in np.flatnonzero((old * new < 0.0) & (np.abs(old) > REST) & (np.abs(new) > REST)):
+        for number in np.flatnonzero((old * new < 0.0) & (np.abs(old) > REST_SPEED) & (np.abs(new) > REST_SPEED)):
             if self.model.coordinates[number] not in rough:
                 part = old[number] / (old[number] - new[number])
                 when = time + float(part) * (self.now - time)

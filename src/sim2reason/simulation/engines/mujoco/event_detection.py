@@ -17,12 +17,12 @@ from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.compiled_model import CompiledModel, Flags
 
 TOUCHING = 1e-8  # m; smaller distances count as contact
-STILL = 1e-7  # m/s or m/s²; slower motion counts as rest: round-off and the solver's tolerance
+REST_RATE = 1e-7  # m/s or m/s²; slower motion counts as rest: round-off and the solver's tolerance
 STRAIGHT = 1e-18  # m²/s² or m²/s⁴; smaller components perpendicular to the line of centres count as zero
 DEPTH = 1e-11  # m; bodies with a smaller overlap only touch
-NEARLY = 1e-5  # m; sites that are closer may be about to coincide
-BENT = 1e-6  # m; largest difference between a string's length and that of a straight one
-MOVES = 1e-9  # smaller entries of a gradient are round-off
+COINCIDENCE_DISTANCE = 1e-5  # m; sites that are closer may be about to coincide
+BENDING_LENGTH_TOL = 1e-6  # m; largest difference between a string's length and that of a straight one
+ZERO_GRADIENT_TOL = 1e-9  # smaller entries of a gradient are round-off
 
 
 class Margins(NamedTuple):
@@ -41,8 +41,8 @@ class Margins(NamedTuple):
             times = np.where(b < 0.0, 2.0 * f / (root - b), (b + root) / -c)
             back = -2.0 * b / c
         times = np.where((b * b < 2.0 * c * f) | ((b >= 0.0) & (c >= 0.0)), inf, times)
-        at_once = (b < -STILL) | ((b <= STILL) & (c < -STILL))
-        later = np.where((b > STILL) & (c < 0.0), back, inf)
+        at_once = (b < -REST_RATE) | ((b <= REST_RATE) & (c < -REST_RATE))
+        later = np.where((b > REST_RATE) & (c < 0.0), back, inf)
         return np.where(near, np.where(at_once, 0.0, later), times)
 
 
@@ -106,7 +106,7 @@ class EventDetector:
                 (start, moves), (stop, moved) = self._model.site(first), self._model.site(last)
                 apart, gradient = stop - start, moved - moves
                 length = float(np.linalg.norm(apart))
-                if np.abs(gradient).max(initial=0.0) <= MOVES:
+                if np.abs(gradient).max(initial=0.0) <= ZERO_GRADIENT_TOL:
                     continue
                 if length <= TOUCHING:
                     message = f"sites {first} and {last} coincide at the start"
@@ -178,9 +178,9 @@ class EventDetector:
         Strings about to end are skipped, since one of their segments may have passed through zero length.
         """
         model = self._model
-        if np.all(np.abs(model.lengths - model.bare @ model.q) <= BENT):
+        if np.all(np.abs(model.lengths - model.bare @ model.q) <= BENDING_LENGTH_TOL):
             return False
-        return bool(np.all(self.finish(model.q, model.v, model.v).value > NEARLY))
+        return bool(np.all(self.finish(model.q, model.v, model.v).value > COINCIDENCE_DISTANCE))
 
 
 def slack_of(line: Line) -> float:

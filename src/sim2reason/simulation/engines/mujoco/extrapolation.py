@@ -12,8 +12,8 @@ import numpy as np
 from sim2reason.scenes.dsl.state import Array
 
 SEQUENCE = (2, 4, 6, 8)  # numbers of substeps
-FEWEST = 1  # index of the first of them after which a step may be accepted
-SAFETY, LEAST, MOST = 0.85, 0.1, 2.0  # safety factor, smallest and largest ratio of successive steps
+MIN_STAGE = 1  # index of the first of them after which a step may be accepted
+SAFETY, MIN_STEP_RATIO, MAX_STEP_RATIO = 0.85, 0.1, 2.0  # safety factor, smallest and largest ratio of successive steps
 
 Rate = Callable[[float, Array], Array]
 
@@ -26,7 +26,7 @@ class Extrapolated(NamedTuple):
     factor: float
 
 
-def extrapolated(rate: Rate, time: float, values: Array, first: Array, h: float, tolerance: float) -> Extrapolated:
+def extrapolate_step(rate: Rate, time: float, values: Array, first: Array, h: float, tolerance: float) -> Extrapolated:
     """Compute a step of size `h` from `values`, where the rate is `first`, with the order required by the tolerance."""
     table: list[Array] = []
     error = 0.0
@@ -36,14 +36,14 @@ def extrapolated(rate: Rate, time: float, values: Array, first: Array, h: float,
             weight = (substeps / SEQUENCE[column - order - 1]) ** 2 - 1.0
             row.append(row[order] + (row[order] - table[order]) / weight)
         table = row
-        if column >= FEWEST:
+        if column >= MIN_STAGE:
             scale = tolerance * (1e-2 + np.maximum(np.abs(values), np.abs(row[-1])))
             apart = (row[-1] - row[-2]) / scale
             error = float(np.sqrt(np.mean(apart * apart))) if len(values) else 0.0
             if error <= 1.0:
                 break
     spare = len(SEQUENCE) - len(table)
-    return Extrapolated(table[-1], error, MOST if spare else _factor(error))
+    return Extrapolated(table[-1], error, MAX_STEP_RATIO if spare else _factor(error))
 
 
 def _midpoint(rate: Rate, time: float, values: Array, first: Array, h: float, substeps: int) -> Array:
@@ -56,4 +56,8 @@ def _midpoint(rate: Rate, time: float, values: Array, first: Array, h: float, su
 
 
 def _factor(error: float) -> float:
-    return min(MOST, max(LEAST, SAFETY * error ** (-1.0 / (2 * len(SEQUENCE) - 1)))) if error else MOST
+    return (
+        min(MAX_STEP_RATIO, max(MIN_STEP_RATIO, SAFETY * error ** (-1.0 / (2 * len(SEQUENCE) - 1))))
+        if error
+        else MAX_STEP_RATIO
+    )

@@ -8,15 +8,15 @@ import numpy as np
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.balance import ForceBalance, ForceDemand, balance
 from sim2reason.simulation.engines.mujoco.compiled_model import TINY, CompiledModel, Flags
-from sim2reason.simulation.engines.mujoco.event_detection import STILL, TOUCHING, EventDetector
+from sim2reason.simulation.engines.mujoco.event_detection import REST_RATE, TOUCHING, EventDetector
 
 SCALE = 1e-3  # an impact is solved at a thousandth of its velocities, so that overlaps stay small
-FAINT = 1e-7  # fraction of the largest load: smaller tensions count as zero
+TENSION_RTOL = 1e-7  # fraction of the largest load: smaller tensions count as zero
 START = 1e-4  # m/s²; a contact at rest begins to slide only above this acceleration
 LIFT = 1e-6  # fraction of the largest speed: a face separates, or a contact slides after an impact, only above this
 
 
-class SoftMode(NamedTuple):
+class ContactMode(NamedTuple):
     """The contact mode: which strings are taut, and how each contact rubs: 0 sticks or is smooth, ±1 slides."""
 
     taut: Flags
@@ -24,17 +24,17 @@ class SoftMode(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Settled:
+class SettledForces:
     """The contact mode of a motion segment with its forces and the reasons that end the motion, if any."""
 
-    mode: SoftMode
+    mode: ContactMode
     balance: ForceBalance
     undetermined: Flags  # by slot
     lifted: tuple[int, ...]  # contacts that separate from their face
     loose: bool  # whether nothing holds some massless part
 
 
-def settle(model: CompiledModel, detector: EventDetector, q: Array, v: Array, taut: Flags) -> Settled:
+def solve_forces(model: CompiledModel, detector: EventDetector, q: Array, v: Array, taut: Flags) -> SettledForces:
     """Compute the contact mode and the forces at a state between impacts.
 
     `taut` are the strings that were so, or have just become so: they remain so under no tension while nothing
@@ -42,20 +42,20 @@ def settle(model: CompiledModel, detector: EventDetector, q: Array, v: Array, ta
     """
     zero = np.zeros(model.size)
     spare = detector.strings(q, v, zero)
-    tight = (spare.value <= TOUCHING) & (np.abs(spare.rate) <= STILL)
+    tight = (spare.value <= TOUCHING) & (np.abs(spare.rate) <= REST_RATE)
     rough = model.friction > 0.0
     sliding = np.where(rough, np.sign(v[model.rubs]), 0.0)
     demand = _demand(model, q, v, tight, sliding, zero)
-    faint = FAINT * model.load_scale
+    faint = TENSION_RTOL * model.load_scale
     last, found = _decide(model, demand, START, faint)
     a = found.a
-    lifted = tuple(int(i) for i in np.flatnonzero(a[model.faces] > STILL))
-    still = tight & (np.abs(detector.strings(q, v, a).second) <= STILL)
-    held = rough & (v[model.rubs] == 0.0) & (np.abs(a[model.rubs]) <= STILL)
+    lifted = tuple(int(i) for i in np.flatnonzero(a[model.faces] > REST_RATE))
+    still = tight & (np.abs(detector.strings(q, v, a).second) <= REST_RATE)
+    held = rough & (v[model.rubs] == 0.0) & (np.abs(a[model.rubs]) <= REST_RATE)
     open_ended = _undetermined(model, still, held, last.sliding)
-    mode = SoftMode(last.strings | (still & taut), last.sliding)
+    mode = ContactMode(last.strings | (still & taut), last.sliding)
     pulling = last.strings & ((found.forces[model.strings] > faint) | open_ended[model.strings])
-    return Settled(mode, found, open_ended, lifted, _loose(model, pulling, last.sliding))
+    return SettledForces(mode, found, open_ended, lifted, _loose(model, pulling, last.sliding))
 
 
 def _demand(model: CompiledModel, q: Array, v: Array, strings: Flags, sliding: Array, applied: Array) -> ForceDemand:
@@ -82,14 +82,14 @@ def _decide(
     sliding = np.where(started, np.sign(a), demand.sliding)
     last = replace(demand, strings=pulling, sliding=sliding, locked=resting & ~started, normal=normal)
     found = balance(model, last)
-    torn = demand.strings & ~pulling & (model.gradients[: len(pulling)] @ found.a > STILL)
+    torn = demand.strings & ~pulling & (model.gradients[: len(pulling)] @ found.a > REST_RATE)
     if not torn.any():
         return last, found
     last = replace(last, strings=pulling | torn)  # a faint pull holds what has hardly any mass
     return last, balance(model, last)
 
 
-def strike(model: CompiledModel, detector: EventDetector, q: Array, v: Array) -> tuple[Array, tuple[int, ...]]:
+def solve_impact(model: CompiledModel, detector: EventDetector, q: Array, v: Array) -> tuple[Array, tuple[int, ...]]:
     """Return the velocities just after an impact, and the contacts that separate from their faces.
 
     The solver treats impulses as forces, and velocities as accelerations from M·v, with neither gravity nor pulls.
@@ -98,7 +98,7 @@ def strike(model: CompiledModel, detector: EventDetector, q: Array, v: Array) ->
     full = detector.strings(q, v, zero).value <= TOUCHING
     gaps = detector.approach(q, v, zero).gaps
     restitution = np.array([pair.restitution for pair in model.mechanism.meetings])
-    touching = (gaps.value <= TOUCHING) & ((gaps.rate < -STILL) | (restitution == 0.0))  # what rests is struck next
+    touching = (gaps.value <= TOUCHING) & ((gaps.rate < -REST_RATE) | (restitution == 0.0))  # what rests is struck next
     targets = np.zeros(model.slots)
     targets[model.hits] = SCALE * np.maximum(-restitution * gaps.rate, 0.0)
     model.aim(detector.closing(q))
@@ -106,7 +106,7 @@ def strike(model: CompiledModel, detector: EventDetector, q: Array, v: Array) ->
     momenta, fast = SCALE * model.mass @ v, float(np.abs(v).max())
     demand = _demand(model, q, zero, full, np.zeros(len(model.friction)), momenta)
     demand = replace(demand, pairs=touching, targets=targets)
-    last, found = _decide(model, demand, LIFT * SCALE * fast, FAINT * float(np.abs(momenta).max()), impact=True)
+    last, found = _decide(model, demand, LIFT * SCALE * fast, TENSION_RTOL * float(np.abs(momenta).max()), impact=True)
     model.loads(on=True)
     after = found.a / SCALE
     lifted = tuple(int(i) for i in np.flatnonzero(after[model.faces] > LIFT * fast))

@@ -9,12 +9,12 @@ from dataclasses import dataclass, replace
 from sim2reason.scenes.dsl.fields import Law
 from sim2reason.scenes.dsl.mechanism import (
     Attraction,
-    Burn,
     ConstantTension,
     Coordinate,
     Elastic,
     Inextensible,
     LineLaw,
+    MassEjection,
     Mechanism,
     RigidBody,
 )
@@ -22,12 +22,12 @@ from sim2reason.scenes.dsl.state import Array, Dynamics, State
 from sim2reason.scenes.dsl.vectors import Maths, Number, Triple, Vector, times
 from sim2reason.simulation.trace import Event, Trace
 
-LEAST = 1e-15  # kg or kg m²: MuJoCo treats a smaller mass or inertia as zero
+MIN_MASS = 1e-15  # kg or kg m²: MuJoCo treats a smaller mass or inertia as zero
 
 
 def is_tiny(mechanism: Mechanism) -> bool:
     """Return whether a moving body is so light that MuJoCo would treat it as massless."""
-    return any(0.0 < body.mass < LEAST for body in mechanism.bodies)
+    return any(0.0 < body.mass < MIN_MASS for body in mechanism.bodies)
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +49,7 @@ class OwnUnits:
 
     # ---- there
 
-    def counted(self, mechanism: Mechanism) -> Mechanism:
+    def convert_mechanism(self, mechanism: Mechanism) -> Mechanism:
         """Return a mechanism with its numbers converted to these units."""
         x, y, z = mechanism.gravity
         square = self.time**2
@@ -86,13 +86,13 @@ class OwnUnits:
     def _attraction(self, pair: Attraction) -> Attraction:
         return replace(pair, constant=pair.constant * self.mass**2 / self.force)
 
-    def _burn(self, burn: Burn) -> Burn:
+    def _burn(self, burn: MassEjection) -> MassEjection:
         rate, exhaust = burn.rate * self.time / self.mass, burn.exhaust * self.time
         return replace(burn, rate=rate, exhaust=exhaust, until=burn.until / self.time)
 
     # ---- and back
 
-    def told(self, trace: Trace, mechanism: Mechanism) -> Trace:
+    def convert_trace(self, trace: Trace, mechanism: Mechanism) -> Trace:
         """Return a motion of the converted mechanism, converted back to the units of the original `mechanism`."""
 
         def sample(at: Array) -> State:
@@ -141,4 +141,4 @@ class LawInUnits:
 def in_own_units(run: Callable[[Mechanism, Array], Trace], mechanism: Mechanism, at: Array) -> Trace:
     """Return the motion of a mechanism at times (m,), simulated by `run` in units suited to the mechanism."""
     units = OwnUnits.of(mechanism, float(at[-1]))
-    return units.told(run(units.counted(mechanism), at / units.time), mechanism)
+    return units.convert_trace(run(units.convert_mechanism(mechanism), at / units.time), mechanism)

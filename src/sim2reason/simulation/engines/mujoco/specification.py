@@ -25,7 +25,7 @@ FAR = 1e6  # m; a limit that is never reached
 
 
 @contextmanager
-def overheard() -> Generator[list[str], None, None]:
+def collect_warnings() -> Generator[list[str], None, None]:
     """Collect MuJoCo's warnings in a list, which otherwise go to a file in the working directory."""
     said: list[str] = []
     before = mujoco.get_mju_user_warning()

@@ -4,12 +4,12 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from math import hypot
 
-from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.vectors import Vector, minus
-from sim2reason.simulation.quantities.subjects import Sense, Subject, all_said
-from sim2reason.simulation.quantities.subjects.bodies import HORIZONTAL, RIGHT, SELDOM, UP, VERTICAL
-from sim2reason.simulation.quantities.subjects.paths import EVEN, carried_by, chain, rim_of
+from sim2reason.simulation.quantities.subjects import Sense, Subject, is_stated_for_all
+from sim2reason.simulation.quantities.subjects.bodies import HORIZONTAL, OFF_AXIS_SHARE, RIGHT, UP, VERTICAL
+from sim2reason.simulation.quantities.subjects.paths import DIRECTION_TOL, carried_by, chain, rim_of
 from sim2reason.simulation.quantities.subjects.rods import Rods
 
 ACROSS: Vector = (1.0, 0.0, 0.0)
@@ -38,13 +38,13 @@ class Axles(Subject):
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
         """Return whether the text states the number `need` for every body that has it, since each may load the axle."""
         del name
-        return all_said(need, mechanism, said)
+        return is_stated_for_all(need, mechanism, said)
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
         """Return the sense up, and right if the axle is horizontal and points away from the reader."""
-        up = Sense(UP, UPWARD, VERTICAL, fixed=True, share=SELDOM)
-        right = Sense(RIGHT, ACROSS, HORIZONTAL, fixed=True, share=SELDOM)
-        return [up, right] if abs(mechanism.body[name].coordinates[0].axis[1]) > 1.0 - EVEN else [up]
+        up = Sense(UP, UPWARD, VERTICAL, fixed=True, share=OFF_AXIS_SHARE)
+        right = Sense(RIGHT, ACROSS, HORIZONTAL, fixed=True, share=OFF_AXIS_SHARE)
+        return [up, right] if abs(mechanism.body[name].coordinates[0].axis[1]) > 1.0 - DIRECTION_TOL else [up]
 
 
 def held_by_axle_alone(mechanism: Mechanism, name: str) -> bool:
@@ -83,21 +83,23 @@ class Pulleys(Subject):
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
         """Return whether the text states the number `need` for every body, since each may load the pulley."""
-        return directions_told(mechanism, name) if need == DIRECTIONS else all_said(need, mechanism, said)
+        return (
+            are_directions_stated(mechanism, name) if need == DIRECTIONS else is_stated_for_all(need, mechanism, said)
+        )
 
 
-def directions_told(mechanism: Mechanism, name: str) -> bool:
+def are_directions_stated(mechanism: Mechanism, name: str) -> bool:
     """Return whether all slanted or horizontal string parts that leave a pulley run to the same body.
 
     The text does not state the sides of two separate planes, so the angle between parts along them is unknown.
     """
-    frames, ends = start(mechanism), set[str]()
+    frames, ends = initial_frames(mechanism), set[str]()
     for line in mechanism.lines:
         for one, other in zip(line.through, line.through[1:], strict=False):
             for rim, end in ((one, other), (other, one)):
                 if rim.rpartition(".")[0] != name or end.rpartition(".")[0] == name:
                     continue
                 part = minus(frames.site(end).place, frames.site(rim).place)
-                if hypot(float(part[0]), float(part[1])) > EVEN:
+                if hypot(float(part[0]), float(part[1])) > DIRECTION_TOL:
                     ends.add(end.partition(".")[0])
     return len(ends) <= 1

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from sim2reason.scenes.dsl.constancy import turns_one_way
 from sim2reason.scenes.dsl.mechanism import Mechanism, RigidBody
 from sim2reason.scenes.dsl.vectors import Vector, scale
-from sim2reason.simulation.quantities.subjects import Sense, Subject, all_said, is_said
+from sim2reason.simulation.quantities.subjects import Sense, Subject, is_stated, is_stated_for_all
 from sim2reason.simulation.quantities.subjects.paths import (
-    EVEN,
+    DIRECTION_TOL,
     CenterPath,
     carried_by,
     center_path,
@@ -20,7 +20,7 @@ from sim2reason.simulation.quantities.subjects.paths import (
 UP, RIGHT = "up", "right"
 OPPOSITE = {UP: "down", RIGHT: "left"}
 HORIZONTAL, VERTICAL = "horizontal", "vertical"
-SELDOM = 0.3  # relative frequency of a component along no axis of the text, or along one of two
+OFF_AXIS_SHARE = 0.3  # relative frequency of a component along no axis of the text, or along one of two
 AXES = ("x", "y", "z")  # labels of coordinates along axes that the text defines
 
 
@@ -37,11 +37,11 @@ class Bodies(Subject):
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
         """Return the phrases of the movable bodies, except the wheels of pulleys, which the text does not follow."""
-        return {name: mentions[name] for name in mechanism.body if name in mentions and moves(mechanism, name)}
+        return {name: mentions[name] for name in mechanism.body if name in mentions and can_move(mechanism, name)}
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
         """Return whether the body has the property `need` and the text states it at the body's address."""
-        return getattr(mechanism.body[name], need, 1.0) != 0.0 and is_said(need, name, said)
+        return getattr(mechanism.body[name], need, 1.0) != 0.0 and is_stated(need, name, said)
 
     def fills(self, mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> dict[str, str]:
         """Return *relative to the ground* for a body that another body carries."""
@@ -58,7 +58,7 @@ class Bodies(Subject):
         own = [c for c in mechanism.body[name].coordinates if c.label in AXES and c.kind == "slide"]
         path = center_path(mechanism, name)
         if own and len(own) == len(path.ways):
-            share = SELDOM if len(own) > 1 else 1.0  # of a plane motion rather how fast, how far and which way
+            share = OFF_AXIS_SHARE if len(own) > 1 else 1.0  # of a plane motion rather how fast, how far and which way
             return [Sense(f"along the {c.label} axis", c.axis, c.label, share=share, fixed=True) for c in own]
         right = [Sense(RIGHT, c.axis) for c in mechanism.body[name].coordinates if c.label == RIGHT]
         return _of_path(path) or (right if path.straight else [])
@@ -73,7 +73,7 @@ class Bodies(Subject):
         return phrase.removeprefix("the ") if phrase.startswith("the ") else phrase.rpartition(" ")[2]
 
 
-def moves(mechanism: Mechanism, name: str) -> bool:
+def can_move(mechanism: Mechanism, name: str) -> bool:
     """Return whether the centre of mass of a body can move, and the body is not the wheel of a pulley.
 
     A massless rotating body, such as a light arm on a carriage, has no centre of mass.
@@ -93,16 +93,16 @@ def _of_path(path: CenterPath) -> list[Sense]:
     if not path.rises:
         return []
     if not path.straight:
-        return [Sense(UP, (0.0, 0.0, 1.0), VERTICAL, share=SELDOM)]
+        return [Sense(UP, (0.0, 0.0, 1.0), VERTICAL, share=OFF_AXIS_SHARE)]
     way = path.ways[0] if path.ways[0][2] > 0.0 else scale(-1.0, path.ways[0])
-    return [Sense(UP if way[2] > 1.0 - EVEN else "up the slope", way)]
+    return [Sense(UP if way[2] > 1.0 - DIRECTION_TOL else "up the slope", way)]
 
 
 ROD = "rod"  # the last part of a rod's address
 
 
 @dataclass(frozen=True)
-class HungBodies(Subject):
+class SuspendedBodies(Subject):
     """Small bodies at the end of a light rod on a hinge, on which only the rod and gravity act, as subjects."""
 
     name, slot = "hung body", "rod"
@@ -119,7 +119,7 @@ class HungBodies(Subject):
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
         """Return whether the text states `need` for every body, since the force in a rod depends on all of them."""
         del name
-        return all_said(need, mechanism, said)
+        return is_stated_for_all(need, mechanism, said)
 
 
 def _hangs(mechanism: Mechanism, body: RigidBody) -> bool:
@@ -163,11 +163,11 @@ def _has_size(mechanism: Mechanism, name: str) -> bool:
     return any(body.inertia) or (body.mass == 0.0 and any(c.kind == "hinge" for c in body.coordinates))
 
 
-ALL = ""  # the only name of this kind
+WHOLE_SCENE = ""  # the only name of this kind
 
 
 @dataclass(frozen=True)
-class Whole(Subject):
+class WholeScene(Subject):
     """The whole scene as a subject, which questions do not name."""
 
     name, slot = "whole", "all"
@@ -175,17 +175,17 @@ class Whole(Subject):
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
         """Return the single name of the whole scene."""
         del mechanism
-        return (ALL,)
+        return (WHOLE_SCENE,)
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
         """Return an empty phrase, as questions do not name the scene."""
         del mechanism, mentions
-        return {ALL: ""}
+        return {WHOLE_SCENE: ""}
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
         """Return whether the text states `need` for every body that has it."""
         del name
-        return all_said(need, mechanism, said)
+        return is_stated_for_all(need, mechanism, said)
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
         """Return the senses of the text if they are the same for all bodies with a mass; else none."""

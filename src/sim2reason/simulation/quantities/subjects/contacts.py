@@ -4,7 +4,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 from sim2reason.scenes.dsl.mechanism import Mechanism
-from sim2reason.simulation.quantities.subjects import Subject, all_said
+from sim2reason.simulation.quantities.subjects import Subject, is_stated_for_all
 
 SURFACES = ("plane", "incline", "table", "floor", "track", "surface")  # fields of entities on which bodies may lie
 ANY = "the surface beneath it"
@@ -28,7 +28,7 @@ class Contacts(Subject):
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
         """Return whether the text states `need` for every body, since contact forces depend on all of them."""
         del name
-        return all_said(need, mechanism, said)
+        return is_stated_for_all(need, mechanism, said)
 
     def fills(self, mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> dict[str, str]:
         """Return the phrase of the surface on which the body lies, made unambiguous."""

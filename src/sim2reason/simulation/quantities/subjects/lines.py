@@ -4,7 +4,7 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 
 from sim2reason.scenes.dsl.mechanism import ZERO, ConstantTension, Elastic, Inextensible, Line, Mechanism
-from sim2reason.simulation.quantities.subjects import Sense, Subject, all_said, is_said
+from sim2reason.simulation.quantities.subjects import Sense, Subject, is_stated, is_stated_for_all
 
 
 def line_phrases(
@@ -77,7 +77,7 @@ class Springs(Subject):
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
         """Return whether the text states a property of the spring, its ``stiffness`` or its natural ``length``."""
-        return is_said(need, mechanism.line[name].whole, said)
+        return is_stated(need, mechanism.line[name].whole, said)
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
         """Return *stretched*, the direction in which extensions, their rates and forces count as positive."""
@@ -112,7 +112,7 @@ class Strings(Subject):
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
         """Return whether the text states `need` for every body: a tension depends on all of them."""
         del name
-        return all_said(need, mechanism, said)
+        return is_stated_for_all(need, mechanism, said)
 
     def label(self, phrase: str) -> str:
         """Return the ends of the string: *block A – pulley P*."""

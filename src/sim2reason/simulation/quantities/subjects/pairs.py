@@ -6,9 +6,9 @@ from itertools import permutations
 
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.quantities.subjects import Sense, Subject
-from sim2reason.simulation.quantities.subjects.bodies import Bodies, moves
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, can_move
 
-AND = " & "
+PAIR_SEPARATOR = " & "
 
 
 @dataclass(frozen=True)
@@ -19,8 +19,8 @@ class Pairs(Subject):
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
         """Return the names of all collision pairs, then those of attracting pairs."""
-        met = [AND.join(meeting.names) for meeting in mechanism.meetings if len(meeting.names) == 2]
-        drawn = [AND.join((pull.a, pull.b)) for pull in mechanism.attractions]
+        met = [PAIR_SEPARATOR.join(meeting.names) for meeting in mechanism.meetings if len(meeting.names) == 2]
+        drawn = [PAIR_SEPARATOR.join((pull.a, pull.b)) for pull in mechanism.attractions]
         return tuple(dict.fromkeys([*met, *drawn]))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
@@ -28,7 +28,7 @@ class Pairs(Subject):
         found: dict[str, str] = {}
         for name in self.names(mechanism):
             a, b = members(name)
-            if a in mentions and b in mentions and (moves(mechanism, a) or moves(mechanism, b)):
+            if a in mentions and b in mentions and (can_move(mechanism, a) or can_move(mechanism, b)):
                 found[name] = pair(mentions[a], mentions[b])
         return found
 
@@ -38,13 +38,13 @@ class Pairs(Subject):
 
     def point(self, mechanism: Mechanism, name: str, phrase: str) -> str:
         """Return the phrase of the centres of the bodies, if they have a size."""
-        wide = any(AND.join(met.names) == name and met.distance > 0.0 for met in mechanism.meetings)
+        wide = any(PAIR_SEPARATOR.join(met.names) == name and met.distance > 0.0 for met in mechanism.meetings)
         return f"the centres of {phrase}" if wide else phrase
 
 
 def members(name: str) -> tuple[str, str]:
     """Return the two bodies of a pair."""
-    a, _, b = name.partition(AND)
+    a, _, b = name.partition(PAIR_SEPARATOR)
     return a, b
 
 
@@ -63,8 +63,8 @@ class RelativeBodies(Subject):
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
         """Return all ordered pairs of bodies whose centres of mass move."""
-        moving = [name for name in mechanism.body if moves(mechanism, name)]
-        return tuple(AND.join(pair) for pair in permutations(moving, 2))
+        moving = [name for name in mechanism.body if can_move(mechanism, name)]
+        return tuple(PAIR_SEPARATOR.join(pair) for pair in permutations(moving, 2))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
         """Return no phrases, since only structured questions are about relative quantities."""

@@ -7,7 +7,7 @@ from sim2reason.scenes.dsl.mechanism import ZERO, Coordinate, Mechanism, RigidBo
 from sim2reason.scenes.dsl.vectors import Vector, add, outer, scale
 
 RIMS = ("left", "right"), ("in", "out")  # the sites where a string meets a pulley, of an entity and of a string
-EVEN = 1e-9  # largest vertical component of a horizontal direction; length of a vanishing direction
+DIRECTION_TOL = 1e-9  # largest vertical component of a horizontal direction; length of a vanishing direction
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,12 +32,14 @@ class CenterPath:
     @property
     def rises(self) -> bool:
         """Return whether the centre of mass can move up or down."""
-        return any(abs(way[2]) > EVEN for way in self.ways) or (self.bends and any(not upright(t) for t in self.turns))
+        return any(abs(way[2]) > DIRECTION_TOL for way in self.ways) or (
+            self.bends and any(not upright(t) for t in self.turns)
+        )
 
 
 def upright(axis: Vector) -> bool:
     """Return whether an axis is vertical, so that rotation about it keeps heights constant."""
-    return hypot(axis[0], axis[1]) <= EVEN
+    return hypot(axis[0], axis[1]) <= DIRECTION_TOL
 
 
 def chain(mechanism: Mechanism, name: str) -> list[RigidBody]:
@@ -66,10 +68,10 @@ def center_path(mechanism: Mechanism, name: str) -> CenterPath:
                 continue
             turns.append(coordinate.axis)
             sweep = outer(coordinate.axis, arm)
-            if hypot(*sweep) > EVEN:
+            if hypot(*sweep) > DIRECTION_TOL:
                 ways.append(scale(1.0 / hypot(*sweep), sweep))
                 swings = True
-            bends = bends or hypot(*sweep) > EVEN or any(not parallel(s.axis, coordinate.axis) for s in later)
+            bends = bends or hypot(*sweep) > DIRECTION_TOL or any(not parallel(s.axis, coordinate.axis) for s in later)
         arm = add(arm, body.at)
     distinct: list[Vector] = []
     for way in ways:
@@ -80,7 +82,7 @@ def center_path(mechanism: Mechanism, name: str) -> CenterPath:
 
 def parallel(one: Vector, other: Vector) -> bool:
     """Return whether two unit vectors are parallel or antiparallel."""
-    return hypot(*outer(one, other)) <= EVEN
+    return hypot(*outer(one, other)) <= DIRECTION_TOL
 
 
 def turning_axes(mechanism: Mechanism, name: str) -> list[tuple[str, Vector]]:
@@ -130,14 +132,14 @@ def at_start(mechanism: Mechanism, name: str | None) -> Vector:
     return add(*(body.at for body in chain(mechanism, name))) if name is not None else ZERO
 
 
-def ways_of(mechanism: Mechanism, name: str | None, at: Vector) -> dict[str, Vector]:
+def point_directions(mechanism: Mechanism, name: str | None, at: Vector) -> dict[str, Vector]:
     """Return the initial direction of motion of a point `at` in a body's frame for each coordinate that moves it."""
     found: dict[str, Vector] = {}
     arm = at
     for body in chain(mechanism, name) if name is not None else []:
         for coordinate in body.coordinates:
             way = coordinate.axis if coordinate.kind == "slide" else outer(coordinate.axis, arm)
-            if hypot(*way) > EVEN:
+            if hypot(*way) > DIRECTION_TOL:
                 found[coordinate.name] = way
         arm = add(arm, body.at)
     return found

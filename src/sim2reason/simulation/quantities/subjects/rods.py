@@ -7,10 +7,10 @@ from typing import NamedTuple
 
 from sim2reason.scenes.dsl.mechanism import ZERO, Line, Mechanism, Rigid, RigidBody
 from sim2reason.scenes.dsl.vectors import Vector, add, applied, inner, outer, scale
-from sim2reason.simulation.quantities.subjects import Sense, Subject, all_said
+from sim2reason.simulation.quantities.subjects import Sense, Subject, is_stated_for_all
 from sim2reason.simulation.quantities.subjects.contacts import surface
 from sim2reason.simulation.quantities.subjects.lines import ends_label, line_phrases, springs, strings
-from sim2reason.simulation.quantities.subjects.paths import EVEN, at_start, carried_by, ways_of
+from sim2reason.simulation.quantities.subjects.paths import DIRECTION_TOL, at_start, carried_by, point_directions
 
 
 class Pointer(NamedTuple):
@@ -69,10 +69,12 @@ def line_pointer(mechanism: Mechanism, line: Line) -> Pointer | None:
         return None
     ends = [mechanism.site[name] for name in line.through]
     places = [add(at_start(mechanism, end.body), end.at) for end in ends]
-    ways = [ways_of(mechanism, end.body, end.at) for end in ends]
+    ways = [point_directions(mechanism, end.body, end.at) for end in ends]
     apart = add(places[1], scale(-1.0, places[0]))
     length = hypot(*apart)
-    if length <= EVEN or not any(_turns(ways, name, scale(1.0 / length, apart)) for name in {*ways[0], *ways[1]}):
+    if length <= DIRECTION_TOL or not any(
+        _turns(ways, name, scale(1.0 / length, apart)) for name in {*ways[0], *ways[1]}
+    ):
         return None
     upper = min((0, 1), key=lambda i: (len(ways[i]), -places[i][2], i))
     top, bottom = ends[upper], ends[1 - upper]
@@ -82,7 +84,7 @@ def line_pointer(mechanism: Mechanism, line: Line) -> Pointer | None:
 def _turns(ways: list[dict[str, Vector]], name: str, direction: Vector) -> bool:
     """Return whether a coordinate moves one end of a line relative to the other, perpendicular to the line."""
     apart = add(ways[1].get(name, ZERO), scale(-1.0, ways[0].get(name, ZERO)))
-    return hypot(*outer(direction, apart)) > EVEN
+    return hypot(*outer(direction, apart)) > DIRECTION_TOL
 
 
 def is_light_rod(body: RigidBody) -> bool:
@@ -97,8 +99,8 @@ def body_pointer(mechanism: Mechanism, body: RigidBody) -> Pointer | None:
     axis = body.coordinates[0].axis
     center = body.center if body.mass > 0.0 else load_center(mechanism, body)
     arm = add(center, scale(-inner(center, axis), axis))  # square to the axle
-    tilts = hypot(axis[0], axis[1]) > EVEN
-    return Pointer((body.name, ZERO), (body.name, arm)) if tilts and hypot(*arm) > EVEN else None
+    tilts = hypot(axis[0], axis[1]) > DIRECTION_TOL
+    return Pointer((body.name, ZERO), (body.name, arm)) if tilts and hypot(*arm) > DIRECTION_TOL else None
 
 
 def _is_thin(mechanism: Mechanism, body: RigidBody) -> bool:
@@ -107,7 +109,7 @@ def _is_thin(mechanism: Mechanism, body: RigidBody) -> bool:
     if found is None or inertia == 0.0:
         return False
     arm = found.bottom[1]
-    return all(abs(part) <= EVEN * inertia * hypot(*arm) for part in applied(body.inertia, arm))
+    return all(abs(part) <= DIRECTION_TOL * inertia * hypot(*arm) for part in applied(body.inertia, arm))
 
 
 def _pivot(mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> str:
@@ -158,7 +160,7 @@ class Rods(Subject):
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
         """Return whether the text states `need` for every body: the force in a rod depends on all of them."""
         del name
-        return all_said(need, mechanism, said)
+        return is_stated_for_all(need, mechanism, said)
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
         """Return the sense of tension."""

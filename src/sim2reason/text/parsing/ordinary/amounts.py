@@ -66,7 +66,7 @@ class Amount:
         return f"{self.digits}{'' if unit == '°' else ' '}{unit}".rstrip()
 
 
-def set_apart(text: str) -> tuple[str, tuple[Amount, ...]]:
+def extract_amounts(text: str) -> tuple[str, tuple[Amount, ...]]:
     """Replace the numbers of a text by placeholders such as `#mass0#`; return the text and the numbers in order."""
     for pattern, short in SPELLED.items():
         text = re.sub(rf"(?<=[\s-])(?:{pattern})\b", short, text)
@@ -84,7 +84,7 @@ def set_apart(text: str) -> tuple[str, tuple[Amount, ...]]:
     return "".join((*parts, text[at:])), tuple(found)
 
 
-def shown(value: float) -> str:
+def format_amount(value: float) -> str:
     """Format a number as in the library's texts, with at most twelve significant digits."""
     if value and not LEAST_PLAIN <= abs(value) < MOST_PLAIN:
         digits, power = f"{value:.{DIGITS - 1}e}".split("e")
@@ -100,7 +100,7 @@ def _amount(number: re.Match[str], unit: str) -> Amount:
     if factor == 1.0 and int(power) == 0:
         return Amount(kind, digits.replace("-", MINUS))
     value = float(f"{digits}e{int(power)}") * factor
-    return Amount(kind, shown(value)) if isfinite(value) else Amount(INFINITE, "")
+    return Amount(kind, format_amount(value)) if isfinite(value) else Amount(INFINITE, "")
 
 
 def _unit(text: str, at: int) -> tuple[str, int]:

@@ -10,12 +10,12 @@ import numpy as np
 from pydantic import ValidationError
 
 from sim2reason.errors import SceneError, UnsupportedError
-from sim2reason.scenes.dsl.choices import chances, choices, closed, reachable, specials
+from sim2reason.scenes.dsl.choices import chances, choices, close_ports, reachable, specials
 from sim2reason.scenes.dsl.entity import ENTITIES, Entity, Named
 from sim2reason.scenes.dsl.model import Choice, Count, draw, field_types
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.units import UnitError, coherent
-from sim2reason.text.parsing.ordinary.vocabulary import FILLERS, ORDERED, PHRASES, SAME, SURFACES, TEXTURES
+from sim2reason.text.parsing.ordinary.vocabulary import FILLERS, ORDERED, PHRASES, SURFACES, SYNONYMS, TEXTURES
 from sim2reason.text.prose.phrases import Names, letters
 from sim2reason.text.prose.voices import symbolic_but_zero
 from sim2reason.text.prose.writer import Writer
@@ -28,11 +28,11 @@ _NUMBER = re.compile(
 )
 _SYMBOL = re.compile(r"\$([^$\n]{1,40})\$")
 _WORD = re.compile(r"#\d+#|\$\d+\$|[A-Za-z][A-Za-z-]*")
-_MEANS = {other: word for word, others in SAME.items() for other in others.split()}
+_MEANS = {other: word for word, others in SYNONYMS.items() for other in others.split()}
 
 
 @dataclass(frozen=True, slots=True)
-class Told:
+class WrittenNumber:
     """A number as written, with its unit (empty for a pure number) and that unit without SI prefixes."""
 
     digits: str
@@ -53,7 +53,7 @@ class Content:
     """The significant words of a sentence in order, with `#0#` for its first number, and the numbers."""
 
     words: tuple[str, ...]
-    numbers: tuple[Told, ...]
+    numbers: tuple[WrittenNumber, ...]
 
     @property
     def facts(self) -> frozenset[str]:
@@ -83,11 +83,11 @@ class Content:
 @lru_cache(maxsize=1024)
 def content(sentence: str) -> Content:
     """Return the significant words and numbers of a sentence; numbers count from 0 in order of occurrence."""
-    numbers: list[Told] = []
+    numbers: list[WrittenNumber] = []
 
     def numbered(found: re.Match[str]) -> str:
         unit, bare, rest = _unit(found[2] or "")
-        numbers.append(Told(found[1], unit, bare))
+        numbers.append(WrittenNumber(found[1], unit, bare))
         return f" #{len(numbers) - 1}# {rest}"
 
     return Content(tuple(_words(_NUMBER.sub(numbered, sentence))), tuple(numbers))
@@ -95,10 +95,10 @@ def content(sentence: str) -> Content:
 
 def content_of_form(form: str) -> Content:
     """Return the content of a sentence with symbols in dollars; each counts as a number without a unit."""
-    symbols: list[Told] = []
+    symbols: list[WrittenNumber] = []
 
     def numbered(found: re.Match[str]) -> str:
-        symbols.append(Told(found[1], "", ""))
+        symbols.append(WrittenNumber(found[1], "", ""))
         return f" #{len(symbols) - 1}# "
 
     return Content(tuple(_words(_SYMBOL.sub(numbered, form))), tuple(symbols))
@@ -157,7 +157,7 @@ class Form:
     content: Content
 
 
-class _Teller(Writer):
+class _FixedChoiceWriter(Writer):
     """A writer that uses the same index for all wordings, and always the first noun."""
 
     wording = 0
@@ -200,18 +200,18 @@ def _forms_of(cls: type[Entity], number: int, chosen: dict[str, Choice], known: 
     """Yield the new sentence forms of one random scene of an entity; none if the scene is invalid."""
     rng = np.random.default_rng([number])
     try:
-        scene = closed(Named(name=IT, entity=draw(cls, rng, chosen)), rng)
-        first = _Teller(scene, Names(), rng, symbolic_but_zero)
+        scene = close_ports(Named(name=IT, entity=draw(cls, rng, chosen)), rng)
+        first = _FixedChoiceWriter(scene, Names(), rng, symbolic_but_zero)
         first.sentences()
         for wording in range(WORDINGS):
-            yield from _told(scene, first, number * WORDINGS + wording, known)
+            yield from _new_forms(scene, first, number * WORDINGS + wording, known)
     except (SceneError, UnsupportedError, ValidationError):
         return
 
 
-def _told(scene: Scene, first: Writer, wording: int, known: Container[str]) -> Iterator[Form]:
+def _new_forms(scene: Scene, first: Writer, wording: int, known: Container[str]) -> Iterator[Form]:
     names = Names(letters(first.introduced, scene.bodies))
-    teller = _Teller(scene, names, np.random.default_rng(0), symbolic_but_zero, tuple(first.told))
+    teller = _FixedChoiceWriter(scene, names, np.random.default_rng(0), symbolic_but_zero, tuple(first.told))
     teller.wording = wording
     said = [GRAVITY if sentence == _GRAVITY_OF_SYMBOL else sentence for sentence in teller.sentences()]
     units = {teller.symbols[p.path]: p.measure.unit for p in scene.parameters if p.path in teller.symbols}

@@ -6,16 +6,16 @@ from functools import cache
 
 from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.scenes.dsl.units import coherent
-from sim2reason.text.parsing.ordinary.content import Content, Form, Told, content, forms
+from sim2reason.text.parsing.ordinary.content import Content, Form, WrittenNumber, content, forms
 from sim2reason.text.parsing.ordinary.vocabulary import NOUNS
 
-LEAST = 0.2  # share of common words of two sentences from which one is suggested for the other
-LONGEST = 600  # characters of a sentence that is compared with the library's
+MIN_SIMILARITY = 0.2  # share of common words of two sentences from which one is suggested for the other
+MAX_SENTENCE_LENGTH = 600  # characters of a sentence that is compared with the library's
 NUMBERS = 1.0  # weight of a number, compared with a word
 _SYMBOL = re.compile(r"\$[^$\n]{1,40}\$")
 
 
-def same(sentence: str) -> list[Form]:
+def equivalent_forms(sentence: str) -> list[Form]:
     """Return the forms equivalent to a sentence in any wording, those with the same letters first."""
     said = content(sentence)
     return sorted(
@@ -38,14 +38,14 @@ def _core(said: Content) -> frozenset[str]:
 
 def nearest(sentence: str) -> str | None:
     """Return the form that shares most words with a sentence, with its numbers filled in; None if none is similar."""
-    if len(sentence) > LONGEST:
+    if len(sentence) > MAX_SENTENCE_LENGTH:
         return None
     said = content(sentence)
     ranked = max(forms(), key=lambda form: _likeness(said, form), default=None)
-    return filled(ranked, said) if ranked is not None and _likeness(said, ranked) >= LEAST else None
+    return fill_form(ranked, said) if ranked is not None and _likeness(said, ranked) >= MIN_SIMILARITY else None
 
 
-def filled(form: Form, said: Content) -> str:
+def fill_form(form: Form, said: Content) -> str:
     """Return the text of a form with the numbers of a sentence; a symbol without a number remains."""
     values = iter(_values(form, said))
     return _SYMBOL.sub(lambda symbol: next(values) or symbol[0], form.text)
@@ -65,7 +65,7 @@ def _values(form: Form, said: Content) -> Iterator[str | None]:
             yield None
             continue
         left.remove(chosen)
-        yield _told(chosen[1], unit)
+        yield _number_text(chosen[1], unit)
 
 
 def _certain(said: Content, mine: int, other: Content, theirs: int) -> bool:
@@ -78,7 +78,7 @@ def _is_letter(word: str) -> bool:
     return len(word) == 1
 
 
-def _told(number: Told, unit: str) -> str:
+def _number_text(number: WrittenNumber, unit: str) -> str:
     return join_unit(number.in_unit(unit).replace("-", "\N{MINUS SIGN}"), unit)
 
 

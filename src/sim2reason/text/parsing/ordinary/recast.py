@@ -8,12 +8,12 @@ from itertools import islice, product
 from sim2reason.scenes.dsl.model import field_types
 from sim2reason.scenes.dsl.scene import World
 from sim2reason.text.parsing.ordinary.content import Content, Form, content, reworded
-from sim2reason.text.parsing.ordinary.nearest import LONGEST, filled, same
+from sim2reason.text.parsing.ordinary.nearest import MAX_SENTENCE_LENGTH, equivalent_forms, fill_form
 from sim2reason.text.parsing.ordinary.vocabulary import NOUNS
 from sim2reason.text.prose.closings import CLOSINGS, RESTS, is_assumption
 
 CHOICES = 4  # forms of a sentence that are tried
-MOST = 24  # rewritten texts that are tried
+MAX_TEXTS = 24  # rewritten texts that are tried
 FIRST_LETTER = "A"
 LAST = 1.0  # relative position of the last sentence of a text
 PRESUMED = re.compile("g|start with .*taut|room|.*pulleys? and room.*|room on faces")
@@ -32,7 +32,7 @@ _ENDS = re.compile(r"^(?:it |they )?(?:is|are) ")
 
 
 @dataclass(frozen=True, slots=True)
-class Recast:
+class RewrittenText:
     """A text in the library's sentences; the scene's closing decides whether it starts from rest."""
 
     said: tuple[str, ...]
@@ -40,11 +40,11 @@ class Recast:
     added: tuple[str, ...] = ()
 
     @property
-    def whole(self) -> bool:
+    def is_complete(self) -> bool:
         """Return whether the closings include a start from rest if the original text states one."""
         return not self.from_rest or any(name.startswith("rest") for name in self.added)
 
-    def adding(self, name: str) -> "Recast | None":
+    def adding(self, name: str) -> "RewrittenText | None":
         """Return the text with the named closing inserted; None if the text neither states nor presumes it."""
         if not (PRESUMED.fullmatch(name) or (self.from_rest and name.startswith("rest"))):
             return None
@@ -55,15 +55,15 @@ class Recast:
         later = [index for index, sentence in enumerate(self.said) if _comes_after(sentence, name)]
         at = later[0] if later else len(self.said)
         said = (*self.said[:at], told[:1].upper() + told[1:], *self.said[at:])
-        return Recast(said, self.from_rest, (*self.added, name))
+        return RewrittenText(said, self.from_rest, (*self.added, name))
 
 
-def first_unlike(said: Sequence[str]) -> int | None:
+def first_unknown_sentence(said: Sequence[str]) -> int | None:
     """Return the index of the first sentence without an equivalent form in the library; None if all have one."""
     return next((index for index, sentence in enumerate(_unlettered(said)) if _forms(sentence) is None), None)
 
 
-def recast(said: Sequence[str]) -> Iterator[Recast]:
+def recast(said: Sequence[str]) -> Iterator[RewrittenText]:
     """Yield equivalent texts in the library's sentences, in the order of the text and in the usual order."""
     found = [_forms(sentence) for sentence in _unlettered(said)]
     if not all(each is not None for each in found):
@@ -71,12 +71,12 @@ def recast(said: Sequence[str]) -> Iterator[Recast]:
     clauses = [clause for each in found for clause in each or ()]
     nouns = frozenset[str]().union(*(content(sentence).facts & NOUNS for sentence in said))
     told = [_of_these(clause, nouns)[:CHOICES] for clause in clauses if clause]
-    for chosen in islice(product(*told), MOST):
+    for chosen in islice(product(*told), MAX_TEXTS):
         from_rest = len(told) < len(clauses)
-        yield Recast(tuple(text for text, _ in chosen), from_rest)
+        yield RewrittenText(tuple(text for text, _ in chosen), from_rest)
         usual = sorted(chosen, key=lambda each: each[1])
         if usual != list(chosen):
-            yield Recast(tuple(text for text, _ in usual), from_rest)
+            yield RewrittenText(tuple(text for text, _ in usual), from_rest)
 
 
 def _of_these(told: list[tuple[str, float]], nouns: frozenset[str]) -> list[tuple[str, float]]:
@@ -86,9 +86,9 @@ def _of_these(told: list[tuple[str, float]], nouns: frozenset[str]) -> list[tupl
 
 def _unlettered(said: Sequence[str]) -> Sequence[str]:
     """Return the sentences without the letter A, as in *block A*, if it is the only letter of a body."""
-    if max(map(len, said)) > LONGEST or {letter for sentence in said for letter in content(sentence).letters} != {
-        FIRST_LETTER
-    }:
+    if max(map(len, said)) > MAX_SENTENCE_LENGTH or {
+        letter for sentence in said for letter in content(sentence).letters
+    } != {FIRST_LETTER}:
         return said
     return [re.sub(rf"(?<=[a-z]) {FIRST_LETTER}\b", "", sentence) for sentence in said]
 
@@ -106,7 +106,7 @@ def _forms(sentence: str) -> list[list[tuple[str, float]]] | None:
     known = _known(sentence)
     if known is not None:
         return [known]
-    for parts in _apart(sentence):
+    for parts in _splits(sentence):
         found = [_known(part) for part in parts]
         if all(each is not None for each in found):
             return [each for each in found if each is not None]
@@ -118,13 +118,13 @@ def _known(sentence: str) -> list[tuple[str, float]] | None:
 
     None means that the library has no sentence for the clause; the list is empty for *it starts from rest*.
     """
-    forms = same(sentence)
+    forms = equivalent_forms(sentence)
     if any(form.text in RESTS for form in forms):
         return []
     said = content(sentence)
     lettered = dict.fromkeys(form.content.letters for form in forms)
     first = [next(form for form in forms if form.content.letters == letters) for letters in sorted(lettered)]
-    told = [(_lettered(filled(form, said), form, said), form.place) for form in dict.fromkeys((*first, *forms))]
+    told = [(_lettered(fill_form(form, said), form, said), form.place) for form in dict.fromkeys((*first, *forms))]
     usual = reworded(sentence)
     return ([(usual, LAST / 2)] if usual else told) or None
 
@@ -136,9 +136,9 @@ def _lettered(text: str, form: Form, said: Content) -> str:
     return re.sub(rf"\b{form.content.letters[0]}\b", FIRST_LETTER, text, count=1)
 
 
-def _apart(sentence: str) -> Iterator[list[str]]:
+def _splits(sentence: str) -> Iterator[list[str]]:
     """Yield the two halves of a sentence for each *and* or comma where it can be split; none if it is too long."""
-    if len(sentence) > LONGEST:
+    if len(sentence) > MAX_SENTENCE_LENGTH:
         return
     if _RELEASED_SOMEWHERE.search(sentence):
         yield [_RELEASED_SOMEWHERE.sub(" is", sentence, count=1), _REST]

@@ -4,11 +4,11 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from sim2reason.text.parsing.ordinary.amounts import Amount, set_apart
+from sim2reason.text.parsing.ordinary.amounts import Amount, extract_amounts
 from sim2reason.text.parsing.ordinary.textbook_scenes import TEXTBOOK_SCENES, Facts, TextbookScene, compiled
 
 MOST_SENTENCES = 12  # longest text in which a superfluous sentence is searched for
-LONGEST = 1500  # characters of a text that is translated
+MAX_TEXT_LENGTH = 1500  # characters of a text that is translated
 RESERVED = re.compile(r"[#|]")  # characters that stand for numbers and for matched words below
 GENERAL = (
     r"(?:(?:take|use|let|assume|with|where|here) )?g (?:= |is |as |to be )?<g:accel>",
@@ -74,7 +74,7 @@ class LibraryText:
 
 def library_texts(text: str) -> list[LibraryText]:
     """Return the translations of a text, one for each kind of scene whose patterns match all of its words."""
-    if len(text) > LONGEST or RESERVED.search(text):
+    if len(text) > MAX_TEXT_LENGTH or RESERVED.search(text):
         return []
     words, amounts = normalised(text)
     found = (_translated(scene, words, amounts) for scene in TEXTBOOK_SCENES.values())
@@ -92,7 +92,7 @@ def superfluous(sentences: Sequence[str]) -> int | None:
 
 def normalised(text: str) -> tuple[str, tuple[Amount, ...]]:
     """Return a text in lower case with placeholders for numbers and separate full stops, and its numbers."""
-    apart, amounts = set_apart(" ".join(text.split()))
+    apart, amounts = extract_amounts(" ".join(text.split()))
     plain = re.sub(r"[,;:()]", " ", apart.lower())
     plain = re.sub(r"\.(?=\s|$)", " . ", plain.replace("=", " = "))
     return f" {' '.join(plain.split())} ", amounts

@@ -52,7 +52,7 @@ PHRASES: Mapping[str, str] = {
 }
 """By a pattern of lower-case text, what stands for it before words are looked at, in this order."""
 
-SAME: Mapping[str, str] = {
+SYNONYMS: Mapping[str, str] = {
     "block": "crate parcel",
     "plane": "floor ground table tabletop surface incline ramp slope track",
     "horizontal": "level horizontally",

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from math import degrees
 from typing import Final
 
-from sim2reason.solutions.algebra.digits import rounded, simple_fraction
+from sim2reason.solutions.algebra.digits import rounded_latex, simple_fraction
 from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Absolute, Call, Pi, Power, Root
 from sim2reason.solutions.solution import CHECKS, Solution
@@ -92,7 +92,7 @@ def plain_number(value: float) -> str:
     """Return a number with three digits, without LaTeX; from ten thousand on with a power of ten."""
     if abs(value) >= LARGEST_PLAIN:
         return f"{value:.{ARITHMETIC_DIGITS - 1}e}".replace("e+0", "e").replace("e+", "e")
-    return rounded(value, ARITHMETIC_DIGITS).replace(r" \times 10^{", "e").rstrip("}")
+    return rounded_latex(value, ARITHMETIC_DIGITS).replace(r" \times 10^{", "e").rstrip("}")
 
 
 @dataclass(frozen=True, slots=True)

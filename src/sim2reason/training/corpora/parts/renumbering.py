@@ -85,7 +85,7 @@ def _anywhere(held: Expression, changes: Changes) -> Iterator[Expression]:
 WIDEST: Final = log(2.5)  # logarithm of the largest factor on a number
 STEEPEST: Final = 85.0  # degrees
 TRIES: Final = 6
-KEPT: Final = frozenset({"g", "G"})  # constants of nature, which stay unchanged
+CONSTANTS: Final = frozenset({"g", "G"})  # constants of nature, which stay unchanged
 Place = tuple[tuple[int, int], str]
 """Where a number stands in a text, and how."""
 _NUMBER = re.compile(r"(?<![\w.,])\d+(?:\.\d+)?(?![\w]*[.,]?\d)")
@@ -111,11 +111,11 @@ def _changed(prompt: str, solution: Solution, rng: np.random.Generator) -> tuple
     places = [(found.span(), found.group()) for found in _NUMBER.finditer(prompt)]
     numbers, changes = dict(given(solution)), list[Place]()
     for name, value in numbers.items():
-        said, found = abs(value), _said(places, abs(value))
+        said, found = abs(value), _positions(places, abs(value))
         if angle := not found:
             said = degrees(said)
-            found = _said(places, said)
-        if name in KEPT or len(found) != 1 or not value:
+            found = _positions(places, said)
+        if name in CONSTANTS or len(found) != 1 or not value:
             continue
         span, text = found[0]
         new = _like(text, said * float(np.exp(rng.uniform(-WIDEST, WIDEST))))
@@ -128,7 +128,7 @@ def _changed(prompt: str, solution: Solution, rng: np.random.Generator) -> tuple
     return prompt, numbers
 
 
-def _said(places: list[Place], value: float) -> list[Place]:
+def _positions(places: list[Place], value: float) -> list[Place]:
     """Return the positions at which a number occurs."""
     return [(span, text) for span, text in places if isclose(float(text), value, rel_tol=1e-9)]
 

@@ -10,7 +10,7 @@ from collections.abc import Iterable
 
 from sim2reason.training.extras import External, library
 
-__all__ = ["ALONE", "END", "PAD", "SMALLEST", "made"]
+__all__ = ["ALONE", "END", "PAD", "SMALLEST", "train_tokenizer"]
 
 ALONE = "0123456789*=;/-+"
 PAD, END = "<|pad|>", "<|end|>"
@@ -18,7 +18,7 @@ SMALLEST = 256 + 2
 """The vocabulary of bytes and of the tokens that pad and end."""
 
 
-def made(texts: Iterable[str], vocabulary: int, alone: str = ALONE) -> External:
+def train_tokenizer(texts: Iterable[str], vocabulary: int, alone: str = ALONE) -> External:
     """Return a tokenizer with at most `vocabulary` pieces, none of which joins a character of `alone` to others.
 
     The result depends on the set of texts with multiplicity, not on their order or the number of threads.

@@ -7,11 +7,11 @@ from typing import Final
 
 from sim2reason.grading import FormulaError, Outcome, arithmetic, formula, number
 from sim2reason.grading.arithmetic import Node
-from sim2reason.grading.extract import MAX_ANSWER, closed_boxes, content, spoken
+from sim2reason.grading.extract import MAX_ANSWER, closed_boxes, content, response_text
 from sim2reason.grading.hiding import fault_of_box
 from sim2reason.grading.number import unit_stated
 from sim2reason.grading.parser import parse
-from sim2reason.grading.points import drawn
+from sim2reason.grading.points import draw_points
 from sim2reason.grading.score import Refused
 from sim2reason.grading.sides import flattened
 from sim2reason.grading.spelling import spelled
@@ -31,12 +31,12 @@ __all__ = [
     "name_of",
     "parts",
     "read",
-    "said_without_box",
     "same_text",
+    "unboxed_options",
     "unit_or_none",
 ]
 
-MOST: Final = 64  # boxes examined, the last ones
+MAX_BOXES: Final = 64  # boxes examined, the last ones
 _AND: Final = re.compile(r"\\text\s*\{\s*and\s*\}|(?<![A-Za-z\\])and(?![A-Za-z])|\\quad|\\qquad")
 _BLANK: Final = re.compile(r"(?<!\\)\\[,;: ]|\$")
 _THOUSANDS: Final = re.compile(r"(?<=\d)(?:,|\{,\})(?=\d{3}(?!\d))")
@@ -46,7 +46,7 @@ OPENS, CLOSES = "([{", ")]}"
 def after_thinking(response: str) -> str:
     """Return the text after the thinking; empty if that never ends or the response is far too long."""
     try:
-        return spoken(response)
+        return response_text(response)
     except Refused:
         return ""
 
@@ -59,7 +59,7 @@ def boxes(response: str) -> list[str]:
         while spans and spans[-1][0] > begin:  # boxes within this one
             spans.pop()
         spans.append((begin, end))
-    found = (content(text, span) for span in spans[-MOST:] if not fault_of_box(text, *span))
+    found = (content(text, span) for span in spans[-MAX_BOXES:] if not fault_of_box(text, *span))
     return [answer for answer in found if answer.strip() and len(answer) <= MAX_ANSWER]
 
 
@@ -118,7 +118,7 @@ def chosen(content: str) -> frozenset[str] | None:
     return None
 
 
-def said_without_box(response: str) -> frozenset[str] | None:
+def unboxed_options(response: str) -> frozenset[str] | None:
     """Return the options in the last *answer is …* near the end of a response; None if there is none."""
     *_, last = [None, *_SAID.finditer(after_thinking(response)[-LAST:])]
     return None if last is None else frozenset(re.findall("[A-D]", last[1]))
@@ -158,7 +158,7 @@ def unit_or_none(text: object) -> str | None:
         return None
 
 
-EQUAL = 1e-6  # relative tolerance at each test point
+EQUALITY_RTOL = 1e-6  # relative tolerance at each test point
 _UPRIGHT: Final = re.compile(r"\\(?:text|textrm|textbf|mathrm|mbox)\{([^{}]*)\}")
 _NAME: Final = re.compile(
     r"(?:[A-Za-z]|\\[A-Za-z]+)(?:\s*_(?:[A-Za-z0-9]|\{[^{}=]*(?:\{[^{}=]*\})?\}))?(?:\s*\([^()=]*\))?"
@@ -211,13 +211,13 @@ def equivalent_equations(right: str, said: str) -> bool | None:
         return None
     node, symbols = held
     other = _difference(said, symbols)
-    points = list(drawn(node, symbols, [], {}, right))
+    points = list(draw_points(node, symbols, [], {}, right))
     if other is None or not points:
         return None
     pairs = [(arithmetic.value(other[0], point), arithmetic.value(node, point)) for point in points]
     ratios = [up / down if up is not None and down else 0.0 for up, down in pairs]
     first = ratios[0]
-    return first != 0.0 and all(abs(ratio - first) <= EQUAL * abs(first) for ratio in ratios)
+    return first != 0.0 and all(abs(ratio - first) <= EQUALITY_RTOL * abs(first) for ratio in ratios)
 
 
 @lru_cache(maxsize=1024)

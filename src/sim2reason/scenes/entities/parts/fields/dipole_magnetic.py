@@ -8,7 +8,7 @@ from annotated_types import Ge, Le
 from pydantic import model_validator
 
 from sim2reason.scenes.authoring import LEAST, Law, Measure, Range, Vector, add, either
-from sim2reason.scenes.dsl.vectors import Maths, Number, Triple, cross, minus, product, times
+from sim2reason.scenes.dsl.vectors import Maths, Number, Triple, cross, dot, minus, times
 from sim2reason.scenes.entities.parts.fields import MagneticField, along, force_field
 
 DipoleStrength = Annotated[float, LEAST, Le(1e6), Measure("dipole strength", "T m^3", "b"), Range(1.0, 5.0)]
@@ -27,7 +27,7 @@ class DipoleForce:
         """Return the force, which is perpendicular to velocity and field and does no work."""
         del time
         apart = minus(place, self.center)
-        square = product(apart, apart)
+        square = dot(apart, apart)
         return times(self.strength / (square * maths.sqrt(square)), cross(velocity, self.direction))
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:

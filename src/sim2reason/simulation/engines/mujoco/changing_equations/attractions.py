@@ -9,7 +9,7 @@ from sim2reason.scenes.dsl.mechanism import Attraction
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.specification import mujoco
 
-NEAREST = 1e-4  # smallest closeness; below, round-off dominates the step error
+MIN_CLOSENESS = 1e-4  # smallest closeness; below, round-off dominates the step error
 
 
 class Attractions:
@@ -41,7 +41,7 @@ class Attractions:
         determines their deflection.
         """
         squares = self._squares(data)[1]
-        return max(NEAREST, min(1.0, float(np.sqrt((squares / self._began).min()))))
+        return max(MIN_CLOSENESS, min(1.0, float(np.sqrt((squares / self._began).min()))))
 
     def _at_the_start(self) -> Array:
         """Return the squared distances of the pairs at the start, (pairs,), m²."""

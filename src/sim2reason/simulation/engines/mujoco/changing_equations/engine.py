@@ -5,33 +5,33 @@ import numpy as np
 from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.simulation.engines.mujoco.changing_equations.forces import Found
+from sim2reason.simulation.engines.mujoco.changing_equations.forces import ForceSolution
 from sim2reason.simulation.engines.mujoco.changing_equations.margins import (
     ARMED,
     TOLERANCE,
     ActingModel,
-    Due,
+    EventMargin,
     EventSearch,
 )
 from sim2reason.simulation.engines.mujoco.changing_equations.record import Knot
-from sim2reason.simulation.engines.mujoco.changing_equations.settling import BEGINS, STILL, STOPS, HardSettling
-from sim2reason.simulation.engines.mujoco.extrapolation import extrapolated
+from sim2reason.simulation.engines.mujoco.changing_equations.settling import BEGINS, REST_SPEED, STOPS, InstantSolver
+from sim2reason.simulation.engines.mujoco.extrapolation import extrapolate_step
 from sim2reason.simulation.trace import Event, Trace
 
 PIECES = 24  # fraction of the duration: the longest step, so that its ends determine the motion between,
-STRIDE, FEWEST = 5 / 3, 10  # or this many intervals between samples, if there are at least so many steps
+STRIDE, MIN_SAMPLE_STEPS = 5 / 3, 10  # or this many intervals between samples, if there are at least so many steps
 FIRST = 0.05  # fraction of such a piece: the first step after a separation, so that the gap is open before it can close
 STEPS = 4000  # largest number of steps
-SHORTEST = 1e-11  # fraction of the duration: the shortest step
+MIN_STEP = 1e-11  # fraction of the duration: the shortest step
 SEGMENTS = 500  # largest number of motion segments
 
 
 def run(mechanism: Mechanism, times: Array) -> Trace:
     """Return the motion at `times` (m,), in seconds, increasing from 0; raises as `simulate` of the package does."""
-    motion: HardMotion | None = None
+    motion: EventDrivenLoop | None = None
     try:
         with np.errstate(over="raise"):
-            motion = HardMotion(mechanism, times)
+            motion = EventDrivenLoop(mechanism, times)
             while motion.advance():
                 if len(motion.record.stretches) > SEGMENTS:
                     many = f"more than {SEGMENTS} events before {times[-1]:g} s"
@@ -43,13 +43,13 @@ def run(mechanism: Mechanism, times: Array) -> Trace:
     return Trace("mujoco", motion.record.state(times), events, motion.now, motion.cut, motion.record.state)
 
 
-class HardMotion(HardSettling):
+class EventDrivenLoop(InstantSolver):
     """A motion under construction, extended from event to event."""
 
     def __init__(self, mechanism: Mechanism, times: Array) -> None:
         """Initialize at the start of the motion; raises as `run` does."""
         super().__init__(mechanism, times)
-        stride = min(STRIDE * float(times[1] - times[0]), self.duration / FEWEST) if len(times) > 2 else 0.0
+        stride = min(STRIDE * float(times[1] - times[0]), self.duration / MIN_SAMPLE_STEPS) if len(times) > 2 else 0.0
         self.longest = max(self.duration / PIECES, stride)
 
     def advance(self) -> bool:
@@ -69,7 +69,7 @@ class HardMotion(HardSettling):
         self.way = found.way
         return self._travel(found)
 
-    def _travel(self, found: Found) -> bool:
+    def _travel(self, found: ForceSolution) -> bool:
         """Step to the next event; return False at the end."""
         acting = ActingModel(self.model, self.record, self.situation, found.way)
         self.record.start(found.way, found, self.situation)
@@ -78,10 +78,10 @@ class HardMotion(HardSettling):
         armed = [due.value > ARMED for due in before]
         leaves = any(due.kind == "spare" and not up for due, up in zip(before, armed, strict=True))
         length, tolerance = self.longest * (FIRST if leaves else 1.0), TOLERANCE * acting.closeness(begun)
-        while self.duration - self.now > SHORTEST * self.duration:
+        while self.duration - self.now > MIN_STEP * self.duration:
             length = min(length, self.longest, self.duration - self.now)
             last = self.record.last
-            tried = extrapolated(acting.rate, last.time, last.values, last.rates, length, tolerance)
+            tried = extrapolate_step(acting.rate, last.time, last.values, last.rates, length, tolerance)
             self._count(length)
             if not tried.error <= 1.0:
                 length *= min(0.7, tried.factor) if np.isfinite(tried.error) else 0.1
@@ -103,7 +103,7 @@ class HardMotion(HardSettling):
         self.steps += 1
         if self.steps > STEPS:
             raise SimulationError("MuJoCo: the budget of steps is used up")
-        if length < SHORTEST * self.duration:
+        if length < MIN_STEP * self.duration:
             raise SimulationError(f"MuJoCo: the motion becomes singular at {self.now:.6g} s")
 
     def _keep(self, knot: Knot) -> None:
@@ -118,11 +118,11 @@ class HardMotion(HardSettling):
         n = self.model.size
         for coordinate, number in zip(self.mechanism.coordinates, self.model.coordinates, strict=True):
             old, new = before.values[n + number], after.values[n + number]
-            if old * new < 0.0 and min(abs(old), abs(new)) > STILL:
+            if old * new < 0.0 and min(abs(old), abs(new)) > REST_SPEED:
                 when = before.time + float(old / (old - new)) * (after.time - before.time)
                 self.events.append(Event(when, "turn", (coordinate.name,)))
 
-    def _happen(self, due: list[Due]) -> bool:
+    def _happen(self, due: list[EventMargin]) -> bool:
         """Apply the events that are due; return False if one ends the motion."""
         together = any(each.kind == "reach" for each in due)  # what two points at one place seem to do is nothing
         for each in due:

@@ -10,12 +10,12 @@ from sim2reason.base.record import record
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.budget import Budget
 
-FLAT = 1e-10  # fraction of the largest: a smaller singular value counts as zero
-MOST = 3000  # largest number of vertices to examine
+SINGULAR_VALUE_RTOL = 1e-10  # fraction of the largest: a smaller singular value counts as zero
+MAX_VERTICES = 3000  # largest number of vertices to examine
 SLIP = 1e-9  # fraction of the largest margin: violation of a condition tolerated at a vertex
 
 
-def braced(solution: Array, free: Array, conditions: Array) -> Array:
+def maximize_least_condition(solution: Array, free: Array, conditions: Array) -> Array:
     """Return the solution plus the combination of the rows of `free` (k, size) that maximizes the least condition.
 
     It lies where k + 1 of the conditions (m, size) are equal, so all such corners are tried. Where nothing bounds it,
@@ -23,14 +23,14 @@ def braced(solution: Array, free: Array, conditions: Array) -> Array:
     """
     left, sizes, right = np.linalg.svd(conditions @ free.T)
     del left
-    rank = int((sizes > FLAT * max(float(sizes.max(initial=0.0)), 1e-300)).sum())
+    rank = int((sizes > SINGULAR_VALUE_RTOL * max(float(sizes.max(initial=0.0)), 1e-300)).sum())
     ways = right[:rank] @ free
     base, change = conditions @ solution, conditions @ ways.T
-    corners = np.array(list(combinations(range(len(base)), rank + 1))[:MOST], dtype=np.intp)
+    corners = np.array(list(combinations(range(len(base)), rank + 1))[:MAX_VERTICES], dtype=np.intp)
     if rank == 0 or not len(corners):
         return solution
     matrix = np.concatenate([change[corners], -np.ones((*corners.shape, 1))], axis=2)
-    sound = np.abs(np.linalg.det(matrix)) > FLAT
+    sound = np.abs(np.linalg.det(matrix)) > SINGULAR_VALUE_RTOL
     if not sound.any():
         return solution
     found = np.linalg.solve(matrix[sound], -base[corners[sound]][:, :, None])[:, :, 0]
@@ -47,11 +47,11 @@ SINGULAR = 1e-10  # fraction of the largest singular value
 TRY, FORCE = 4_000, 1_500  # operations for one contact mode, and for each row and face in addition
 NEVER = 1e9  # friction coefficient that represents a contact that never slips
 LARGE = 1e9  # larger accelerations or forces belong to an unsupported massless part
-FAINT = 1e-8  # fraction of a force pattern without effect: smaller entries count as zero
+ZERO_PATTERN_TOL = 1e-8  # fraction of a force pattern without effect: smaller entries count as zero
 HUGE = 1e12  # limit on the growth of a solution by division by a small pivot
 
 
-class Way(NamedTuple):
+class ContactMode(NamedTuple):
     """A contact mode: which rows act, which faces are closed, and how each face rubs: 0 sticks, ±1 slips."""
 
     rows: tuple[bool, ...]
@@ -60,7 +60,7 @@ class Way(NamedTuple):
 
 
 @dataclass(frozen=True)
-class HardInstant:
+class ForceProblem:
     """All data that determine the forces at one instant, in arrays over joints."""
 
     inertia: Array
@@ -88,10 +88,10 @@ class Faces(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Found:
+class ForceSolution:
     """Accelerations and all forces of one contact mode; `open_rows` and the like mark undetermined forces."""
 
-    way: Way
+    way: ContactMode
     x: Array
     rows: Array
     normal: Array
@@ -99,7 +99,7 @@ class Found:
     unknown: Array  # (rows + faces + faces,), 1 if a force is undetermined
 
 
-class Acting(NamedTuple):
+class ActiveSet(NamedTuple):
     """The active constraints of a contact mode, by index: rows, closed faces, and the sticking ones among these."""
 
     rows: list[int]
@@ -107,15 +107,21 @@ class Acting(NamedTuple):
     sticking: list[int]
 
 
-def acting(way: Way, friction: Array) -> Acting:
+def active_set(way: ContactMode, friction: Array) -> ActiveSet:
     """Return the active constraints of a contact mode."""
     closed = [i for i, shut in enumerate(way.faces) if shut]
     sticking = [i for i in closed if friction[i] > 0.0 and way.rubbing[i] == 0]
-    return Acting([i for i, acts in enumerate(way.rows) if acts], closed, sticking)
+    return ActiveSet([i for i, acts in enumerate(way.rows) if acts], closed, sticking)
 
 
 def system(
-    inertia: Array, loads: Array, held: list[Array], targets: list[float], faces: "Faces", way: Way, acts: Acting
+    inertia: Array,
+    loads: Array,
+    held: list[Array],
+    targets: list[float],
+    faces: "Faces",
+    way: ContactMode,
+    acts: ActiveSet,
 ) -> tuple[Array, Array]:
     """Return the equations of one contact mode: for accelerations, `held` rows, normal forces, friction."""
     n, first, second = len(loads), len(held), len(held) + len(acts.closed)
@@ -135,14 +141,14 @@ def system(
     return matrix, wanted
 
 
-def solved(instant: HardInstant, way: Way) -> Found | None:
+def solve_mode(instant: ForceProblem, way: ContactMode) -> ForceSolution | None:
     """Return the solution of the linear system of one contact mode; None if it has none."""
     instant.budget.spend(TRY + FORCE * (len(way.rows) + len(way.faces)))
     n, faces = len(instant.loads), Faces(instant.rises, instant.slips, instant.friction)
-    acts = acting(way, instant.friction)
+    acts = active_set(way, instant.friction)
     held, targets = [instant.rows[i] for i in acts.rows], [float(instant.targets[i]) for i in acts.rows]
     matrix, wanted = system(instant.inertia, instant.loads, held, targets, faces, way, acts)
-    solution = quick(matrix, wanted) if _is_regular(matrix) else None
+    solution = solve_regular(matrix, wanted) if _is_regular(matrix) else None
     null = np.zeros(len(wanted))
     if solution is None:
         solution, free = _least(matrix, wanted)
@@ -150,7 +156,7 @@ def solved(instant: HardInstant, way: Way) -> Found | None:
         if solution is None or null[:n].any():
             return None
         if len(free):
-            solution = braced(solution, free, _conditions(instant, acts, len(wanted)))
+            solution = maximize_least_condition(solution, free, _conditions(instant, acts, len(wanted)))
     rows, normal, friction = np.zeros(len(way.rows)), np.zeros(len(way.faces)), np.zeros(len(way.faces))
     second = n + len(held) + len(acts.closed)
     rows[acts.rows], normal[acts.closed] = solution[n : n + len(held)], solution[n + len(held) : second]
@@ -161,10 +167,10 @@ def solved(instant: HardInstant, way: Way) -> Found | None:
     unknown = np.zeros(len(rows) + 2 * len(normal))
     places = [*acts.rows, *(len(rows) + i for i in acts.closed), *(len(rows) + len(normal) + i for i in acts.sticking)]
     unknown[places] = null[n:]
-    return Found(way, solution[:n], rows, normal, friction, unknown)
+    return ForceSolution(way, solution[:n], rows, normal, friction, unknown)
 
 
-def _conditions(instant: HardInstant, acts: Acting, size: int) -> Array:
+def _conditions(instant: ForceProblem, acts: ActiveSet, size: int) -> Array:
     """Return the quantities that must not be negative, as rows over all unknowns: pulls, normal forces, grips."""
     n, first = len(instant.loads), len(acts.rows)
     normal = {i: n + first + place for place, i in enumerate(acts.closed)}
@@ -191,7 +197,7 @@ def _is_regular(matrix: Array) -> bool:
         return False
 
 
-def quick(matrix: Array, wanted: Array) -> Array | None:
+def solve_regular(matrix: Array, wanted: Array) -> Array | None:
     """Return the solution of a well-conditioned linear system; None if its accuracy is doubtful."""
     try:
         found: Array = np.asarray(np.linalg.solve(matrix, wanted), dtype=np.float64)
@@ -212,7 +218,9 @@ def _least(matrix: Array, wanted: Array) -> tuple[Array | None, Array]:
     left, sizes, right = np.linalg.svd(a)
     rank = int((sizes > SINGULAR * sizes[0]).sum())
     found = np.asarray(right[:rank].T @ ((left[:, :rank].T @ b) / sizes[:rank]), dtype=np.float64)
-    free = np.where(np.abs(right[rank:]) > FAINT, right[rank:], 0.0)  # or a huge force could brace by what is rounding
+    free = np.where(
+        np.abs(right[rank:]) > ZERO_PATTERN_TOL, right[rank:], 0.0
+    )  # or a huge force could brace by what is rounding
     if rank < len(wanted) and np.abs(a @ found - b).max() > 1e-7 * (1.0 + np.abs(b).max()):
         return None, free
     return found, free
@@ -247,7 +255,7 @@ class Moving:
 
 
 @dataclass
-class Situation:
+class SwitchState:
     """The on/off state that events change: forces in regions, engines, pairs stuck together, one-sided springs."""
 
     inside: list[list[bool]]
@@ -255,7 +263,7 @@ class Situation:
     stuck: list[bool]
     strained: list[bool]
 
-    def copy(self) -> "Situation":
+    def copy(self) -> "SwitchState":
         """Return an independent copy."""
         inside = [list(each) for each in self.inside]
-        return Situation(inside, list(self.burning), list(self.stuck), list(self.strained))
+        return SwitchState(inside, list(self.burning), list(self.stuck), list(self.strained))

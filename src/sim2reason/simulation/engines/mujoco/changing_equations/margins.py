@@ -10,23 +10,23 @@ from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
     LARGE,
     NEVER,
+    ContactMode,
     Faces,
-    Found,
-    Situation,
-    Way,
-    acting,
-    quick,
+    ForceSolution,
+    SwitchState,
+    active_set,
+    solve_regular,
     system,
 )
-from sim2reason.simulation.engines.mujoco.changing_equations.model import HardModel
-from sim2reason.simulation.engines.mujoco.changing_equations.record import TOGETHER, HardRecord, Knot, Quintic
-from sim2reason.simulation.engines.mujoco.extrapolation import extrapolated
+from sim2reason.simulation.engines.mujoco.changing_equations.model import ConstrainedModel
+from sim2reason.simulation.engines.mujoco.changing_equations.record import PASSING_DISTANCE, Knot, MotionRecord, Quintic
+from sim2reason.simulation.engines.mujoco.extrapolation import extrapolate_step
 
 DISTANCES = frozenset({"gap", "reach", "border", "strain"})
 """The kinds of margins that can dip below zero and rise again within a step."""
 
 
-class Due(NamedTuple):
+class EventMargin(NamedTuple):
     """The value of an event margin with its kind, index and side."""
 
     kind: str
@@ -38,7 +38,7 @@ class Due(NamedTuple):
 class ActingModel:
     """A model in one contact mode, with its rates, forces and event margins."""
 
-    def __init__(self, model: HardModel, record: HardRecord, situation: Situation, way: Way) -> None:
+    def __init__(self, model: ConstrainedModel, record: MotionRecord, situation: SwitchState, way: ContactMode) -> None:
         """Store the model and contact mode without computing anything."""
         self.model, self.record, self.situation, self.way = model, record, situation, way
         self.rate = self._rate()
@@ -47,7 +47,7 @@ class ActingModel:
     def _rate(self) -> Callable[[float, Array], Array]:
         """Return the function that computes the time derivative of (q, v)."""
         model, situation, way, n = self.model, self.situation, self.way, self.model.size
-        faces, acts = Faces(model.rises, model.slips, model.friction), acting(way, model.friction)
+        faces, acts = Faces(model.rises, model.slips, model.friction), active_set(way, model.friction)
         free = not (acts.rows or acts.closed)
 
         def rate(time: float, values: Array) -> Array:
@@ -61,17 +61,17 @@ class ActingModel:
                 x = model.held(model.loads(), np.array(held), np.array(targets))
                 return np.concatenate([values[n:], x if x is not None else self.forces().x])
             matrix, wanted = system(model.inertia(), model.loads(), held, targets, faces, way, acts)
-            found = quick(matrix, wanted)
+            found = solve_regular(matrix, wanted)
             x = found[:n] if found is not None else self.forces().x
             return np.concatenate([values[n:], x])
 
         return rate
 
-    def forces(self) -> Found:
+    def forces(self) -> ForceSolution:
         """Return all forces at the present state of the model."""
         return self.record.forces(self.way)
 
-    def knot(self, time: float, values: Array) -> tuple[Knot, list[Due]]:
+    def knot(self, time: float, values: Array) -> tuple[Knot, list[EventMargin]]:
         """Return the knot at the end of a step, and all margins there."""
         n = self.model.size
         if self._unbound:
@@ -91,61 +91,63 @@ class ActingModel:
         self.model.stand(knot.time, knot.values[:n], knot.values[n:], self.situation)
         return self.model.closeness()
 
-    def margins(self) -> list[Due]:
+    def margins(self) -> list[EventMargin]:
         """Return all event margins at the present state of the model."""
         return [*self._places(), *self._switches()] if self._unbound else self._margins(self.forces())
 
-    def _margins(self, forces: Found) -> list[Due]:
+    def _margins(self, forces: ForceSolution) -> list[EventMargin]:
         return [*self._rows(forces), *self._faces(forces), *self._places(), *self._switches()]
 
-    def distances(self) -> list[Due]:
+    def distances(self) -> list[EventMargin]:
         """Return the margins that are distances, which require no forces."""
         return [due for due in [*self._places(), *self._switches()] if due.kind in DISTANCES]
 
-    def _rows(self, forces: Found) -> Iterator[Due]:
+    def _rows(self, forces: ForceSolution) -> Iterator[EventMargin]:
         for number, row in enumerate(self.model.rows()):
             if not row.both:
                 acts = self.way.rows[number]
-                yield Due("force" if acts else "spare", number, 0, float(forces.rows[number]) if acts else row.spare)
+                yield EventMargin(
+                    "force" if acts else "spare", number, 0, float(forces.rows[number]) if acts else row.spare
+                )
 
-    def _faces(self, forces: Found) -> Iterator[Due]:
+    def _faces(self, forces: ForceSolution) -> Iterator[EventMargin]:
         model = self.model
         for number, face in enumerate(model.mechanism.faces):
             friction, normal = face.static_friction, float(forces.normal[number])
             if not face.guided:
-                yield Due("normal", number, 0, normal)
+                yield EventMargin("normal", number, 0, normal)
             side = self.way.rubbing[number]
             if side:
-                yield Due("slip", number, side, side * float(model.slips[number] @ model.v))
+                yield EventMargin("slip", number, side, side * float(model.slips[number] @ model.v))
             elif 0.0 < friction < NEVER:
                 held = float(forces.friction[number])
-                yield Due("grip", number, 1, friction * abs(normal) + held)
-                yield Due("grip", number, -1, friction * abs(normal) - held)
+                yield EventMargin("grip", number, 1, friction * abs(normal) + held)
+                yield EventMargin("grip", number, -1, friction * abs(normal) - held)
 
-    def _places(self) -> Iterator[Due]:
+    def _places(self) -> Iterator[EventMargin]:
         model, mechanism = self.model, self.model.mechanism
         for number, meeting in enumerate(mechanism.meetings):
             if not self.situation.stuck[number]:
-                yield Due("gap", number, 0, model.separation(meeting)[0])
+                yield EventMargin("gap", number, 0, model.separation(meeting)[0])
         for number in range(len(self.record.runs)):
-            yield Due("reach", number, 0, self.record.run_length(number))
+            yield EventMargin("reach", number, 0, self.record.run_length(number))
         q = model.q[model.coordinates]
         for number, coordinate in enumerate(mechanism.coordinates):
             for side, room in ((-1, q[number] - coordinate.lower), (1, coordinate.upper - q[number])):
                 if np.isfinite(room):
-                    yield Due("limit", number, side, float(room))
+                    yield EventMargin("limit", number, side, float(room))
 
-    def _switches(self) -> Iterator[Due]:
+    def _switches(self) -> Iterator[EventMargin]:
         model, mechanism = self.model, self.model.mechanism
         for number, burning in enumerate(self.situation.burning):
             if burning:
-                yield Due("burn", number, 0, mechanism.burns[number].until - model.time)
+                yield EventMargin("burn", number, 0, mechanism.burns[number].until - model.time)
         for number, strained in enumerate(self.situation.strained):
             strain = model.strain(number)[0]
-            yield Due("strain", number, 0, strain if strained else -strain)
+            yield EventMargin("strain", number, 0, strain if strained else -strain)
         for number in range(len(mechanism.forces)):
             for side, margin in enumerate(model.borders(number)):
-                yield Due("border", number, side, margin if self.situation.inside[number][side] else -margin)
+                yield EventMargin("border", number, side, margin if self.situation.inside[number][side] else -margin)
 
 
 TOLERANCE = 2e-8  # relative tolerance of a step
@@ -153,7 +155,7 @@ DRIFT = 1e-5  # a margin may start this far below zero, as steps and impacts lea
 ARMED = 1e-7  # value that a margin must exceed after starting at or below zero before it can be due
 TIE = 1e-7  # fraction of the duration: events closer than this are simultaneous
 SOUGHT = 12  # attempts to end a step at an event
-CLOSE = 1e-13  # fraction of the duration: accuracy of an event time
+EVENT_TIME_RTOL = 1e-13  # fraction of the duration: accuracy of an event time
 WIDTH = 1e-4  # fraction of a step: width of the finite difference for a slope
 NARROW = 1e-7  # fraction of a step: width of the finite difference that decides the side of a minimum
 FORESEEN = 1e-5  # fraction of a step: accuracy of the predicted end
@@ -171,14 +173,18 @@ class EventSearch:
     """The search for events within one step, from the margins at both ends and which of them were ever positive."""
 
     def __init__(
-        self, acting: ActingModel, step: tuple[Knot, Knot], ends: tuple[list[Due], list[Due]], armed: list[bool]
+        self,
+        acting: ActingModel,
+        step: tuple[Knot, Knot],
+        ends: tuple[list[EventMargin], list[EventMargin]],
+        armed: list[bool],
     ) -> None:
         """Store the step without searching."""
         self._acting, self._step, self._ends, self._curve = acting, step, ends, Quintic(*step)
         self._room = [_room(due.value, ready) for due, ready in zip(ends[0], armed, strict=True)]
         self._span = step[1].time - step[0].time
 
-    def due(self, duration: float) -> tuple[Knot, list[Due]] | None:
+    def due(self, duration: float) -> tuple[Knot, list[EventMargin]] | None:
         """Return the end of the step at its first event, and the margins due there; None if nothing is due."""
         start, before = self._step[0], self._ends[0]
         if self._worst(before) < 0.0:
@@ -190,15 +196,17 @@ class EventSearch:
             x = self._foreseen() or x
         here, margins, tolerance = start, before, TOLERANCE * self._acting.closeness(start)
         for _ in range(SOUGHT):
-            tried = extrapolated(self._acting.rate, start.time, start.values, start.rates, x * self._span, tolerance)
+            tried = extrapolate_step(
+                self._acting.rate, start.time, start.values, start.rates, x * self._span, tolerance
+            )
             here, margins = self._acting.knot(start.time + x * self._span, tried.values)
             change = self._change(x, margins)
-            if abs(change) * self._span <= CLOSE * duration or not 0.0 < x + change <= 1.2:
+            if abs(change) * self._span <= EVENT_TIME_RTOL * duration or not 0.0 < x + change <= 1.2:
                 break
             x += change
         return here, self._simultaneous(margins, duration)
 
-    def _change(self, x: float, margins: list[Due]) -> float:
+    def _change(self, x: float, margins: list[EventMargin]) -> float:
         """Return the change of the step fraction to the zero of the least margin, by Newton's method.
 
         The approach speed of two points is known; once they separate, they have met before.
@@ -207,7 +215,7 @@ class EventSearch:
         for due, room in zip(margins, self._room, strict=True):
             if due.kind == "reach" and due.value + room == short:
                 rate = self._acting.record.run_rate(due.number) * self._span
-                return -(short + (2.0 * TOGETHER if rate > 0.0 else 0.0)) / rate if rate else 0.0
+                return -(short + (2.0 * PASSING_DISTANCE if rate > 0.0 else 0.0)) / rate if rate else 0.0
         slope = (self._left(x + WIDTH) - self._left(x - WIDTH)) / (2.0 * WIDTH)
         return -short / slope if slope else 0.0
 
@@ -217,13 +225,13 @@ class EventSearch:
         self._room = [0.0 if rose else room for rose, room in zip(risen, self._room, strict=True)]
         return any(risen)
 
-    def _simultaneous(self, margins: list[Due], duration: float) -> list[Due]:
+    def _simultaneous(self, margins: list[EventMargin], duration: float) -> list[EventMargin]:
         """Return the margins that are due, or will be within the tolerance of simultaneous events."""
         speeds = [abs(b.value - a.value) / self._span for a, b in zip(*self._ends, strict=True)]
         near = [max(1e-9, TIE * duration * speed) for speed in speeds]
         return [due for due, r, close in zip(margins, self._room, near, strict=True) if due.value + r <= close]
 
-    def _worst(self, margins: list[Due]) -> float:
+    def _worst(self, margins: list[EventMargin]) -> float:
         """Return the least margin value; if two points of a line have met, that of their distance alone."""
         left = [(due.value + r, due.kind) for due, r in zip(margins, self._room, strict=True)]
         met = min((value for value, kind in left if kind == "reach"), default=1.0)
@@ -297,7 +305,7 @@ class EventSearch:
         """Return the least margin value at a fraction of the step, by interpolation between its ends."""
         return self._worst(self._between(x))
 
-    def _between(self, x: float) -> list[Due]:
+    def _between(self, x: float) -> list[EventMargin]:
         """Return all margins at a fraction of the step."""
         self._stand(x)
         return self._acting.margins()

@@ -10,27 +10,34 @@ import numpy as np
 
 from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.constancy import steady
-from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism, Meeting, Prop, Rigid
+from sim2reason.scenes.dsl.mechanism import CollisionPair, Inextensible, Mechanism, Prop, Rigid
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.scenes.dsl.vectors import Triple
 from sim2reason.simulation.budget import OPERATIONS, Budget
 from sim2reason.simulation.engines.mujoco.changing_equations.attractions import Attractions
-from sim2reason.simulation.engines.mujoco.changing_equations.forces import LARGE, NEVER, Moving, Row, Situation, quick
+from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
+    LARGE,
+    NEVER,
+    Moving,
+    Row,
+    SwitchState,
+    solve_regular,
+)
 from sim2reason.simulation.engines.mujoco.changing_equations.lines import Lengths, Lines, Pulls
-from sim2reason.simulation.engines.mujoco.changing_equations.specification import HardSpecification
+from sim2reason.simulation.engines.mujoco.changing_equations.specification import ConstrainedSpecification
 from sim2reason.simulation.engines.mujoco.specification import mujoco
 
 STAND, JOINT = 2_000, 800  # operations to set a state, and for each joint in addition
 
 
-class HardModel:
+class ConstrainedModel:
     """The compiled mechanism, set to one state at a time."""
 
     def __init__(self, mechanism: Mechanism) -> None:
         """Compile the mechanism; raise SimulationError if MuJoCo rejects it."""
         self.mechanism = mechanism
         self.budget = Budget(2 * OPERATIONS)
-        spec = HardSpecification(mechanism)
+        spec = ConstrainedSpecification(mechanism)
         compiled: tuple[Any, Any] = spec.compile()
         self._model, self._data = compiled
         self.size = int(self._model.nv)
@@ -68,11 +75,11 @@ class HardModel:
         """Set the initial state and store the initial lengths."""
         rest = np.zeros(self.size)
         burns, meetings, halves = self.mechanism.burns, self.mechanism.meetings, self.mechanism.half_springs
-        start = Situation([], [False] * len(burns), [False] * len(meetings), [False] * len(halves))
+        start = SwitchState([], [False] * len(burns), [False] * len(meetings), [False] * len(halves))
         self.stand(0.0, rest, rest, start)
         self._starts = self._lines()[0].values
 
-    def stand(self, time: float, q: Array, v: Array, situation: Situation) -> None:
+    def stand(self, time: float, q: Array, v: Array, situation: SwitchState) -> None:
         """Set the positions and velocities of the joints at a time."""
         self.budget.spend(STAND + JOINT * self.size)
         self.time, self.q, self.v, self._situation = time, q, v, situation
@@ -120,7 +127,7 @@ class HardModel:
         if not np.isfinite(found).all():  # a part without mass
             return None
         if len(targets) > 1:
-            pulls = quick(gradients @ given.T, gradients @ free - targets)
+            pulls = solve_regular(gradients @ given.T, gradients @ free - targets)
             return None if pulls is None else np.asarray(free - pulls @ given, dtype=np.float64)
         gradient, answer = gradients[0], given[0]
         yielding = float(gradient @ answer)
@@ -249,7 +256,7 @@ class HardModel:
         spare = line.law.slack - over - line.law.reel * self.time
         return Row(line.law.row, line.name, gradient, spare, rate + line.law.reel, -bias)
 
-    def separation(self, meeting: Meeting) -> tuple[float, float, Array, float]:
+    def separation(self, meeting: CollisionPair) -> tuple[float, float, Array, float]:
         """Return the gap of a collision pair, its rate, gradient and second derivative at q̈ = 0."""
         other = self.center(meeting.b)
         still = np.zeros(3)

@@ -11,34 +11,40 @@ from itertools import combinations, islice
 import numpy as np
 
 from sim2reason.errors import SimulationError
-from sim2reason.simulation.engines.mujoco.changing_equations.forces import NEVER, Found, HardInstant, Way, solved
+from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
+    NEVER,
+    ContactMode,
+    ForceProblem,
+    ForceSolution,
+    solve_mode,
+)
 
-SMALL = 1e-9  # fraction of the largest load or acceleration: smaller values count as zero
-MOST = 4000  # largest number of contact modes to try
+ZERO_RTOL = 1e-9  # fraction of the largest load or acceleration: smaller values count as zero
+MAX_MODES = 4000  # largest number of contact modes to try
 MENDS = 30  # largest number of modes tried by correcting violated conditions
 
 Change = tuple[str, int, int]
 """A change of a contact mode: ``rows``, ``faces`` or ``rubbing``, the index, and the new state."""
 
 
-def search(instant: HardInstant, guess: Way) -> Found:
+def search(instant: ForceProblem, guess: ContactMode) -> ForceSolution:
     """Return the solution of the consistent contact mode nearest to a guess; raise SimulationError if none exists."""
     start = replace_rows(instant, guess)
     found = _mended(instant, start) or next(
-        (each for way in islice(_ways(instant, guess), MOST) if (each := _held(instant, way)) is not None), None
+        (each for way in islice(_ways(instant, guess), MAX_MODES) if (each := _held(instant, way)) is not None), None
     )
     if found is None:
         raise SimulationError("MuJoCo: no forces are consistent with the strings and rough contacts")
     return _held(instant, _unchanged(instant, start, found)) or found
 
 
-def _held(instant: HardInstant, way: Way) -> Found | None:
+def _held(instant: ForceProblem, way: ContactMode) -> ForceSolution | None:
     """Return the solution of a contact mode if it is consistent, else None."""
-    found = solved(instant, way)
+    found = solve_mode(instant, way)
     return None if found is None or _wrong(instant, found) else found
 
 
-def _unchanged(instant: HardInstant, start: Way, found: Found) -> Way:
+def _unchanged(instant: ForceProblem, start: ContactMode, found: ForceSolution) -> ContactMode:
     """Return the mode of a solution without changes from `start` that have no observable effect."""
     small, way = _little(instant, found), found.way
     rates = [float(row @ found.x) - target for row, target in zip(instant.rows, instant.targets, strict=True)]
@@ -49,19 +55,21 @@ def _unchanged(instant: HardInstant, start: Way, found: Found) -> Way:
         was if not slid and not moves else side
         for was, side, slid, moves in zip(start.rubbing, way.rubbing, instant.sliding, slips, strict=True)
     ]
-    return _linked(instant, Way(tuple(rows), tuple(faces), tuple(rubbing)))
+    return _linked(instant, ContactMode(tuple(rows), tuple(faces), tuple(rubbing)))
 
 
-def _little(instant: HardInstant, found: Found) -> float:
+def _little(instant: ForceProblem, found: ForceSolution) -> float:
     """Return the acceleration, or velocity in an impact, below which values count as zero."""
-    return SMALL * max(float(np.abs(found.x).max(initial=0.0)), float(np.abs(instant.targets).max(initial=0.0)), 1.0)
+    return ZERO_RTOL * max(
+        float(np.abs(found.x).max(initial=0.0)), float(np.abs(instant.targets).max(initial=0.0)), 1.0
+    )
 
 
-def _mended(instant: HardInstant, way: Way) -> Found | None:
+def _mended(instant: ForceProblem, way: ContactMode) -> ForceSolution | None:
     """Return a consistent solution found by correcting violated conditions repeatedly; None if this cycles."""
-    tried: set[Way] = set()
+    tried: set[ContactMode] = set()
     while len(tried) < MENDS:
-        found = solved(instant, way)
+        found = solve_mode(instant, way)
         wrong = _wrong(instant, found) if found is not None else ()
         if found is not None and not wrong:
             return found
@@ -75,7 +83,7 @@ def _mended(instant: HardInstant, way: Way) -> Found | None:
     return None
 
 
-def _ways(instant: HardInstant, guess: Way) -> Iterator[Way]:
+def _ways(instant: ForceProblem, guess: ContactMode) -> Iterator[ContactMode]:
     """Yield all contact modes, those with the fewest changes first."""
     free = [
         number
@@ -95,38 +103,38 @@ def _ways(instant: HardInstant, guess: Way) -> Iterator[Way]:
                 yield _linked(instant, _changed(start, chosen))
 
 
-def replace_rows(instant: HardInstant, guess: Way) -> Way:
+def replace_rows(instant: ForceProblem, guess: ContactMode) -> ContactMode:
     """Return a guess without disallowed rows, with two-sided rows acting, and with slipping faces as prescribed."""
     rows = tuple(
         (acts or both) and ok for acts, both, ok in zip(guess.rows, instant.both, instant.allowed, strict=True)
     )
     rubbing = tuple(side or was for side, was in zip(instant.sliding, guess.rubbing, strict=True))
-    return _linked(instant, Way(rows, guess.faces, rubbing))
+    return _linked(instant, ContactMode(rows, guess.faces, rubbing))
 
 
-def _changed(way: Way, changes: tuple[Change, ...]) -> Way:
+def _changed(way: ContactMode, changes: tuple[Change, ...]) -> ContactMode:
     parts: dict[str, list[int]] = {"rows": [*way.rows], "faces": [*way.faces], "rubbing": [*way.rubbing]}
     for kind, number, value in changes:
         parts[kind][number] = value
-    return Way(tuple(map(bool, parts["rows"])), tuple(map(bool, parts["faces"])), tuple(parts["rubbing"]))
+    return ContactMode(tuple(map(bool, parts["rows"])), tuple(map(bool, parts["faces"])), tuple(parts["rubbing"]))
 
 
-def _linked(instant: HardInstant, way: Way) -> Way:
+def _linked(instant: ForceProblem, way: ContactMode) -> ContactMode:
     rows = tuple(
         way.rows[leader] if leader >= 0 else acts for acts, leader in zip(way.rows, instant.follows, strict=True)
     )
     return replace_tuple(way, rows)
 
 
-def replace_tuple(way: Way, rows: tuple[bool, ...]) -> Way:
+def replace_tuple(way: ContactMode, rows: tuple[bool, ...]) -> ContactMode:
     """Return the contact mode with other rows."""
     return way._replace(rows=rows)
 
 
-def _wrong(instant: HardInstant, found: Found) -> tuple[Change, ...]:
+def _wrong(instant: ForceProblem, found: ForceSolution) -> tuple[Change, ...]:
     """Return the changes that correct the violated conditions of a solution; empty if it is consistent."""
     way = found.way
-    force = SMALL * max(float(np.abs(instant.loads).max(initial=0.0)), 1e-3)
+    force = ZERO_RTOL * max(float(np.abs(instant.loads).max(initial=0.0)), 1e-3)
     small = _little(instant, found)
     wrong: list[Change] = []
     for i, acts in enumerate(way.rows):
@@ -145,7 +153,7 @@ def _wrong(instant: HardInstant, found: Found) -> tuple[Change, ...]:
     return tuple(wrong)
 
 
-def _rubs_wrong(instant: HardInstant, found: Found, i: int, force: float, small: float) -> list[Change]:
+def _rubs_wrong(instant: ForceProblem, found: ForceSolution, i: int, force: float, small: float) -> list[Change]:
     """Return the changes of the friction of a rough face that correct its violated condition."""
     if instant.friction[i] >= NEVER:
         return []
@@ -157,6 +165,6 @@ def _rubs_wrong(instant: HardInstant, found: Found, i: int, force: float, small:
     return [("rubbing", i, 0)] if back else []
 
 
-def everything(rows: int, faces: int) -> Way:
+def everything(rows: int, faces: int) -> ContactMode:
     """Return the contact mode in which all constraints act and all contacts stick."""
-    return Way((True,) * rows, (True,) * faces, (0,) * faces)
+    return ContactMode((True,) * rows, (True,) * faces, (0,) * faces)

@@ -11,20 +11,22 @@ from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.mechanism import Rigid
 from sim2reason.scenes.dsl.state import Array, Dynamics, State
 from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
-    Found,
-    HardInstant,
+    ContactMode,
+    ForceProblem,
+    ForceSolution,
     Row,
-    Situation,
-    Way,
-    solved,
+    SwitchState,
+    solve_mode,
 )
-from sim2reason.simulation.engines.mujoco.changing_equations.model import HardModel
+from sim2reason.simulation.engines.mujoco.changing_equations.model import ConstrainedModel
 
-TOGETHER = 1e-6  # m; the same if the ends may pass each other, as the sign is unknown
-MEET = 1e-9  # m; ends of a line that are closer coincide
+PASSING_DISTANCE = 1e-6  # m; the same if the ends may pass each other, as the sign is unknown
+COINCIDENCE_DISTANCE = 1e-9  # m; ends of a line that are closer coincide
 
 
-ALIKE = 0.1  # fraction of a step: neighbouring steps of a more different size are left out of the interpolation
+STEP_SIMILARITY = (
+    0.1  # fraction of a step: neighbouring steps of a more different size are left out of the interpolation
+)
 
 
 @dataclass(frozen=True)
@@ -37,12 +39,12 @@ class Knot:
 
 
 @dataclass
-class Stretch:
+class ModeInterval:
     """The knots of one contact mode, in order of time."""
 
-    way: Way
-    found: Found
-    situation: Situation
+    way: ContactMode
+    found: ForceSolution
+    situation: SwitchState
     knots: list[Knot] = field(default_factory=list[Knot])
 
 
@@ -79,7 +81,7 @@ class Quintic:
         return q, v
 
 
-def through(knots: Sequence[Knot], times: Array) -> Array:
+def interpolate_knots(knots: Sequence[Knot], times: Array) -> Array:
     """Return positions and velocities at times, (m, 2·joints), by Hermite interpolation through knots."""
     n, origin = len(knots[0].values) // 2, knots[0].time
     h = knots[-1].time - origin
@@ -109,7 +111,7 @@ def _beside(knots: Sequence[Knot], place: int) -> Sequence[Knot]:
 
 
 def _is_alike(step: float, span: float) -> bool:
-    return ALIKE * span < step < span / ALIKE
+    return STEP_SIMILARITY * span < step < span / STEP_SIMILARITY
 
 
 def _powers(x: Array, powers: Array) -> tuple[Array, Array, Array]:
@@ -121,13 +123,13 @@ def _powers(x: Array, powers: Array) -> tuple[Array, Array, Array]:
     return place, rate, bend
 
 
-class HardRecord:
+class MotionRecord:
     """All recorded segments of a motion, in order of time."""
 
-    def __init__(self, model: HardModel) -> None:
+    def __init__(self, model: ConstrainedModel) -> None:
         """Start without segments."""
         self._model = model
-        self.stretches: list[Stretch] = []
+        self.stretches: list[ModeInterval] = []
         self.runs = self._runs()
         self._ways = [model.ways.get(run) for run in self.runs]
 
@@ -148,7 +150,9 @@ class HardRecord:
         """Return the distance of a segment's ends, m; negative after they have passed through each other on a line."""
         first, last = self.runs[number]
         apart, way = self._model.place(last) - self._model.place(first), self._ways[number]
-        return float(np.linalg.norm(apart) - TOGETHER if way is None else apart @ np.array(way) - MEET)
+        return float(
+            np.linalg.norm(apart) - PASSING_DISTANCE if way is None else apart @ np.array(way) - COINCIDENCE_DISTANCE
+        )
 
     def run_rate(self, number: int) -> float:
         """Return the rate of change of the distance of a segment's ends at the present state, m/s."""
@@ -164,9 +168,9 @@ class HardRecord:
         """Return the latest knot."""
         return self.stretches[-1].knots[-1]
 
-    def start(self, way: Way, found: Found, situation: Situation) -> None:
+    def start(self, way: ContactMode, found: ForceSolution, situation: SwitchState) -> None:
         """Begin a segment in a contact mode."""
-        self.stretches.append(Stretch(way, found, situation.copy()))
+        self.stretches.append(ModeInterval(way, found, situation.copy()))
 
     def add(self, knot: Knot) -> None:
         """Append the end of a step."""
@@ -198,7 +202,7 @@ class HardRecord:
         )
         return State.of(mechanism, times, (q, v), dynamics)
 
-    def _joints(self, times: Array) -> Iterator[tuple[Stretch, Array]]:
+    def _joints(self, times: Array) -> Iterator[tuple[ModeInterval, Array]]:
         """Yield each recorded segment with the interpolated joint values at the times within it."""
         starts = [stretch.knots[0].time for stretch in self.stretches]
         owners = np.maximum(np.searchsorted(starts, times, side="right") - 1, 0)
@@ -209,21 +213,23 @@ class HardRecord:
             for place in range(len(knots)):
                 here = np.minimum(mine[places == place], ends[-1])
                 if len(here):
-                    for values in through(_beside(knots, place), here):
+                    for values in interpolate_knots(_beside(knots, place), here):
                         yield stretch, values
 
-    def forces(self, way: Way) -> Found:
+    def forces(self, way: ContactMode) -> ForceSolution:
         """Return the forces of a contact mode at the present state; raise SimulationError if they do not exist."""
         rows = self._model.rows()
-        found = solved(at_present(self._model, rows, way.rubbing, (True,) * len(rows)), way)
+        found = solve_mode(present_problem(self._model, rows, way.rubbing, (True,) * len(rows)), way)
         if found is None:
             raise SimulationError("MuJoCo: the constraints contradict each other")
         return found
 
 
-def at_present(model: HardModel, rows: list[Row], sliding: tuple[int, ...], allowed: tuple[bool, ...]) -> HardInstant:
+def present_problem(
+    model: ConstrainedModel, rows: list[Row], sliding: tuple[int, ...], allowed: tuple[bool, ...]
+) -> ForceProblem:
     """Return the data for the forces at the present state of a model."""
-    return HardInstant(
+    return ForceProblem(
         model.inertia().copy(),
         model.loads(),
         np.array([row.gradient for row in rows]).reshape(len(rows), model.size),

@@ -8,37 +8,37 @@ from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
     NEVER,
-    Found,
-    HardInstant,
+    ContactMode,
+    ForceProblem,
+    ForceSolution,
     Row,
-    Situation,
-    Way,
+    SwitchState,
 )
-from sim2reason.simulation.engines.mujoco.changing_equations.margins import TIE, Due
-from sim2reason.simulation.engines.mujoco.changing_equations.model import HardModel
+from sim2reason.simulation.engines.mujoco.changing_equations.margins import TIE, EventMargin
+from sim2reason.simulation.engines.mujoco.changing_equations.model import ConstrainedModel
 from sim2reason.simulation.engines.mujoco.changing_equations.modes import everything, search
-from sim2reason.simulation.engines.mujoco.changing_equations.record import HardRecord, Knot, at_present
+from sim2reason.simulation.engines.mujoco.changing_equations.record import Knot, MotionRecord, present_problem
 from sim2reason.simulation.trace import Event
 
 TOUCHING = 1e-7  # m; smaller distances count as contact
-STILL = 1e-6  # m/s or m/s²; slower motion counts as rest
-SAME = 8  # latest events that are compared to avoid duplicates
+REST_SPEED = 1e-6  # m/s or m/s²; slower motion counts as rest
+DUPLICATE_WINDOW = 8  # latest events that are compared to avoid duplicates
 CROWD = 5e-3  # s; repeated impacts of one body, or jerks of one string, within this time end the motion
 BEGINS = {"string": "taut", "prop": "land", "foot": "land"}  # kind of the event at which a constraint begins to act
 STOPS = {"string": "slack", "prop": "leave", "foot": "leave"}  # kind of the event at which a constraint ceases to act
 
 
-class HardSettling:
+class InstantSolver:
     """A motion under construction: the present state, the recorded segments and the present contact mode."""
 
     def __init__(self, mechanism: Mechanism, times: Array) -> None:
         """Compile the mechanism and set its initial state; the last of `times` is the end, s."""
         self.mechanism, self.duration = mechanism, float(times[-1])
-        self.model = HardModel(mechanism)
+        self.model = ConstrainedModel(mechanism)
         self.now = 0.0
         self.q, self.v = np.zeros(self.model.size), np.zeros(self.model.size)
         self.v[self.model.coordinates] = [coordinate.speed for coordinate in mechanism.coordinates]
-        self.situation = Situation(
+        self.situation = SwitchState(
             [],
             [burn.until > 0.0 for burn in mechanism.burns],
             [False] * len(mechanism.meetings),
@@ -49,21 +49,21 @@ class HardSettling:
         self.situation.inside = [[m > 0.0 for m in self.model.borders(i)] for i in range(len(mechanism.forces))]
         strains = [self.model.strain(number) for number in range(len(mechanism.half_springs))]
         self.situation.strained = [s > TOUCHING or (abs(s) <= TOUCHING and rate > 0.0) for s, rate in strains]
-        self.way: Way | None = None
-        self.due: list[Due] = []
-        self.record = HardRecord(self.model)
+        self.way: ContactMode | None = None
+        self.due: list[EventMargin] = []
+        self.record = MotionRecord(self.model)
         self.events: list[Event] = []
         self.hits: dict[str, tuple[float, tuple[str, ...]]] = {}
         self.jerks: dict[str, tuple[float, tuple[str, ...]]] = {}
         self.steps = 0
         self.cut = ""
 
-    def settle(self) -> Found:
+    def settle(self) -> ForceSolution:
         """Compute the acting forces; record the changes and any event that ends the motion."""
         rows = self.model.rows()
         sliding = self._sliding()
         allowed = tuple(self._may_act(i, row) for i, row in enumerate(rows))
-        instant = at_present(self.model, rows, sliding, allowed)
+        instant = present_problem(self.model, rows, sliding, allowed)
         guess = self._guess(rows, sliding)
         found = search(instant, guess)
         if self.way is not None and self.record.stretches:  # how it begins, be it with a jerk, is no change
@@ -78,7 +78,7 @@ class HardSettling:
             self.record.add(Knot(self.now, np.concatenate([self.q, self.v]), np.concatenate([self.v, found.x])))
         return found
 
-    def _guess(self, rows: list[Row], sliding: tuple[int, ...]) -> Way:
+    def _guess(self, rows: list[Row], sliding: tuple[int, ...]) -> ContactMode:
         """Return a first guess of the contact mode: rows keep acting, and contacts that do not slip stick."""
         faces = len(self.mechanism.faces)
         if self.way is None:
@@ -87,12 +87,12 @@ class HardSettling:
         for due in self.due:
             if due.kind == "force":
                 acting[due.number] = False
-        return Way(tuple(acting), self.way.faces, sliding)
+        return ContactMode(tuple(acting), self.way.faces, sliding)
 
     def _sliding(self) -> tuple[int, ...]:
         """Return the direction of slip of each face; a face at the friction limit begins to slip."""
         speeds = self.model.slips @ self.v
-        sides = [int(np.sign(speed)) if abs(speed) > STILL else 0 for speed in speeds]
+        sides = [int(np.sign(speed)) if abs(speed) > REST_SPEED else 0 for speed in speeds]
         for due in self.due:
             if due.kind == "grip":
                 sides[due.number] = due.side
@@ -108,15 +108,15 @@ class HardSettling:
         if row.follows >= 0:
             return row.spare <= TOUCHING
         if self.way is not None and number < len(self.way.rows) and self.way.rows[number]:
-            return row.rate > -1e3 * STILL
-        return row.spare <= TOUCHING and abs(row.rate) <= 1e2 * STILL
+            return row.rate > -1e3 * REST_SPEED
+        return row.spare <= TOUCHING and abs(row.rate) <= 1e2 * REST_SPEED
 
     def _tear(self, rows: list[Row], a: Array) -> None:
         """Record the end of the motion if a foot that loses contact would return at once, since it must slip first."""
         for due in self.due:
             if due.kind == "force" and rows[due.number].kind == "foot":
                 row = rows[due.number]
-                if row.gradient @ a - row.target > STILL:
+                if row.gradient @ a - row.target > REST_SPEED:
                     self.end("lift", row.name)
 
     def _pressed(self, a: Array) -> None:
@@ -124,10 +124,10 @@ class HardSettling:
         for number, meeting in enumerate(self.mechanism.meetings):
             if not self.situation.stuck[number]:
                 gap, rate, gradient, bias = self.model.separation(meeting)
-                if gap <= TOUCHING and abs(rate) <= STILL and gradient @ a + bias < -STILL and not self.cut:
+                if gap <= TOUCHING and abs(rate) <= REST_SPEED and gradient @ a + bias < -REST_SPEED and not self.cut:
                     self.end("crowd", *meeting.names)
 
-    def _note_changes(self, after: Way, rows: list[Row]) -> None:
+    def _note_changes(self, after: ContactMode, rows: list[Row]) -> None:
         assert self.way is not None
         for number, row in enumerate(rows):
             was = self.way.rows[number] if number < len(self.way.rows) else True
@@ -149,16 +149,16 @@ class HardSettling:
         snapped = [
             i
             for i, row in enumerate(rows)
-            if not row.both and row.spare <= TOUCHING and row.rate > (1.0 if acts[i] else 10.0 * STILL)
+            if not row.both and row.spare <= TOUCHING and row.rate > (1.0 if acts[i] else 10.0 * REST_SPEED)
         ]
         near = [self.model.separation(meeting) for meeting in self.mechanism.meetings]
         bounces = [meeting.restitution > 0.0 for meeting in self.mechanism.meetings]
         touching = [  # a pair that rests against each other is struck next
             i
             for i, (gap, rate, *_) in enumerate(near)
-            if gap <= TOUCHING and not self.situation.stuck[i] and (rate < -STILL or not bounces[i])
+            if gap <= TOUCHING and not self.situation.stuck[i] and (rate < -REST_SPEED or not bounces[i])
         ]
-        hits = [i for i in touching if near[i][1] < -STILL]
+        hits = [i for i in touching if near[i][1] < -REST_SPEED]
         if not snapped and not hits:
             return True
         if self._crowded(hits, [rows[i].name for i in snapped]):
@@ -179,24 +179,24 @@ class HardSettling:
         """Return whether any touching bodies that do not stick together approach each other."""
         near = (self.model.separation(meeting) for meeting in self.mechanism.meetings)
         pairs = zip(near, self.situation.stuck, strict=True)
-        return any(gap <= TOUCHING and rate < -STILL and not stuck for (gap, rate, *_), stuck in pairs)
+        return any(gap <= TOUCHING and rate < -REST_SPEED and not stuck for (gap, rate, *_), stuck in pairs)
 
     def _strike(self, rows: list[Row], acts: list[bool], touching: list[int]) -> None:
         """Compute the velocities just after an impact: the problem of forces, with momenta as loads."""
         instant, every = self._struck(rows, acts, touching)
         speeds = self.model.slips @ self.v
         sides = tuple(
-            int(np.sign(s)) if abs(s) > STILL and mu < NEVER else 0
+            int(np.sign(s)) if abs(s) > REST_SPEED and mu < NEVER else 0
             for s, mu in zip(speeds, self.model.friction, strict=True)
         )
-        began = tuple(row.rate > STILL or (i < len(rows) and acts[i]) for i, row in enumerate(every))
-        found = search(instant, Way(began, (True,) * len(self.mechanism.faces), sides))
-        self.v = np.where(np.abs(found.x) < STILL * 1e-3, 0.0, found.x)
+        began = tuple(row.rate > REST_SPEED or (i < len(rows) and acts[i]) for i, row in enumerate(every))
+        found = search(instant, ContactMode(began, (True,) * len(self.mechanism.faces), sides))
+        self.v = np.where(np.abs(found.x) < REST_SPEED * 1e-3, 0.0, found.x)
         for number, shut in enumerate(found.way.faces):
             if not shut:
                 self.end("lift", self.mechanism.faces[number].subject)
         for number, (row, acts_now) in enumerate(zip(rows, found.way.rows, strict=False)):
-            if acts_now and not row.both and row.rate > 10.0 * STILL:
+            if acts_now and not row.both and row.rate > 10.0 * REST_SPEED:
                 self.note(BEGINS[row.kind], row.name)
             elif acts[number] and not acts_now and not row.both:
                 self.note(STOPS[row.kind], row.name)
@@ -207,7 +207,7 @@ class HardSettling:
             self.record.start(found.way, found, self.situation)
             self.record.add(Knot(self.now, np.concatenate([self.q, self.v]), np.concatenate([self.v, 0.0 * self.v])))
 
-    def _struck(self, rows: list[Row], acts: list[bool], touching: list[int]) -> tuple[HardInstant, list[Row]]:
+    def _struck(self, rows: list[Row], acts: list[bool], touching: list[int]) -> tuple[ForceProblem, list[Row]]:
         """Return the problem of an impact, and its rows, those of the touching pairs last."""
         hits: list[Row] = []
         for number in touching:
@@ -216,7 +216,7 @@ class HardSettling:
             hits.append(Row("hit", "", -gradient, 0.0, -rate, min(0.0, meeting.restitution * rate)))
         full = [row.spare <= TOUCHING or acts[i] or row.both for i, row in enumerate(rows)]
         every, faces = [*rows, *hits], len(self.mechanism.faces)
-        instant = at_present(self.model, every, (0,) * faces, (*full, *(True for _ in hits)))
+        instant = present_problem(self.model, every, (0,) * faces, (*full, *(True for _ in hits)))
         targets = [float(row.gradient @ self.v) - row.rate for row in rows] + [row.target for row in hits]
         return replace(instant, loads=instant.inertia @ self.v, targets=np.array(targets)), every
 
@@ -236,7 +236,7 @@ class HardSettling:
     def note(self, kind: str, *subjects: str) -> None:
         """Record an event now unless it is already recorded, as for overlapping regions; collisions may repeat."""
         event = Event(self.now, kind, subjects)
-        if kind == "collision" or event not in self.events[-SAME:]:
+        if kind == "collision" or event not in self.events[-DUPLICATE_WINDOW:]:
             self.events.append(event)
 
     def end(self, kind: str, *subjects: str) -> None:

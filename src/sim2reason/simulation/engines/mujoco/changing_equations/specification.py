@@ -14,7 +14,7 @@ from sim2reason.simulation.engines.mujoco.specification import TINY, Element, mu
 ROUND = 1e-10  # of a body's largest moment of inertia, added to all three, as MuJoCo checks A + B ≥ C exactly
 
 
-class HardSpecification:
+class ConstrainedSpecification:
     """The MjSpec description under construction; parts have numbers as names, since any text may be a name."""
 
     def __init__(self, mechanism: Mechanism) -> None:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from sim2reason.base.registry import Registry
 from sim2reason.scenes.dsl.mechanism import GRAVITY
-from sim2reason.text.parsing.ordinary.amounts import Amount, shown
+from sim2reason.text.parsing.ordinary.amounts import Amount, format_amount
 
 
 @dataclass
@@ -68,7 +68,7 @@ class Facts:
     @property
     def gravity(self) -> str:
         """Return the library's sentence that states the acceleration of free fall."""
-        return f"Take g = {shown(self.g)} m/s²."
+        return f"Take g = {format_amount(self.g)} m/s²."
 
     @property
     def whole(self) -> bool:

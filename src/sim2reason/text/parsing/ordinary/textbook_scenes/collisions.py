@@ -3,7 +3,7 @@
 from dataclasses import replace
 from itertools import product
 
-from sim2reason.text.parsing.ordinary.amounts import MINUS, shown
+from sim2reason.text.parsing.ordinary.amounts import MINUS, format_amount
 from sim2reason.text.parsing.ordinary.textbook_scenes import TEXTBOOK_SCENES, Facts, TextbookScene, mass_of
 
 STRONG = 1e4  # ratio of magnetic force to weight above which a text need not mention gravity
@@ -201,7 +201,7 @@ def _hanging(facts: Facts) -> str:
     said = facts.number("mass", ""), facts.number("k", ""), facts.number("natural", "")
     return (
         f"A block of mass {said[0]} hangs from the ceiling by a light spring of stiffness {said[1]} and natural length"
-        f" {said[2]}. Initially the spring has a length of {shown(at)} m. The motion starts from rest. {facts.gravity}"
+        f" {said[2]}. Initially the spring has a length of {format_amount(at)} m. The motion starts from rest. {facts.gravity}"
     )
 
 

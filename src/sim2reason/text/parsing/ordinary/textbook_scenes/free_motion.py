@@ -2,7 +2,7 @@
 
 from math import pi, sqrt
 
-from sim2reason.text.parsing.ordinary.amounts import shown
+from sim2reason.text.parsing.ordinary.amounts import format_amount
 from sim2reason.text.parsing.ordinary.textbook_scenes import TEXTBOOK_SCENES, Facts, TextbookScene, mass_of
 
 
@@ -14,9 +14,9 @@ def _orbit(facts: Facts) -> str:
     if kind == "across":
         speed = facts.value("speed", "the speed of the planet", "au/yr")
     return (
-        f"A star of mass {shown(star)} Msun is fixed at the origin of the x-y plane; the units are the astronomical"
+        f"A star of mass {format_amount(star)} Msun is fixed at the origin of the x-y plane; the units are the astronomical"
         " unit (au), the year (yr) and the solar mass (Msun), in which G = 4π² au³/(Msun yr²). At t = 0 a planet is at"
-        f" the point ({shown(away)} au, 0 au) and has the velocity (0 au/yr, {shown(speed)} au/yr). The planet is"
+        f" the point ({format_amount(away)} au, 0 au) and has the velocity (0 au/yr, {format_amount(speed)} au/yr). The planet is"
         " attracted by the star alone."
     )
 
@@ -51,7 +51,7 @@ GAS = r"(?:exhaust )?(?:gas|gases|exhaust|fuel|it|them)"
 def _rocket(facts: Facts) -> str:
     mass = facts.value("mass", "the mass of the rocket with its fuel")
     if facts.one_of("how much of the mass is fuel", "fuel", "dry") == "fuel":
-        dry = f"{shown(mass - facts.value('fuel', ''))} kg"
+        dry = f"{format_amount(mass - facts.value('fuel', ''))} kg"
     else:
         dry = facts.number("dry", "") if facts.has("dry") else "?"
     place = facts.one_of("where the rocket is, in deep space or on level ground", "space", "ground")
