@@ -22,7 +22,7 @@ class LazyProblems:
 
     Positions cycle through recipes, difficulties and modes as in a dataset. If a request gives no problem of the split
     (no draw passes the filters, the problem belongs to another split, or it shares words with a benchmark), the request
-    with the index increased by `INDEX_STRIDE` replaces it, so that no two positions share a request. An instance is small, and
+    with the index increased by `INDEX_STRIDE` replaces it, so that no two positions share a request. It is small, and
     can be pickled.
 
     Args:

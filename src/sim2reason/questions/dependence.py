@@ -204,7 +204,7 @@ class AnswerFunction:
     def solve_from(self, value: float, near: float) -> float | None:
         """Return the number with answer `value`, by secants that begin at one end; None if they do not converge.
 
-        When the answer is accurate to `ROOT_RTOL`, one more secant step, which need not be verified, improves the number.
+        Once the answer is accurate to `ROOT_RTOL`, one more secant step, which is not verified, improves the number.
         """
         a, b = near, near * (1.0 + STEP)
         fa, fb = self._excess(a, value), self._excess(b, value)

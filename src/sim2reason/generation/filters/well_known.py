@@ -125,7 +125,8 @@ class FewSymbols(Filter):
         """Yield the numbers of symbols that the formula contains and lacks."""
         formula = candidate.question.formula
         if formula is not None:
-            yield f"{len(formula.within)} symbols of bodies and of the question; {minimum_relevant(candidate)} must be there"
+            required = minimum_relevant(candidate)
+            yield f"{len(formula.within)} symbols of bodies and of the question; {required} must be there"
             yield f"{len(formula.without)} of all {len(formula.symbols)} symbols are missing; up to {EVER:.0%} may be"
 
 

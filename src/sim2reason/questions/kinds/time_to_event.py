@@ -81,7 +81,7 @@ class TimeToEventKind(Kind):
         return (natural, *super().statements(query, words, noun, value))
 
     def condition_phrases(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """Return no noun phrases if `statements` has a sentence, which reads better than *the time until … shall be 2 s*."""
+        """Return no noun phrases if `statements` has a sentence, which reads better than *the time until …*."""
         return () if self.statements(query, words, noun, "") else self.noun_phrases(query, words, noun)
 
     def finds(self, words: Words) -> tuple[str, ...]:

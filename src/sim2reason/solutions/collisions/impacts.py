@@ -110,7 +110,8 @@ class Impacts(FreeFlights, ABC):
         """Return a clause about a collision, such as *Carts A and B meet again*."""
         again = " again" if any(held.meeting == impact.meeting for held in self.impacts[: impact.number]) else ""
         if len(impact.bodies) == 1:
-            return f"{capitalized(self.setting.display_name(impact.bodies[0]))} hits {self.obstacle(impact.meeting)}{again}"
+            body = capitalized(self.setting.display_name(impact.bodies[0]))
+            return f"{body} hits {self.obstacle(impact.meeting)}{again}"
         return f"{capitalized(self.setting.bodies_phrase(list(impact.bodies)))} meet{again}"
 
     def obstacle(self, meeting: int) -> str:

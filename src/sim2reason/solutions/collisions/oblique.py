@@ -70,7 +70,8 @@ def _meet(flights: Impacts, impact: Impact) -> Symbol:
     quadratic = step.law(added(Power(added(multiplied(p, t), q), 2), aside), square)
     formula = ratio(added(-q, -Root(added(square, -aside))), p)
     step.add_text(
-        f"{flights.collision_clause(impact)} when {law}. With {join_words(said)}, this multiplied by ${p.latex()}$ is {quadratic}."
+        f"{flights.collision_clause(impact)} when {law}. With {join_words(said)}, "
+        f"this multiplied by ${p.latex()}$ is {quadratic}."
     )
     step.add_text(f"The earlier root is {step.result(t, formula, SECONDS)}{flights.counted_from(impact, since)}.")
     step.close()

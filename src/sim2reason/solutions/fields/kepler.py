@@ -219,7 +219,8 @@ class KeplerOrbit:
         formula = turn - begins
         where = "farthest from" if far else "nearest to"
         which, E = r"180^\circ" if far else "0" if turn == ZERO else r"360^\circ", self.anomaly.latex()
-        said = f"{capitalized(self.setting.display_name(self.body))} is next {where} {self.setting.display_name(self.center)}"
+        body, center = self.setting.display_name(self.body), self.setting.display_name(self.center)
+        said = f"{capitalized(body)} is next {where} {center}"
         said = f"{said} where ${E}$ is ${which}$, so ${E}$ has increased by"
         return self.book.add_step("apsis", said, self.named(r"\eta"), formula, RADIANS)
 

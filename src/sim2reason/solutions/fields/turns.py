@@ -198,7 +198,8 @@ class FieldTurn:
         assert drive is not None
         if (swing := self._swing) is not None:
             self._timed = True
-            said = f"{capitalized(self._who)} is at an end of its oscillation along {AXES[drive.axis]} at the start, so its"
+            axis = AXES[drive.axis]
+            said = f"{capitalized(self._who)} is at an end of its oscillation along {axis} at the start, so its"
             said = f"{said} velocity is perpendicular to the field again after half an oscillation,"
             return self.book.add_step("turn", said, name, PI / swing.frequency, SECONDS)
         rate = self.motion.rate(drive.axis, name)

@@ -251,7 +251,8 @@ class StaticFrictionChecks:
         step, mark = book.begin_step("verify"), self._setting.subscript_of(body)
         told = friction_formulas(book, step, mark, greatest, most)
         step.add_text(
-            f"{capitalized(self._setting.display_name(body))} stays at rest: the friction required is at most {told[0]}, within "
+            f"{capitalized(self._setting.display_name(body))} stays at rest: "
+            f"the friction required is at most {told[0]}, within "
             f"the limit of static friction, {told[1]}."
         )
         step.close()

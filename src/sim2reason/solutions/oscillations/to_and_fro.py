@@ -51,7 +51,8 @@ def told_first_rest(way: LinearMotionModel, held: HarmonicOscillation, span: flo
     who, law = way.mover_phrase(held.motion.free[0]), step.law(velocity, ZERO)
     step.add_text(f"{capitalized(who)} first comes to rest when its velocity, the derivative of the displacement")
     step.add_text(
-        f"${held.displacement_at_phase(phase).latex()}$, is zero: {law}, so {step.derived(Call('tan', phase), begun / -rest)}."
+        f"${held.displacement_at_phase(phase).latex()}$, is zero: {law}, "
+        f"so {step.derived(Call('tan', phase), begun / -rest)}."
     )
     early = held.numbers[0] * span < 0.5 * pi
     sign = f"{rest.latex()} {'<' if book.value(rest) < 0.0 else '>'} 0"

@@ -146,7 +146,8 @@ class _CentralMotion(SingleSpringBody):
         stored = HALF * self.stiffness * Power(name - self.natural, 2)
         residual = across + stored - self.energy
         step.add_text(
-            f"At an extreme length, the velocity is perpendicular to the spring and equal to ${self.specific_angular_momentum.latex()}$"
+            "At an extreme length, the velocity is perpendicular to the spring and equal to "
+            f"${self.specific_angular_momentum.latex()}$"
         )
         step.add_text(f"divided by the length. By conservation of energy, {step.law(across + stored, self.energy)}.")
         step.add_text(

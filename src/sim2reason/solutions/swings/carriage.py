@@ -175,6 +175,7 @@ class Carriage:
                 way = self.setting.direction_words((x, y, z) if self.towards(pull.line) > 0.0 else (-x, -y, -z))
                 mass, weight = (held.latex() for held in (self.mass(pull.body), self._weight(pull.body)))
                 yield (
-                    f"{capitalized(self.setting.display_name(pull.body))} moves vertically as fast as {self.noun} along the "
+                    f"{capitalized(self.setting.display_name(pull.body))} moves "
+                    f"vertically as fast as {self.noun} along the "
                     f"rail, so it acts as a mass ${mass}$ fixed to {self.noun} that a force ${weight}$ pulls {way}."
                 )

@@ -201,7 +201,8 @@ def _hanging(facts: Facts) -> str:
     said = facts.number("mass", ""), facts.number("k", ""), facts.number("natural", "")
     return (
         f"A block of mass {said[0]} hangs from the ceiling by a light spring of stiffness {said[1]} and natural length"
-        f" {said[2]}. Initially the spring has a length of {format_amount(at)} m. The motion starts from rest. {facts.gravity}"
+        f" {said[2]}. Initially the spring has a length of {format_amount(at)} m. "
+        f"The motion starts from rest. {facts.gravity}"
     )
 
 

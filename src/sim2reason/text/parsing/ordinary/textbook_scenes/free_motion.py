@@ -14,9 +14,11 @@ def _orbit(facts: Facts) -> str:
     if kind == "across":
         speed = facts.value("speed", "the speed of the planet", "au/yr")
     return (
-        f"A star of mass {format_amount(star)} Msun is fixed at the origin of the x-y plane; the units are the astronomical"
+        f"A star of mass {format_amount(star)} Msun is fixed at the origin of the x-y plane; "
+        "the units are the astronomical"
         " unit (au), the year (yr) and the solar mass (Msun), in which G = 4π² au³/(Msun yr²). At t = 0 a planet is at"
-        f" the point ({format_amount(away)} au, 0 au) and has the velocity (0 au/yr, {format_amount(speed)} au/yr). The planet is"
+        f" the point ({format_amount(away)} au, 0 au) and has the velocity (0 au/yr, {format_amount(speed)} au/yr). "
+        "The planet is"
         " attracted by the star alone."
     )
 
