@@ -1,8 +1,8 @@
 """Worked solutions, written step by step, with each equation checked.
 
 A `ProblemContext` is a scene with the names of its text and a query about it; `solve` finds the cheapest strategy
-that leads to the answer. Symbols come from the scene alone, see `writing.lexicon`; the properties that every solution must have
-are checked by `testing.solutions.faults`.
+that leads to the answer. Symbols come from the scene alone, see `writing.lexicon`; the properties that
+every solution must have are checked by `testing.solutions.faults`.
 """
 
 from sim2reason.solutions.setting import ProblemContext

@@ -9,22 +9,26 @@ from hypothesis import strategies as st
 
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import Polynomial
-from sim2reason.solutions.writing.number_sums import NamedNumber, sum_of_products
+from sim2reason.solutions.writing.number_sums import LabelledNumber, sum_of_products
 
 VALUES = {"m_A": 2.3, "m_B": 3.1, "m_C": 1.7, "R": 0.21, "r": 0.07, "g": 9.8, "s": math.sin(0.6)}
 MASSES = ("m_A", "m_B", "m_C")
 
 
-def atoms(seed: int) -> dict[str, NamedNumber]:
+def atoms(seed: int) -> dict[str, LabelledNumber]:
     rng = np.random.default_rng(seed)
-    return {name: NamedNumber(x, x * (1.0 + 1e-3 * rng.uniform(0.2, 1.0)), named(name)) for name, x in VALUES.items()}
+    return {
+        name: LabelledNumber(x, x * (1.0 + 1e-3 * rng.uniform(0.2, 1.0)), named(name)) for name, x in VALUES.items()
+    }
+        name: LabelledNumber(x, x * (1.0 + 1e-3 * rng.uniform(0.2, 1.0)), named(name)) for name, x in VALUES.items()
+    }
 
 
 def named(name: str) -> Polynomial:
     return Polynomial.of(Symbol(name))
 
 
-def found(held: dict[str, NamedNumber], polynomial: Polynomial) -> Polynomial | None:
+def found(held: dict[str, LabelledNumber], polynomial: Polynomial) -> Polynomial | None:
     here = polynomial.value({name: part.here for name, part in held.items()})
     there = polynomial.value({name: part.there for name, part in held.items()})
     return sum_of_products(here, there, [held[name] for name in MASSES], list(held.values()))

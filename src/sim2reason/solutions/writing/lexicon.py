@@ -27,7 +27,7 @@ from sim2reason.solutions.algebra.digits import MAX_SIMPLE_DENOMINATOR, SIMPLE_F
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.functions import Call
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
-from sim2reason.solutions.writing.number_sums import NamedNumber, sum_of_products
+from sim2reason.solutions.writing.number_sums import LabelledNumber, sum_of_products
 from sim2reason.solutions.writing.unit_latex import latex
 from sim2reason.text.prose.symbol_names import factor
 
@@ -247,7 +247,7 @@ class Lexicon:
     def _of_sums(self, number: DualValue) -> Polynomial | None:
         """Return a number as a total mass times others or a sum of two products; cached, since the search is slow."""
         if number not in self._sums:
-            atoms = [NamedNumber(atom.here, atom.there, name) for atom, name in self._atoms]
+            atoms = [LabelledNumber(atom.here, atom.there, name) for atom, name in self._atoms]
             masses = [Symbol(g.symbol) for g in self.givens.values() if g.counted_unit == latex("kg")]
             heavy = [held for held in atoms if held.name.symbol in masses]
             self._sums[number] = sum_of_products(number.here, number.there, heavy, atoms)

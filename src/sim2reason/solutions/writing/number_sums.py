@@ -20,7 +20,7 @@ MAX_PRODUCTS = 600  # largest number of products whose pairs are tried
 PROPORTIONAL_RTOL = 1e-6  # relative tolerance within which products in mechanism and twin are proportional
 
 
-class NamedNumber(NamedTuple):
+class LabelledNumber(NamedTuple):
     """A number in a mechanism and in its twin, with its formula."""
 
     here: float
@@ -29,7 +29,7 @@ class NamedNumber(NamedTuple):
 
 
 def sum_of_products(
-    here: float, there: float, masses: Sequence[NamedNumber], atoms: Sequence[NamedNumber]
+    here: float, there: float, masses: Sequence[LabelledNumber], atoms: Sequence[LabelledNumber]
 ) -> Polynomial | None:
     """Return a number, with its value `there` in the twin, as a sum of products; None if it is none.
 
@@ -40,8 +40,8 @@ def sum_of_products(
     return found if found is not None else _of_pairs(here, there, products)
 
 
-def _products(atoms: Sequence[NamedNumber]) -> list[tuple[NamedNumber, ...]]:
-    found: list[tuple[NamedNumber, ...]] = []
+def _products(atoms: Sequence[LabelledNumber]) -> list[tuple[LabelledNumber, ...]]:
+    found: list[tuple[LabelledNumber, ...]] = []
     for size in range(1, MAX_FACTORS + 1):
         more = [*combinations_with_replacement(atoms, size)]
         if len(found) + len(more) > MAX_PRODUCTS:
@@ -51,7 +51,7 @@ def _products(atoms: Sequence[NamedNumber]) -> list[tuple[NamedNumber, ...]]:
 
 
 def _of_totals(
-    here: float, there: float, masses: Sequence[NamedNumber], products: Sequence[tuple[NamedNumber, ...]]
+    here: float, there: float, masses: Sequence[LabelledNumber], products: Sequence[tuple[LabelledNumber, ...]]
 ) -> Polynomial | None:
     """Return a number as a sum of masses times a product of at most two numbers; None if it is none."""
     ones, others = _values([*products])
@@ -70,7 +70,7 @@ def _of_totals(
     return None
 
 
-def _of_pairs(here: float, there: float, products: Sequence[tuple[NamedNumber, ...]]) -> Polynomial | None:
+def _of_pairs(here: float, there: float, products: Sequence[tuple[LabelledNumber, ...]]) -> Polynomial | None:
     """Return a number as a sum of two products with simple coefficients; None if it is none."""
     ones, others = _values(products)
     det = ones[:, None] * others[None, :] - ones[None, :] * others[:, None]
@@ -98,12 +98,12 @@ def _nearest(values: Array) -> Array:
     return np.where(np.abs(values - found) < PROPORTIONAL_RTOL * np.abs(values), found, np.nan)
 
 
-def _values(products: Sequence[tuple[NamedNumber, ...]]) -> tuple[Array, Array]:
+def _values(products: Sequence[tuple[LabelledNumber, ...]]) -> tuple[Array, Array]:
     here = np.array([prod(atom.here for atom in held) for held in products])
     return here, np.array([prod(atom.there for atom in held) for held in products])
 
 
-def _product(held: tuple[NamedNumber, ...]) -> Polynomial:
+def _product(held: tuple[LabelledNumber, ...]) -> Polynomial:
     found = Polynomial.of(1.0)
     for atom in held:
         found = found * atom.name

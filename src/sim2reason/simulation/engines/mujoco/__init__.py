@@ -37,7 +37,7 @@ def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> T
     del tolerance
     check_speeds(mechanism)
     soft = is_simple(mechanism) and not changing(mechanism)
-    with import_module(f"{__name__}.specification").overheard() as said:
+    with import_module(f"{__name__}.specification").collect_warnings() as said:
         loop = "engine" if soft else "changing_equations.engine"
         run = import_module(f"{__name__}.{loop}").run
         trace: Trace = in_own_units(run, mechanism, times) if is_tiny(mechanism) else run(mechanism, times)
