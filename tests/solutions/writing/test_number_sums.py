@@ -20,8 +20,6 @@ def atoms(seed: int) -> dict[str, LabelledNumber]:
     return {
         name: LabelledNumber(x, x * (1.0 + 1e-3 * rng.uniform(0.2, 1.0)), named(name)) for name, x in VALUES.items()
     }
-        name: LabelledNumber(x, x * (1.0 + 1e-3 * rng.uniform(0.2, 1.0)), named(name)) for name, x in VALUES.items()
-    }
 
 
 def named(name: str) -> Polynomial:
