@@ -70,8 +70,9 @@ def cached_shortest_solution(query: Query, study: SimulatedScene) -> Solution | 
 
 
 def may_have_solution(kind: str, study: SimulatedScene, most: Need) -> bool:
-    """Return whether a strategy that needs no more than `most` may answer questions of a kind."""
+    """Return whether a strategy that needs no more than `most` may answer generated questions of a kind."""
     found = study.memoize(
-        ("needed least", kind), lambda: [each.least_need for each in closed_form_strategies(kind, study.mechanism)]
+        ("needed least", kind),
+        lambda: [each.least_need for each in closed_form_strategies(kind, study.mechanism) if each.drawn],
     )
     return min(found, default=Need.INTEGRATION) <= most

@@ -24,6 +24,7 @@ class Strategy(ABC):
         integrates: whether the answer comes from numerical integration instead of a derivation.
         nested: whether it delegates an inner question to other strategies, as a comparison does.
         finished: whether its steps are ordered and merged for the text already.
+        drawn: whether it may answer generated questions, and not only those that users ask.
     """
 
     name: ClassVar[str]
@@ -33,6 +34,7 @@ class Strategy(ABC):
     least_need: ClassVar[Need] = Need.ARITHMETIC
     nested: ClassVar[bool] = False
     finished: ClassVar[bool] = False
+    drawn: ClassVar[bool] = True
 
     def unfit(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty, the default, if it may."""

@@ -21,6 +21,7 @@ class InitialValue(Strategy):
 
     name = "initial value"
     cost = 0.5
+    drawn = False
     kinds = frozenset({"start"})
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:

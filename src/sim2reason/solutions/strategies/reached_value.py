@@ -33,6 +33,7 @@ class ValueReached(Strategy):
 
     name = "value reached"
     cost = 1.0
+    drawn = False
     kinds = frozenset({"event"})
     nested = True
     finished = True
