@@ -1,5 +1,8 @@
 """What all tests share."""
 
+import signal
+from collections.abc import Iterator
+
 import pytest
 from hypothesis import HealthCheck, settings
 
@@ -33,3 +36,11 @@ def pictures() -> None:
 def _no_pictures(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
     if "pictures" not in request.fixturenames:
         monkeypatch.setattr("sim2reason.datasets.finish.put_pictures", lambda *_: ())
+
+
+@pytest.fixture
+def heed_interrupts() -> Iterator[None]:
+    """Restore SIGINT's default for a test and its children: jobs in the background, as under nohup, ignore it."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)

@@ -21,9 +21,7 @@ pytestmark = pytest.mark.skipif(not Path("/proc/self/environ").exists(), reason=
 
 def start(out: Path, maker: str, workers: int, mark: str) -> "subprocess.Popen[bytes]":
     options = ["--items", "1000", "--recipe", "incline,pulley", "--shard-size", "20", "--workers", str(workers)]
-    # a job in the background ignores interrupts, and so would its children
-    heeds = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
-    code = f"{heeds}; from sim2reason.cli import main; main()"
+    code = "from sim2reason.cli import main; main()"
     return subprocess.Popen(
         [sys.executable, "-c", code, "generate", str(out), *options, "--maker", f"fake_makers:{maker}"],
         env=os.environ | {"PYTHONPATH": PATHS, "MARK": mark},
@@ -101,6 +99,7 @@ def test_workers_die_with_a_killed_parent(tmp_path: Path, maker: str) -> None:
     assert gone(mark)
 
 
+@pytest.mark.usefixtures("heed_interrupts")
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 @pytest.mark.parametrize("send", [os.kill, os.killpg], ids=["process", "group"])
 def test_an_interrupt_says_how_to_go_on(
