@@ -1,13 +1,21 @@
 """What all tests share."""
 
+import os
 import signal
+import sys
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
 
 from shared_items import SharedItems
 from sim2reason.datasets.worker import collect_seldom
+
+if os.environ.pop("PYTHONDONTWRITEBYTECODE", ""):  # a hundred processes would compile the library anew
+    sys.dont_write_bytecode = False
+    beside = Path(__file__).parents[1] / ".pytest_cache" / "bytecode"
+    sys.pycache_prefix = os.environ.setdefault("PYTHONPYCACHEPREFIX", str(beside))
 
 # how fast a busy machine is at examples is no property of what is tested
 settings.register_profile("busy", deadline=None, suppress_health_check=[HealthCheck.too_slow])

@@ -76,8 +76,17 @@ def ran(program: str, *arguments: str, folder: Path) -> "subprocess.CompletedPro
     )
 
 
-@pytest.mark.parametrize("how", [(), ("-",)], ids=["file", "standard input"])
-@pytest.mark.parametrize("workers", [None, 1, 3])
+FILE, INPUT = (), ("-",)
+
+
+@pytest.mark.parametrize(
+    ("workers", "how"),
+    [
+        (None, FILE),
+        (3, INPUT),
+        *(pytest.param(*case, marks=pytest.mark.slow) for case in ((1, FILE), (3, FILE), (None, INPUT), (1, INPUT))),
+    ],
+)
 def test_a_plain_script_runs_once_with_any_number_of_workers(
     tmp_path: Path, workers: int | None, how: tuple[str, ...]
 ) -> None:
