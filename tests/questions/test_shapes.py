@@ -26,7 +26,7 @@ from sim2reason.questions.shapes.numbers import FEWEST
 from sim2reason.questions.shapes.parts.units import is_table, text_of, units
 from sim2reason.recipes import DIFFICULTIES, RECIPES
 
-SCENES = 6  # of each recipe and difficulty
+SCENES = [2, pytest.param(6, marks=pytest.mark.slow)]  # of each recipe and difficulty
 MOST = 0.32  # of the prompts of a recipe
 
 
@@ -54,16 +54,17 @@ def ended(text: str, question: Question) -> str:
     return f"{text}\n\n{form}"
 
 
+@pytest.mark.parametrize("scenes", SCENES)
 @pytest.mark.parametrize("recipe", RECIPES)
-def test_no_shape_is_drawn_too_often(recipe: str) -> None:
+def test_no_shape_is_drawn_too_often(recipe: str, scenes: int) -> None:
     """The mean of the chance that each has among those that a text and a question can have."""
     chances, number = Counter[str](), 0
-    for search, question in asked(recipe, SCENES):
+    for search, question in asked(recipe, scenes):
         shares = {name: SHAPES[name].share for name in composed(search.description, question.text)}
         total = sum(shares.values())
         chances.update({name: share / total for name, share in shares.items()})  # type: ignore[arg-type]
         number += 1
-    assert number >= SCENES
+    assert number >= scenes
     assert max(chances.values()) <= MOST * number, chances
     assert len(chances) >= 5
 
@@ -149,7 +150,7 @@ def test_a_list_that_lacks_a_number_or_has_one_to_spare_is_refused(change: str) 
 
 @pytest.mark.parametrize("recipe", ["collision", "springs", "orbital", "box"])
 def test_sentences_and_tables_come_apart_and_together(recipe: str) -> None:
-    for seed in range(SCENES):
+    for seed in range(6):
         description = describe(sample(recipe, "medium", seed=seed), seed)
         apart = units(description.text)
         assert text_of(apart) == description.text
@@ -158,7 +159,7 @@ def test_sentences_and_tables_come_apart_and_together(recipe: str) -> None:
 
 
 def test_symbols_are_numbered_as_they_are_told() -> None:
-    for seed in range(SCENES):
+    for seed in range(6):
         description = describe(sample("incline", "hard", seed=seed), seed)
         told = [description.symbols[path] for path in description.told if path in description.symbols]
         numbered = [symbol for symbol in told if symbol.startswith(r"\theta_")]
