@@ -13,7 +13,6 @@ from sim2reason.parsing import parse_scene
 from sim2reason.prose import describe
 from sim2reason.scene_files import dump, loads
 from sim2reason.simulation.scenes import certify
-from sim2reason.testing import check_entity
 
 G, OUTER, INNER, INERTIA, BIG, SMALL = 9.8, 0.3, 0.1, 0.2, 2.0, 3.0
 SIDES = {"opposite": -1.0, "same": 1.0}
@@ -85,10 +84,6 @@ def test_the_outer_radius_is_the_larger_one() -> None:
     """Else the words would be wrong."""
     with pytest.raises((SceneError, ValueError), match="not greater than inner"):
         SteppedPulley(outer=0.1, inner=0.1, inertia=0.2)
-
-
-def test_it_conforms() -> None:
-    check_entity(BlocksOnSteppedPulley)
 
 
 def test_a_figure_shows_two_rims_and_a_string_from_each() -> None:

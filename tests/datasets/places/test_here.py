@@ -18,7 +18,7 @@ def batches(count: int, size: int = 4) -> list[Batch]:
     return [[(k, CONFIG.request(k)) for k in range(n * size, (n + 1) * size)] for n in range(count)]
 
 
-@pytest.mark.parametrize("workers", [1, 3])
+@pytest.mark.parametrize("workers", [pytest.param(1, marks=pytest.mark.slow), 3])
 def test_every_batch_comes_back_once(workers: int) -> None:
     waiting = batches(6)
     replies = run(lambda: waiting.pop() if waiting else None, "fake_makers:steady", workers, 60.0)
