@@ -35,6 +35,7 @@ from sim2reason.testing.checks.masking import spare, together, without_one
 from sim2reason.testing.checks.round_trip import meaning, meant, numbers
 
 TIERS = [(recipe, difficulty) for recipe in RECIPES for difficulty in DIFFICULTIES]
+MEDIUM = [(recipe, "medium") for recipe in RECIPES]
 SCENES = [4, pytest.param(18, marks=pytest.mark.slow)]  # of each tier: 810 in all
 QUICK = 2.0  # s, for any text at all on a busy machine; it is about 0.02 s on an idle one
 
@@ -102,19 +103,24 @@ def test_what_is_read_moves_alike(recipe: str, difficulty: Difficulty, scenes: i
     assert compared > 0.8 * scenes
 
 
-@pytest.mark.parametrize("wordings", [4, pytest.param(12, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [4, pytest.param(12, marks=pytest.mark.slow)])
 @pytest.mark.parametrize(("recipe", "difficulty"), TIERS)
-def test_all_wordings_of_a_scene_are_the_same_scene(recipe: str, difficulty: Difficulty, wordings: int) -> None:
+def test_all_wordings_of_a_scene_are_the_same_scene(recipe: str, difficulty: Difficulty, count: int) -> None:
     scene = next(drawn(recipe, difficulty, 1, first=900)).scene
-    for seed in range(wordings):
+    for seed in range(count):
         description = describe(scene, seed)
         assert meant(parse_scene(description.text)) == meaning(description), description.text
 
 
-@pytest.mark.parametrize("scenes", [1, pytest.param(5, marks=pytest.mark.slow)])
-@pytest.mark.parametrize(("recipe", "difficulty"), TIERS)
+@pytest.mark.parametrize(
+    ("recipe", "difficulty", "scenes"),
+    [*((*tier, 1) for tier in MEDIUM), *(pytest.param(*tier, 5, marks=pytest.mark.slow) for tier in TIERS)],
+)
 def test_nothing_can_be_left_out(recipe: str, difficulty: Difficulty, scenes: int) -> None:
-    """Each sentence and each row of a table cut: no scene, or another one; but for what a text may leave out."""
+    """Each sentence and each row of a table cut: no scene, or another one; but for what a text may leave out.
+
+    `testing/test_entities` does so with each entity.
+    """
     for description in drawn(recipe, difficulty, scenes, first=1000):
         for cut, text in without_one(list(pieces(description.text))):
             if cut in spare(description):
@@ -126,8 +132,10 @@ def test_nothing_can_be_left_out(recipe: str, difficulty: Difficulty, scenes: in
             assert meant(reading) != meaning(description), text
 
 
-@pytest.mark.parametrize("scenes", [1, pytest.param(3, marks=pytest.mark.slow)])
-@pytest.mark.parametrize(("recipe", "difficulty"), TIERS)
+@pytest.mark.parametrize(
+    ("recipe", "difficulty", "scenes"),
+    [*((*tier, 1) for tier in MEDIUM), *(pytest.param(*tier, 3, marks=pytest.mark.slow) for tier in TIERS)],
+)
 def test_another_number_is_another_scene(recipe: str, difficulty: Difficulty, scenes: int) -> None:
     for description in drawn(recipe, difficulty, scenes, first=1100):
         for match in re.finditer(r"(?<![\w.])\d+(\.\d+)?(?= (kg|N|m)\b|°|\.|\))", description.text):
