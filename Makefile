@@ -7,7 +7,7 @@ export OMP_NUM_THREADS := 1
 export OPENBLAS_NUM_THREADS := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test test-ray test-train test-vllm test-exports test-endpoint check lint types contracts docs site site-serve format clean
+.PHONY: help demo test test-all test-quick test-changed test-ray test-train test-vllm test-exports test-endpoint check lint types contracts docs site site-serve format clean
 
 help: ## say what can be made
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
@@ -36,8 +36,31 @@ demo: .venv/core ## 100 problems over all recipes, one figure, three problems wi
 	@$(BIN)/sim2reason show $(DEMO) -n 3
 	@echo "All 100 problems: $(DEMO)/data/*.parquet, their counts: $(DEMO)/README.md, a figure: $(DEMO)/scene.svg and .png"
 
-test: .venv/dev ## the tests that need nothing else, in parallel
-	$(BIN)/pytest --numprocesses auto --dist worksteal
+# Long statistics are marked slow, and `make test` looks at a fixed sample of each; pytest's option -m '' selects all.
+PYTEST = $(BIN)/pytest --numprocesses auto --dist worksteal
+
+test: .venv/dev ## the tests that need nothing else, in parallel; 5 minutes on two cores
+	$(PYTEST)
+
+test-all: .venv/dev ## these and the long statistics, as CI runs them; 15 minutes on two cores
+	$(PYTEST) -m ''
+
+# Unit tests of each package, what all registries share, and an item of each recipe and of each mode.
+QUICK := tests/acceptance/test_same_items.py tests/evaluation/benchmarks/test_files.py tests/scenes/bodies tests/cli/test_list.py \
+	tests/cli/test_results.py tests/scenes/connections tests/datasets/test_plan.py tests/datasets/test_rows.py \
+	tests/datasets/test_store.py tests/scenes/dsl tests/scenes/entities/test_projectile.py tests/scenes/entities/test_touching.py \
+	tests/datasets/exports/test_rewards.py tests/figures/scaled/test_scale.py tests/figures/test_vectors.py tests/generation/filters \
+	tests/grading/test_cases.py tests/generation/modes/parts tests/text/parsing/test_no_gravity.py tests/evaluation/policies/test_samples.py \
+	tests/text/prose tests/simulation/quantities tests/questions/test_asked_by_people.py tests/questions/test_moments.py \
+	tests/generation/recipes/test_collision.py tests/evaluation/reports/test_statistics.py tests/scenes/files/test_files.py \
+	tests/simulation tests/solutions/algebra tests/solutions/laws tests/test_house.py tests/testing/test_spoiled.py \
+	tests/training/test_rewards.py
+
+test-quick: .venv/dev ## a cross-section of the tests; a minute on two cores
+	$(PYTEST) $(QUICK)
+
+test-changed: .venv/dev ## the tests that run code changed since they last passed; the first time all, three times as long
+	$(PYTEST) --testmon --testmon-forceselect
 
 .venv-ray/done: .venv/pip requirements/ray.txt pyproject.toml
 	$(PYTHON) -m venv .venv-ray
@@ -46,7 +69,7 @@ test: .venv/dev ## the tests that need nothing else, in parallel
 	@touch $@
 
 test-ray: .venv-ray/done ## the tests that need Ray, on a local cluster, in an environment of their own
-	.venv-ray/bin/python -m pytest tests/datasets/places
+	.venv-ray/bin/python -m pytest -m '' tests/datasets/places
 
 .venv-train/done: .venv/pip requirements/train.txt pyproject.toml
 	$(PYTHON) -m venv .venv-train
@@ -55,7 +78,7 @@ test-ray: .venv-ray/done ## the tests that need Ray, on a local cluster, in an e
 	@touch $@
 
 test-train: .venv-train/done ## the tests that train models, on CPUs, and TRL's example, in an environment of their own
-	.venv-train/bin/python -m pytest --numprocesses auto --dist worksteal tests/training tests/evaluation/policies \
+	.venv-train/bin/python -m pytest -m '' --numprocesses auto --dist worksteal tests/training tests/evaluation/policies \
 		tests/cli/test_train.py tests/datasets/exports/libraries/test_trl.py
 	.venv-train/bin/python tests/support/readme.py docs/training.md
 
@@ -66,7 +89,7 @@ test-train: .venv-train/done ## the tests that train models, on CPUs, and TRL's 
 	@touch $@
 
 test-vllm: .venv-vllm/done ## rollouts by vLLM, and evaluation against its server, on CPUs, in an environment of its own
-	.venv-vllm/bin/python -m pytest tests/training/gspo/test_vllm.py tests/endpoint
+	.venv-vllm/bin/python -m pytest -m '' tests/training/gspo/test_vllm.py tests/endpoint
 
 # Each library that exports are for has an environment of its own in .exports, 0.6 to 2 GB large. For one of them alone:
 # make test-exports-verl. NeMo Gym needs a newer Python than others; without one it is left out, and says so.
@@ -84,7 +107,7 @@ $(filter-out $(NEED_NEWER:%=test-exports-%),$(LIBRARIES:%=test-exports-%)): test
 $(NEED_NEWER:%=test-exports-%): test-exports-%: $(if $(NEWER),.exports/%.made .exports/problems)
 	$(if $(NEWER),$(TEST_EXPORTS),@echo "make: $* needs Python 3.12 or newer, and there is none: left out")
 
-TEST_EXPORTS = SIM2REASON_PROBLEMS=$(abspath .exports/problems) .exports/$*/bin/python -m pytest -W ignore \
+TEST_EXPORTS = SIM2REASON_PROBLEMS=$(abspath .exports/problems) .exports/$*/bin/python -m pytest -m '' -W ignore \
 	tests/datasets/exports/libraries/test_$*.py
 
 .exports/%.made: tests/datasets/exports/requirements/%.txt
@@ -95,7 +118,7 @@ TEST_EXPORTS = SIM2REASON_PROBLEMS=$(abspath .exports/problems) .exports/$*/bin/
 	@touch $@
 
 test-endpoint: .venv/dev .endpoint/made ## evaluation against a real server, llama.cpp, in an environment of its own
-	SIM2REASON_LLAMA_PYTHON=$(abspath .endpoint/bin/python) $(BIN)/pytest tests/endpoint
+	SIM2REASON_LLAMA_PYTHON=$(abspath .endpoint/bin/python) $(BIN)/pytest -m '' tests/endpoint
 
 .endpoint/made: tests/endpoint/requirements.txt
 	rm -rf .endpoint
@@ -148,4 +171,4 @@ format: .venv/dev ## mend what can be mended by itself
 	$(BIN)/ruff format .
 
 clean: ## remove what was made, but not the virtual environment
-	rm -rf $(DEMO) build dist site .pytest_cache .ruff_cache .hypothesis .import_linter_cache
+	rm -rf $(DEMO) build dist site .pytest_cache .testmondata* .ruff_cache .hypothesis .import_linter_cache

@@ -1,10 +1,21 @@
 """What all tests share."""
 
+import os
+import signal
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
 import pytest
 from hypothesis import HealthCheck, settings
 
 from shared_items import SharedItems
 from sim2reason.datasets.worker import collect_seldom
+
+if os.environ.pop("PYTHONDONTWRITEBYTECODE", ""):  # a hundred processes would compile the library anew
+    sys.dont_write_bytecode = False
+    beside = Path(__file__).parents[1] / ".pytest_cache" / "bytecode"
+    sys.pycache_prefix = os.environ.setdefault("PYTHONPYCACHEPREFIX", str(beside))
 
 # how fast a busy machine is at examples is no property of what is tested
 settings.register_profile("busy", deadline=None, suppress_health_check=[HealthCheck.too_slow])
@@ -33,3 +44,11 @@ def pictures() -> None:
 def _no_pictures(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
     if "pictures" not in request.fixturenames:
         monkeypatch.setattr("sim2reason.datasets.build.put_pictures", lambda *_: ())
+
+
+@pytest.fixture
+def heed_interrupts() -> Iterator[None]:
+    """Restore SIGINT's default for a test and its children: jobs in the background, as under nohup, ignore it."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)

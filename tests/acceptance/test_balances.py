@@ -32,7 +32,6 @@ def motions(family: str) -> list[Motion]:
     return found
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("family", FAMILIES)
 def test_every_joule_and_every_newton_second_has_an_origin(family: str) -> None:
     checked = 0
@@ -48,7 +47,6 @@ def test_every_joule_and_every_newton_second_has_an_origin(family: str) -> None:
     assert checked >= SEEDS // 2
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("family", FAMILIES)
 def test_no_event_adds_energy(family: str) -> None:
     for number, found in enumerate(motions(family)):

@@ -7,15 +7,17 @@ from sim2reason.questions.difficulty import Difficulty
 from sim2reason.simulation.certify import CHANGES, EVENTFUL, SMOOTH, certify_trace
 from sim2reason.simulation.scenes import simulate
 
-SCENES = 20  # of each cell; benchmarks/certified.py takes 100
+SCENES = [3, pytest.param(20, marks=pytest.mark.slow)]  # of each cell; benchmarks/certified.py takes 100
 SHARE = 0.9
 
 
-@pytest.mark.slow
+@pytest.mark.parametrize("scenes", SCENES)
 @pytest.mark.parametrize(("recipe", "difficulty"), CELLS)
-def test_most_scenes_are_certified_as_long_as_their_motion_is_described(recipe: str, difficulty: Difficulty) -> None:
+def test_most_scenes_are_certified_as_long_as_their_motion_is_described(
+    recipe: str, difficulty: Difficulty, scenes: int
+) -> None:
     certified = 0
-    for scene in drawn(recipe, difficulty, SCENES):
+    for scene in drawn(recipe, difficulty, scenes):
         described = simulate(scene)
         trace, certificate = certify_trace(described)
         changes = any(match.event.kind in CHANGES for match in certificate.matched)
@@ -24,7 +26,7 @@ def test_most_scenes_are_certified_as_long_as_their_motion_is_described(recipe: 
             certified += 1
             assert max(certificate.agreement.values()) <= certificate.tolerance
             assert trace.stable_until == described.stable_until
-    assert certified >= SHARE * SCENES
+    assert certified >= SHARE * scenes
 
 
 def test_the_tolerances_are_those_promised() -> None:

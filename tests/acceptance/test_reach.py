@@ -13,6 +13,7 @@ from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
 from sim2reason.scenes.dsl.entity import Entity
 from sim2reason.scenes.dsl.model import Model, field_types
 
+USUAL = "electromagnetic", "hybrid"  # whose draws the usual tests look at; those marked slow look at all
 SCENES = 70  # of each difficulty: some 200 of a recipe
 
 OFTEN = 12  # times that something must be there before it is called constant
@@ -99,8 +100,11 @@ def on_purpose(aspect: Aspect, recipe: str) -> bool:
     return any(recipe in fixed.get(name, ()) for fixed in ON_PURPOSE.values())
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("recipe", sorted(RECIPES))
+def seldom(recipe: str) -> list[pytest.MarkDecorator]:
+    return [] if recipe in USUAL else [pytest.mark.slow]
+
+
+@pytest.mark.parametrize("recipe", [pytest.param(name, marks=seldom(name)) for name in sorted(RECIPES)])
 def test_nothing_that_is_declared_stays_constant(recipe: str) -> None:
     """Over all difficulties: what one of them leaves out on purpose another one has."""
     found = reached(recipe)
@@ -109,15 +113,14 @@ def test_nothing_that_is_declared_stays_constant(recipe: str) -> None:
 
 
 GROWN = [
-    (name, difficulty, tier)
+    pytest.param(name, difficulty, tier, marks=seldom(name), id=f"{name} {difficulty}")
     for name in sorted(RECIPES)
     for difficulty, tier in getattr(import_module(f"sim2reason.generation.recipes.{name}"), "TIERS", {}).items()
     if isinstance(tier, Tier)
 ]
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(("recipe", "difficulty", "tier"), GROWN, ids=[f"{cell[0]} {cell[1]}" for cell in GROWN])
+@pytest.mark.parametrize(("recipe", "difficulty", "tier"), GROWN)
 def test_every_entity_of_a_pool_is_drawn(recipe: str, difficulty: Difficulty, tier: Tier) -> None:
     """None is always too long to tell, or never fits the others."""
     scenes = drawn(recipe, difficulty, SCENES, seed=41)

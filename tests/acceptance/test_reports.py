@@ -17,6 +17,8 @@ PAGES = [*ROOT.glob("docs/integrations/*.md"), *ROOT.glob("src/sim2reason/datase
 SCRIPT = """
 import sys
 import sim2reason
+import sim2reason.datasets.build
+sim2reason.datasets.build.put_pictures = lambda *_: ()  # they cost more than all else
 print("begins")
 sim2reason.generate(sys.argv[1], items=2, recipe="projectile", difficulty="easy", workers=int(sys.argv[2]))
 print("ends")
@@ -46,6 +48,7 @@ def test_a_split_may_not_have_the_name_that_datasets_gives_to_all(tmp_path: Path
     assert "'all' stands for all splits" in refused.stderr
 
 
+@pytest.mark.slow  # datasets/places/test_here does so with a maker that is fast
 @pytest.mark.parametrize("workers", [1, 2])
 def test_generate_runs_the_lines_of_a_plain_script_once(workers: int, tmp_path: Path) -> None:
     """A script without a guard for its main program is run by no worker again."""

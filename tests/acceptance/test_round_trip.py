@@ -12,15 +12,16 @@ from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import FORMATS
 from sim2reason.text.prose import describe
 
-ITEMS = 6  # of each recipe and difficulty; benchmarks/round_trip.py takes 500 in all
+ITEMS = [2, pytest.param(6, marks=pytest.mark.slow)]  # of each cell; benchmarks/round_trip.py takes 500 in all
 
 
+@pytest.mark.parametrize("count", ITEMS)
 @pytest.mark.parametrize("difficulty", DIFFICULTIES)
 @pytest.mark.parametrize("recipe", RECIPES)
-def test_the_answer_follows_from_the_text(recipe: str, difficulty: str, numeric_items: SharedItems) -> None:
+def test_the_answer_follows_from_the_text(recipe: str, difficulty: str, count: int, numeric_items: SharedItems) -> None:
     """The scene is rebuilt from the words, its hidden numbers are drawn anew, and it is solved and asked again."""
-    items = numeric_items.of((recipe, difficulty), ITEMS)
-    assert len(items) == ITEMS
+    items = numeric_items.of((recipe, difficulty), count)
+    assert len(items) == count
     for index, item in enumerate(items):
         understood = parse_prompt(item.prompt, np.random.default_rng(index))
         assert understood.answer == pytest.approx(item.answer.value, rel=0.01), item.prompt

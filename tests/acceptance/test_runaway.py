@@ -4,22 +4,23 @@ import pytest
 
 from runaway import KINDS, SPOILED, attempt
 
-FEW, SOME = 3, 15
+FEW = [1, pytest.param(3, marks=pytest.mark.slow)]
+SOME = [3, pytest.param(15, marks=pytest.mark.slow)]
 
 
-@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")
+@pytest.mark.parametrize("seeds", FEW)
 @pytest.mark.parametrize("kind", KINDS)
-def test_random_mechanisms_and_scenes(kind: str) -> None:
-    for seed in range(FEW):
+def test_random_mechanisms_and_scenes(kind: str, seeds: int) -> None:
+    for seed in range(seeds):
         found = attempt((kind, seed))
         assert not found.bad, found
 
 
-@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")
+@pytest.mark.parametrize("seeds", SOME)
 @pytest.mark.parametrize("kind", SPOILED)
-def test_spoiled_ones(kind: str) -> None:
-    for seed in range(SOME):
+def test_spoiled_ones(kind: str, seeds: int) -> None:
+    for seed in range(seeds):
         found = attempt((kind, seed))
         assert not found.bad, found

@@ -180,6 +180,7 @@ def test_the_solvable_filter_keeps_what_is_solved_sometimes(tmp_path: Path) -> N
         assert "write LOW,HIGH" in wrong.stderr
 
 
+@pytest.mark.usefixtures("heed_interrupts")
 def test_an_interrupted_run_ends_at_once_and_goes_on_later(tmp_path: Path) -> None:
     end = threading.Event()
 

@@ -89,9 +89,9 @@ def test_a_body_without_a_look_is_warned_of(tmp_path: Path, monkeypatch: pytest.
 @pytest.mark.parametrize(
     ("recipe", "difficulty", "mode", "index"),
     [
-        ("collision", "hard", "reverse", 0),
+        pytest.param("collision", "hard", "reverse", 0, marks=pytest.mark.slow),
         ("collision", "easy", "numeric", 0),
-        ("hybrid", "hard", "reverse", 0),
+        pytest.param("hybrid", "hard", "reverse", 0, marks=pytest.mark.slow),
         ("pulley", "easy", "reverse", 1),
         ("incline", "easy", "symbolic", 0),
     ],

@@ -13,6 +13,8 @@ import pytest
 from sim2reason.cli import interrupts
 from sim2reason.datasets.processes import SIGNALS, deaf_children
 
+pytestmark = pytest.mark.usefixtures("heed_interrupts")
+
 
 def interrupt(number: signal.Signals = signal.SIGINT) -> None:
     os.kill(os.getpid(), number)
@@ -79,7 +81,6 @@ def test_children_hear_nothing_and_their_parent_does(number: signal.Signals) -> 
 def test_while_the_command_loads_it_is_one_line(number: signal.Signals) -> None:
     code = (
         "import os, signal, sys\n"
-        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         "class Interrupt:\n"
         "    def find_spec(self, name, *_):\n"
         "        if name == 'click': os.kill(os.getpid(), NUMBER)\n"

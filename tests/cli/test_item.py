@@ -94,7 +94,7 @@ def test_a_stream_deals_modes_too() -> None:
 
 
 def test_questions_about_a_scene_are_items_too(tmp_path: Path) -> None:
-    problem = sim2reason.item("incline", "medium", seed=2)
+    problem = sim2reason.item("incline", "easy", seed=2)
     (tmp_path / "scene.yaml").write_text(problem.scene, encoding="utf-8")
     asked = sim2reason.ask(sim2reason.load(tmp_path / "scene.yaml"), items=3, seed=4, mode="reverse")
     assert len({item.id for item in asked}) == 3

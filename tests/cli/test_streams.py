@@ -27,7 +27,12 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
-@pytest.mark.parametrize("closed", [">&-", ">&- 2>&-", ">&- 2>&- <&-", "<&-"])
+ALL_CLOSED = ">&- 2>&- <&-"
+
+
+@pytest.mark.parametrize(
+    "closed", [*(pytest.param(some, marks=pytest.mark.slow) for some in (">&-", ">&- 2>&-")), ALL_CLOSED, "<&-"]
+)
 def test_closed_streams_are_as_if_nobody_read(folder: Path, closed: str) -> None:
     result = shell(f"{COMMAND} show data -n 2 {closed}", folder)
     assert (result.returncode, result.stderr) == (0, b"")
@@ -41,33 +46,53 @@ def test_nothing_is_read_from_a_closed_input(folder: Path) -> None:
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="only Linux has a device that is always full")
-@pytest.mark.parametrize(("option", "name"), [("> /dev/full", b"standard output"), ("-o /dev/full", b"/dev/full")])
-def test_what_is_full_is_named(folder: Path, option: str, name: bytes) -> None:
-    result = shell(f"{COMMAND} schema {option}", folder)
+def test_standard_output_that_is_full_is_named(folder: Path) -> None:
+    result = shell(f"{COMMAND} schema > /dev/full", folder)
     assert result.returncode == 2
-    assert result.stderr.startswith(b"sim2reason: " + name + b": No space left on device; check")
+    assert result.stderr.startswith(b"sim2reason: standard output: No space left on device; check")
     assert result.stderr.count(b"\n") == 1
 
 
-@pytest.mark.skipif(sys.platform == "darwin", reason="its file system takes no such names")
-def test_names_that_are_no_text(folder: Path) -> None:
-    name = os.fsdecode(b"\xff\xfe")
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="only Linux has a device that is always full")
+def test_a_file_that_is_full_is_named() -> None:
+    result = CliRunner().invoke(main, ["schema", "-o", "/dev/full"])
+    assert result.exit_code == 2
+    assert result.stderr.startswith("sim2reason: /dev/full: No space left on device; check")
+    assert result.stderr.count("\n") == 1
+
+
+def named(folder: Path, name: bytes) -> Path:
+    """Rename the dataset to what is no text."""
     try:
-        (folder / "data").rename(folder / name)
+        return (folder / "data").rename(folder / os.fsdecode(name))
     except OSError:
         pytest.skip("the file system takes no such names")
-    for command in ("verify", "show", "stats"):
-        result = shell(f"{COMMAND} {command} $'\\xff\\xfe'", folder)
-        assert (result.returncode, result.stderr) == (0, b"")
-        assert (b"\xff\xfe" in result.stdout) == (command != "show")
-    config = Config(items=4, recipes=("pulley",), difficulties=("easy",), maker="fake_makers:steady", seed=1)
-    assert build(folder / f"{name}2", config, workers=1).rows == 4
-    result = shell(f"{COMMAND} schema -o $'\\xfd.json'", folder)
-    assert (result.returncode, (folder / os.fsdecode(b"\xfd.json")).stat().st_size > 1000) == (0, True)
 
 
 @pytest.mark.skipif(sys.platform == "darwin", reason="its file system takes no such names")
-@pytest.mark.parametrize("to", ["hf", "lm-eval"])
+@pytest.mark.parametrize(
+    "command", ["verify", *(pytest.param(name, marks=pytest.mark.slow) for name in ("show", "stats"))]
+)
+def test_names_that_are_no_text(folder: Path, command: str) -> None:
+    named(folder, b"\xff\xfe")
+    result = shell(f"{COMMAND} {command} $'\\xff\\xfe'", folder)
+    assert (result.returncode, result.stderr) == (0, b"")
+    assert (b"\xff\xfe" in result.stdout) == (command != "show")
+
+
+@pytest.mark.skipif(sys.platform == "darwin", reason="its file system takes no such names")
+def test_what_is_built_and_written_under_names_that_are_no_text(folder: Path) -> None:
+    data = named(folder, b"\xff\xfe")
+    assert CliRunner().invoke(main, ["show", str(data)]).exit_code == 0
+    config = Config(items=4, recipes=("pulley",), difficulties=("easy",), maker="fake_makers:steady", seed=1)
+    assert build(folder / f"{data.name}2", config, workers=1).rows == 4
+    out = folder / os.fsdecode(b"\xfd.json")
+    assert CliRunner().invoke(main, ["schema", "-o", str(out)]).exit_code == 0
+    assert out.stat().st_size > 1000
+
+
+@pytest.mark.skipif(sys.platform == "darwin", reason="its file system takes no such names")
+@pytest.mark.parametrize("to", [pytest.param("hf", marks=pytest.mark.slow), "lm-eval"])
 def test_what_is_written_may_have_such_a_name(folder: Path, to: str) -> None:
     """Parquet and lines."""
     result = shell(f"{COMMAND} export data --to {to} --out $'e\\xff'", folder)
@@ -80,20 +105,22 @@ def test_what_is_written_may_have_such_a_name(folder: Path, to: str) -> None:
 def test_a_trace_in_such_a_folder(folder: Path) -> None:
     place = folder / os.fsdecode(b"t\xff")
     place.mkdir()
-    sample = f"{COMMAND} sample --recipe pulley --difficulty easy"
-    result = shell(f"{sample} | {COMMAND} simulate - -o $'t\\xff/t.parquet'", folder)
-    assert (result.returncode, result.stderr) == (0, b"")
+    sample = CliRunner().invoke(main, ["sample", "--recipe", "pulley", "--difficulty", "easy"]).stdout
+    result = CliRunner().invoke(main, ["simulate", "-", "-o", str(place / "t.parquet")], input=sample)
+    assert (result.exit_code, result.stderr) == (0, "")
     assert [path.name for path in place.iterdir()] == ["t.parquet"]
 
 
 @pytest.mark.skipif(sys.platform == "darwin", reason="its file system takes no such names")
-def test_a_benchmark_of_such_a_name_is_refused_before_anything_is_made(folder: Path) -> None:
-    (folder / os.fsdecode(b"b\xff.txt")).write_text("A block slides.")
-    result = shell(f"{COMMAND} generate new --items 1 --recipe rocket --decontaminate $'b\\xff.txt'", folder)
-    assert result.returncode == 2
-    assert result.stderr.count(b"\n") == 1
-    assert b"a manifest can't say this name" in result.stderr
-    assert not (folder / "new").exists()
+def test_a_benchmark_of_such_a_name_is_refused_before_anything_is_made(tmp_path: Path) -> None:
+    benchmark, new = tmp_path / os.fsdecode(b"b\xff.txt"), tmp_path / "new"
+    benchmark.write_text("A block slides.")
+    order = ["--items", "1", "--recipe", "rocket", "--decontaminate", str(benchmark)]
+    result = CliRunner().invoke(main, ["generate", str(new), *order])
+    assert result.exit_code == 2
+    assert result.stderr.count("\n") == 1
+    assert "a manifest can't say this name" in result.stderr
+    assert not new.exists()
 
 
 def test_a_dash_is_standard_output(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

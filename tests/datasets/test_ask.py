@@ -2,15 +2,24 @@
 
 from pathlib import Path
 
+import pytest
+
 from plain_scenes import atwood, ramp, swing
 from sim2reason.datasets.ask import ask, asked
+from sim2reason.generation.item import Item
 from sim2reason.generation.splits import problem
 from sim2reason.scenes.files import load
 
 
-def test_variants_of_a_problem_only_fill_up() -> None:
+@pytest.fixture(scope="module")
+def of_a_pendulum() -> list[Item]:
+    """More questions than there are problems."""
+    return ask(swing(), items=8, seed=9)
+
+
+def test_variants_of_a_problem_only_fill_up(of_a_pendulum: list[Item]) -> None:
     """Of a pendulum there are few problems: each comes before any of them has other numbers."""
-    found = [problem(item) for item in ask(swing(), items=8, seed=9)]
+    found = [problem(item) for item in of_a_pendulum]
     distinct = len(set(found))
     assert len(found) == 8
     assert 3 < distinct < len(found)
@@ -25,9 +34,9 @@ def test_easy_questions_are_asked_where_there_are_no_others() -> None:
     assert found.refused["few laws"]
 
 
-def test_no_two_questions_have_one_answer() -> None:
+def test_no_two_questions_have_one_answer(of_a_pendulum: list[Item]) -> None:
     """Another wording is no other question."""
-    answers = [item.answer.shown for item in ask(swing(), items=10, seed=2)]
+    answers = [item.answer.shown for item in of_a_pendulum]
     assert len(set(answers)) == len(answers)
 
 

@@ -36,7 +36,7 @@ def test_items_come_in_the_order_of_their_positions(data: Path, config: Config) 
     assert [item.id for item in Dataset(data)] == wanted
 
 
-@pytest.mark.parametrize("workers", [2, 4])
+@pytest.mark.parametrize("workers", [2, pytest.param(4, marks=pytest.mark.slow)])
 def test_workers_do_not_change_a_byte(data: Path, make: Make, contents: Contents, workers: int) -> None:
     make("other", workers=workers)
     assert contents(data.parent / "other") == contents(data)
@@ -121,7 +121,7 @@ def test_only_what_there_is_stands_and_is_an_error(make: Make, tmp_path: Path, c
     assert verify(tmp_path / "at_once").faults == ()
 
 
-@pytest.mark.parametrize("cut", [*range(1, 8, 2)])
+@pytest.mark.parametrize("cut", [3, 7, *(pytest.param(cut, marks=pytest.mark.slow) for cut in (1, 5))])
 def test_a_run_that_is_interrupted_while_it_makes_up_ends_in_the_same_bytes(
     tmp_path: Path, config: Config, contents: Contents, cut: int
 ) -> None:

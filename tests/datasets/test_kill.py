@@ -19,11 +19,9 @@ PATHS = os.pathsep.join((str(SUPPORT), os.environ.get("PYTHONPATH", "")))
 pytestmark = pytest.mark.skipif(not Path("/proc/self/environ").exists(), reason="looks processes up in /proc")
 
 
-def start(out: Path, maker: str, workers: int, mark: str) -> "subprocess.Popen[bytes]":
-    options = ["--items", "1000", "--recipe", "incline,pulley", "--shard-size", "20", "--workers", str(workers)]
-    # a job in the background ignores interrupts, and so would its children
-    heeds = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
-    code = f"{heeds}; from sim2reason.cli import main; main()"
+def start(out: Path, maker: str, workers: int, mark: str, items: int = 1000) -> "subprocess.Popen[bytes]":
+    options = ["--items", str(items), "--recipe", "incline,pulley", "--shard-size", "20", "--workers", str(workers)]
+    code = "from sim2reason.cli import main; main()"
     return subprocess.Popen(
         [sys.executable, "-c", code, "generate", str(out), *options, "--maker", f"fake_makers:{maker}"],
         env=os.environ | {"PYTHONPATH": PATHS, "MARK": mark},
@@ -37,8 +35,8 @@ def shards(out: Path) -> int:
     return len(list(out.glob("data/*.parquet")))
 
 
-def finish(out: Path, mark: str) -> int:
-    run = start(out, "slow", 2, mark)
+def finish(out: Path, mark: str, items: int) -> int:
+    run = start(out, "slow", 2, mark, items)
     run.communicate(timeout=60)
     return run.returncode
 
@@ -62,28 +60,28 @@ def gone(mark: str, within: float = 20.0) -> bool:
     return not alive(mark)
 
 
-@pytest.mark.slow
-def test_killed_ten_times_and_resumed_a_run_ends_in_the_same_bytes(
-    tmp_path: Path, contents: Callable[[Path], dict[str, bytes]]
+@pytest.mark.parametrize(("times", "items"), [(1, 400), pytest.param(10, 1000, marks=pytest.mark.slow)])
+def test_killed_and_resumed_a_run_ends_in_the_same_bytes(
+    tmp_path: Path, contents: Callable[[Path], dict[str, bytes]], times: int, items: int
 ) -> None:
-    assert finish(tmp_path / "whole", "") == 0
+    assert finish(tmp_path / "whole", "", items) == 0
     rng, mark, kills = random.Random(7), uuid.uuid4().hex, 0
     seen: set[int] = set()
     out = tmp_path / "killed"
-    while kills < 10:
+    while kills < times:
         target, end = shards(out) + rng.choice((0, 1)), time.monotonic() + 30
-        run = start(out, "slow", rng.choice((1, 2, 4)), mark)
+        run = start(out, "slow", rng.choice((1, 2, 4)), mark, items)
         while shards(out) < target and time.monotonic() < end:
             time.sleep(0.002)
         time.sleep(rng.uniform(0.0, 0.08) if target else rng.uniform(0.0, 0.8))
         run.kill()
         run.communicate()
-        assert run.returncode == -signal.SIGKILL, "finished before ten kills"
+        assert run.returncode == -signal.SIGKILL, f"finished before {times} kills"
         kills += 1
         seen.add(shards(out))
         assert not (out / MANIFEST).exists()
-    assert finish(out, mark) == 0
-    assert len(seen) > 2, "the kills came too early to mean anything"
+    assert finish(out, mark, items) == 0
+    assert times < 10 or len(seen) > 2, "the kills came too early to mean anything"
     assert contents(out) == contents(tmp_path / "whole")
     assert gone(mark)
 
@@ -101,8 +99,17 @@ def test_workers_die_with_a_killed_parent(tmp_path: Path, maker: str) -> None:
     assert gone(mark)
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-@pytest.mark.parametrize("send", [os.kill, os.killpg], ids=["process", "group"])
+@pytest.mark.usefixtures("heed_interrupts")
+@pytest.mark.parametrize(
+    ("send", "number"),
+    [
+        (os.kill, signal.SIGTERM),
+        (os.killpg, signal.SIGINT),
+        pytest.param(os.kill, signal.SIGINT, marks=pytest.mark.slow),
+        pytest.param(os.killpg, signal.SIGTERM, marks=pytest.mark.slow),
+    ],
+    ids=["one by SIGTERM", "all by SIGINT", "one by SIGINT", "all by SIGTERM"],
+)
 def test_an_interrupt_says_how_to_go_on(
     tmp_path: Path, number: signal.Signals, send: Callable[[int, signal.Signals], None]
 ) -> None:

@@ -64,8 +64,8 @@ def joined(name: str, seed: int) -> Scene:
     return Scene(entities=entities, connections=tuple(CONNECTIONS["tendon"](links=ends) for ends in links))
 
 
-@pytest.fixture(scope="session")
-def scenes() -> list[Scene]:
+@pytest.fixture(scope="session", params=[1, pytest.param(3, marks=pytest.mark.slow)])
+def scenes(request: pytest.FixtureRequest) -> list[Scene]:
     """Random scenes of every recipe and difficulty, and every entity joined in ways that no recipe draws."""
-    random = [sample_scene(r, d, seed=5, index=n) for r, d, n in product(RECIPES, DIFFICULTIES, range(3))]
+    random = [sample_scene(r, d, seed=5, index=n) for r, d, n in product(RECIPES, DIFFICULTIES, range(request.param))]
     return [*random, *(joined(name, seed) for name in JOINED for seed in range(2))]

@@ -12,13 +12,19 @@ from sim2reason.generation.random_scenes import sample
 from sim2reason.text.prose.description import describe
 
 RECIPES = ("incline", "mixed", "hybrid", "box", "pulley")
+SEEDS = [range(40, 42), pytest.param(range(42, 46), marks=pytest.mark.slow)]
 FAR = 0.6  # units
 
 
+@pytest.fixture(scope="module", params=SEEDS, ids=lambda seeds: f"from {seeds[0]}")
+def seeds(request: pytest.FixtureRequest) -> range:
+    return request.param
+
+
 @pytest.fixture(scope="module", params=RECIPES)
-def drawings(request: pytest.FixtureRequest) -> list[Drawing]:
+def drawings(request: pytest.FixtureRequest, seeds: range) -> list[Drawing]:
     """Hard scenes with and without numbers."""
-    scenes = [sample(request.param, "hard", seed=seed) for seed in range(40, 46)]
+    scenes = [sample(request.param, "hard", seed=seed) for seed in seeds]
     return [drawing(scene, describe(scene), numbers=numbers) for scene in scenes for numbers in (False, True)]
 
 

@@ -23,10 +23,11 @@ def labels(scene: Scene) -> list[Label]:
     return list(drawing(scene, describe(scene)).labels)
 
 
+@pytest.mark.parametrize("scenes", [1, pytest.param(4, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("recipe", RECIPES)
-def test_every_stated_angle_is_marked(recipe: str) -> None:
+def test_every_stated_angle_is_marked(recipe: str, scenes: int) -> None:
     for difficulty in DIFFICULTIES:
-        for index in range(4):
+        for index in range(scenes):
             scene = RECIPES[recipe](difficulty, generator("angles", recipe, difficulty, index))
             shown, text = [label.text for label in labels(scene)], describe(scene).text
             for parameter in scene.parameters:

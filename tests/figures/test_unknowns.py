@@ -74,7 +74,13 @@ def test_there_are_many_of_several_recipes() -> None:
     assert len({case.path.split(".", maxsplit=1)[0] for case in SHAPES}) >= 6
 
 
-@pytest.mark.parametrize("case", SHAPES, ids=lambda case: case.path)
+@pytest.mark.parametrize(
+    "case",
+    [
+        pytest.param(case, id=case.path, marks=[pytest.mark.slow] if number % 3 else [])
+        for number, case in enumerate(SHAPES)
+    ],
+)
 def test_an_unknown_length_or_angle_is_drawn_with_another_value(case: Asked) -> None:
     shown, _ = disguise_unknowns(case.scene, case.description, lambda scene: drawing(scene, describe(scene)))
     value, other = float(case.scene.value(case.path)), float(shown.value(case.path))

@@ -64,12 +64,14 @@ def test_two_items_of_one_scene_do_not_stand_in_a_dataset_of_two_splits(make: Ma
         make("halves", maker="fake_makers:one_scene", split=HALVES)
 
 
-@pytest.mark.slow
-def test_no_problem_up_to_numbers_and_no_text_of_one_stands_on_both_sides(numeric_items: SharedItems) -> None:
+@pytest.mark.parametrize("count", [2, pytest.param(4, marks=pytest.mark.slow)])
+def test_no_problem_up_to_numbers_and_no_text_of_one_stands_on_both_sides(
+    numeric_items: SharedItems, count: int
+) -> None:
     from sim2reason.generation.splits import without_numbers
 
     sides: dict[str, dict[str, set[str]]] = {"train": {}, "test": {}}
-    for made in numeric_items.of_all(dict.fromkeys(CELLS, 4)):
+    for made in numeric_items.of_all(dict.fromkeys(CELLS, count)):
         side = sides[split_of(made, HALVES)]
         side.setdefault("text", set()).add(without_numbers(made.prompt))
         side.setdefault("scene", set()).add(made.scene)

@@ -116,11 +116,12 @@ def test_items_are_of_the_kinds_that_are_ordered() -> None:
         item("incline", weights={"sums": 1.0})
 
 
-def test_what_is_wanted_is_nearly_always_kept() -> None:
+@pytest.mark.parametrize("count", [8, pytest.param(24, marks=pytest.mark.slow)])
+def test_what_is_wanted_is_nearly_always_kept(count: int) -> None:
     """The kind that an item's weights choose is what it becomes, in at least three of four items (54 % before)."""
-    made = [make(Request("pulley", "easy", "numeric", seed, k)) for seed in (9, 10) for k in range(24)]
+    made = [make(Request("pulley", "easy", "numeric", seed, k)) for seed in (9, 10) for k in range(count)]
     chosen = [found for found in made if found.wanted]  # empty: a textbook has all its answers ready
-    assert len(chosen) >= 40
+    assert len(chosen) >= 5 * count // 3
     assert sum(found.item is not None and found.item.kind == found.wanted for found in chosen) >= 0.75 * len(chosen)
     assert len({found.wanted for found in chosen}) >= 4
 

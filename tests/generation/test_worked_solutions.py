@@ -23,9 +23,11 @@ CONFIG = Config(items=6, recipes=("hybrid", "projectile"), difficulties=("easy",
 
 @pytest.fixture(scope="module")
 def data(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Six problems with solutions."""
+    """Six problems with solutions, without pictures, as tests have them."""
     out = tmp_path_factory.mktemp("solved")
-    build(out, CONFIG, workers=1)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("sim2reason.datasets.build.put_pictures", lambda *_: ())
+        build(out, CONFIG, workers=1)
     return out
 
 
@@ -43,7 +45,6 @@ def test_problems_are_those_without_solutions_and_each_solution_is_graded_right(
     assert any(item.solution is not None and item.solution.derived for item in solved)
 
 
-@pytest.mark.usefixtures("pictures")  # as `data` is made with them, for all tests of this module
 def test_two_workers_and_a_second_run_end_in_the_same_bytes(
     data: Path, tmp_path: Path, contents: Callable[[Path], dict[str, bytes]]
 ) -> None:

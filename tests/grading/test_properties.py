@@ -321,9 +321,20 @@ TREES = st.recursive(
 POINTS = [{name: 0.2 + 1.3 * random.Random(f"{i}{name}").random() for name in NAMES} for i in range(40)]
 
 
-@settings(steady, max_examples=1500)
+@settings(steady, max_examples=300)
 @given(TREES, st.integers(0, 10**9))
 def test_every_form_passes_and_every_mutation_fails(tree: Tree, seed: int) -> None:
+    check_forms(tree, seed)
+
+
+@pytest.mark.slow
+@settings(steady, max_examples=1500)
+@given(TREES, st.integers(0, 10**9))
+def test_many_forms_pass_and_their_mutations_fail(tree: Tree, seed: int) -> None:
+    check_forms(tree, seed)
+
+
+def check_forms(tree: Tree, seed: int) -> None:
     rng = random.Random(seed)
     truth = values(tree, POINTS)
     sound = [x for x in truth if x is not None]

@@ -109,8 +109,9 @@ def test_importing_the_grader_loads_nothing_heavy() -> None:
     assert not set(done.stdout.split()) & {"numpy", "pydantic", "mujoco", "torch", "sympy", "pyarrow", "click", "rich"}
 
 
-def test_hostile_texts_touch_nothing_and_earn_nothing(tmp_path: Path) -> None:
-    command = [sys.executable, "-W", "error", str(SUPPORT / "fuzz_grader.py"), "100000", "20240229"]
+@pytest.mark.parametrize("count", [10_000, pytest.param(100_000, marks=pytest.mark.slow)])
+def test_hostile_texts_touch_nothing_and_earn_nothing(tmp_path: Path, count: int) -> None:
+    command = [sys.executable, "-W", "error", str(SUPPORT / "fuzz_grader.py"), str(count), "20240229"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     report = json.loads(done.stdout)
@@ -118,7 +119,7 @@ def test_hostile_texts_touch_nothing_and_earn_nothing(tmp_path: Path) -> None:
     assert report["accepted"] == []
     assert report["slow"] == []
     assert report["peak"] < 64 * 2**20
-    assert report["graded"] >= 100_000
+    assert report["graded"] >= count
     assert not list(tmp_path.iterdir())
 
 

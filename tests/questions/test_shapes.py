@@ -1,7 +1,7 @@
 """Shapes of prompts: each can be undone, none is drawn too often, and every one leads back to its answer."""
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -12,7 +12,7 @@ from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.random_scenes import sample
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import MODES, Question
-from sim2reason.questions.difficulty import DIFFICULTIES
+from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, shaped, unit_in_words
 from sim2reason.questions.shapes import SHAPES
@@ -27,13 +27,15 @@ from sim2reason.text.prose import describe
 from sim2reason.text.prose.description import Description
 from sim2reason.text.prose.voices import hiding, symbolic_but_zero
 
-SCENES = 6  # of each recipe and difficulty
+SCENES = [2, pytest.param(6, marks=pytest.mark.slow)]  # of each recipe and difficulty
 MOST = 0.32  # of the prompts of a recipe
 
 
-def asked(recipe: str, count: int) -> Iterator[tuple[QuestionSearch, Question]]:
+def asked(
+    recipe: str, count: int, difficulties: Sequence[Difficulty] = DIFFICULTIES
+) -> Iterator[tuple[QuestionSearch, Question]]:
     """Random scenes, each with a question about it."""
-    for difficulty in DIFFICULTIES:
+    for difficulty in difficulties:
         for seed in range(count):
             try:
                 search = QuestionSearch(sample(recipe, difficulty, seed=seed), seed)
@@ -55,23 +57,27 @@ def ended(text: str, question: Question) -> str:
     return f"{text}\n\n{form}"
 
 
+@pytest.mark.parametrize("scenes", SCENES)
 @pytest.mark.parametrize("recipe", RECIPES)
-def test_no_shape_is_drawn_too_often(recipe: str) -> None:
+def test_no_shape_is_drawn_too_often(recipe: str, scenes: int) -> None:
     """The mean of the chance that each has among those that a text and a question can have."""
     chances, number = Counter[str](), 0
-    for search, question in asked(recipe, SCENES):
+    for search, question in asked(recipe, scenes):
         shares = {name: SHAPES[name].share for name in composed(search.description, question.text)}
         total = sum(shares.values())
         chances.update({name: share / total for name, share in shares.items()})  # type: ignore[arg-type]
         number += 1
-    assert number >= SCENES
+    assert number >= scenes
     assert max(chances.values()) <= MOST * number, chances
     assert len(chances) >= 5
 
 
+@pytest.mark.parametrize(
+    "difficulties", [("easy",), pytest.param(("medium", "hard"), marks=pytest.mark.slow)], ids="-".join
+)
 @pytest.mark.parametrize("recipe", RECIPES)
-def test_every_shape_leads_back_to_query_and_answer(recipe: str) -> None:
-    for search, question in asked(recipe, 1):
+def test_every_shape_leads_back_to_query_and_answer(recipe: str, difficulties: Sequence[Difficulty]) -> None:
+    for search, question in asked(recipe, 1, difficulties):
         for name, text in composed(search.description, question.text).items():
             read = parse_prompt(ended(text, question), np.random.default_rng(5))
             assert read.shape == name, text
@@ -150,7 +156,7 @@ def test_a_list_that_lacks_a_number_or_has_one_to_spare_is_refused(change: str) 
 
 @pytest.mark.parametrize("recipe", ["collision", "springs", "orbital", "box"])
 def test_sentences_and_tables_come_apart_and_together(recipe: str) -> None:
-    for seed in range(SCENES):
+    for seed in range(6):
         description = describe(sample(recipe, "medium", seed=seed), seed)
         apart = units(description.text)
         assert text_of(apart) == description.text
@@ -159,7 +165,7 @@ def test_sentences_and_tables_come_apart_and_together(recipe: str) -> None:
 
 
 def test_symbols_are_numbered_as_they_are_told() -> None:
-    for seed in range(SCENES):
+    for seed in range(6):
         description = describe(sample("incline", "hard", seed=seed), seed)
         told = [description.symbols[path] for path in description.told if path in description.symbols]
         numbered = [symbol for symbol in told if symbol.startswith(r"\theta_")]

@@ -62,10 +62,10 @@ def test_an_unknown_kind_is_said_with_what_is_near() -> None:
 
 def test_solutions_of_drawn_problems_stand_in_boxes_and_are_right() -> None:
     problems = {"name": "drawn", "seed": 3, "recipe": ["incline", "collision"], "difficulty": "easy"}
-    settings = {"kind": "worked", "problems": problems, "items": 4}
+    settings = {"kind": "worked", "problems": problems, "items": 2}
     rows = list(corpus_from(settings).rows(Counter()))
     assert rows == list(corpus_from({**settings, "workers": 2}).rows(Counter()))
-    assert len(rows) == 4
+    assert len(rows) == 2
     assert all(r"\boxed{" in row.completion for row in rows)
 
 

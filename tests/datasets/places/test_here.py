@@ -18,7 +18,7 @@ def batches(count: int, size: int = 4) -> list[Batch]:
     return [[(k, CONFIG.request(k)) for k in range(n * size, (n + 1) * size)] for n in range(count)]
 
 
-@pytest.mark.parametrize("workers", [1, 3])
+@pytest.mark.parametrize("workers", [pytest.param(1, marks=pytest.mark.slow), 3])
 def test_every_batch_comes_back_once(workers: int) -> None:
     waiting = batches(6)
     replies = run(lambda: waiting.pop() if waiting else None, "fake_makers:steady", workers, 60.0)
@@ -76,8 +76,17 @@ def ran(program: str, *arguments: str, folder: Path) -> "subprocess.CompletedPro
     )
 
 
-@pytest.mark.parametrize("how", [(), ("-",)], ids=["file", "standard input"])
-@pytest.mark.parametrize("workers", [None, 1, 3])
+FILE, INPUT = (), ("-",)
+
+
+@pytest.mark.parametrize(
+    ("workers", "how"),
+    [
+        (None, FILE),
+        (3, INPUT),
+        *(pytest.param(*case, marks=pytest.mark.slow) for case in ((1, FILE), (3, FILE), (None, INPUT), (1, INPUT))),
+    ],
+)
 def test_a_plain_script_runs_once_with_any_number_of_workers(
     tmp_path: Path, workers: int | None, how: tuple[str, ...]
 ) -> None:

@@ -70,9 +70,10 @@ def test_every_body_declares_its_look(name: str) -> None:
     assert isinstance(held.look, BodyLook)
 
 
+@pytest.mark.parametrize("seeds", [1, pytest.param(4, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("name", ENTITIES)
-def test_every_entity_is_drawn(name: str, tmp_path: Path) -> None:
-    for seed in range(4):
+def test_every_entity_is_drawn(name: str, seeds: int, tmp_path: Path) -> None:
+    for seed in range(seeds):
         scene = one(name, seed)
         drawn = drawing(scene, numbers=seed % 2 == 1)
         check(scene, drawn)

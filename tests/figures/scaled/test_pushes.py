@@ -87,4 +87,4 @@ def test_it_is_asked_about_in_every_mode(mode: str) -> None:
 
 def test_it_conforms() -> None:
     with registered(PushedBlock):
-        check_entity(PushedBlock)
+        check_entity(PushedBlock, seeds=range(2))

@@ -164,7 +164,15 @@ def test_symbols_of_two_angles_are_told_apart() -> None:
     assert unknown.phrases == (r"the angle $\theta_1$", r"$\theta_1$")
 
 
-@pytest.mark.parametrize(("recipe", "index"), [("pulley", 0), ("box", 3), ("hybrid", 2), ("rotation", 11)])
+@pytest.mark.parametrize(
+    ("recipe", "index"),
+    [
+        ("pulley", 0),
+        ("box", 3),
+        pytest.param("hybrid", 2, marks=pytest.mark.slow),
+        pytest.param("rotation", 11, marks=pytest.mark.slow),
+    ],
+)
 def test_prompts_lead_back_to_the_limit_at_every_binding(recipe: str, index: int) -> None:
     """No number of the one that is asked for is given; the worked solution ends in the formula."""
     item = make(Request(recipe, "medium", "symbolic", 5, index, weights=(("threshold", 1e6),))).item

@@ -58,10 +58,11 @@ def test_grown_scenes_keep_to_their_tier(recipe: str, difficulty: Difficulty) ->
         assert required <= used
 
 
+@pytest.mark.parametrize("count", [2 * SCENES, pytest.param(8 * SCENES, marks=pytest.mark.slow)])
 @pytest.mark.parametrize(("recipe", "difficulty"), [c for c in CELLS if c[0] in GROWN and GROWN[c[0]][c[1]].rough])
-def test_rough_scenes_are_as_often_told_as_they_are_meant(recipe: str, difficulty: Difficulty) -> None:
+def test_rough_scenes_are_as_often_told_as_they_are_meant(recipe: str, difficulty: Difficulty, count: int) -> None:
     """Their texts are the longest: a bound that leaves them no room leaves one problem, told over and over."""
-    scenes = list(drawn(recipe, difficulty, 8 * SCENES))
+    scenes = list(drawn(recipe, difficulty, count))
     rough = sum(any(p.value for p in scene.parameters if p.measure.name == "friction") for scene in scenes)
     assert rough >= 0.3 * GROWN[recipe][difficulty].rough * len(scenes)
 

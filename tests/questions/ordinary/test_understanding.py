@@ -74,21 +74,21 @@ def outcome(asked: Asked) -> str:
 
 
 SCENES = sorted({asked.scene for asked in questions()})
+GROUPS = 8  # in each of which the scenes, their questions and traps are looked at once
 
 
-@pytest.mark.parametrize("name", SCENES)
-def test_nothing_is_misread(name: str) -> None:
-    """Neither a question, nor one that differs from it in a word."""
-    found = [outcome(asked) for asked in questions() if asked.scene == name]
+@pytest.mark.parametrize("group", range(GROUPS))
+def test_nothing_is_misread_and_most_questions_are_understood(group: int) -> None:
+    """Neither a question, nor one that differs from it in a word; at least four of five are understood, each right."""
+    names = set(SCENES[group::GROUPS])
+    found = Counter(outcome(asked) for asked in questions() if asked.scene in names)
     assert [told for told in found if told.startswith("wrong")] == []
-    assert [asked.question for asked in traps() if asked.scene == name and outcome(asked) != "refused"] == []
+    assert [asked.question for asked in traps() if asked.scene in names and outcome(asked) != "refused"] == []
+    assert found["right"] >= ENOUGH * found.total() > 0, found
 
 
-def test_most_questions_are_understood() -> None:
-    """At least four of five, each right."""
-    found = Counter(outcome(asked) for asked in questions())
+def test_there_are_many_questions() -> None:
     assert len(questions()) >= 700
-    assert found["right"] >= ENOUGH * len(questions()), found
 
 
 @pytest.mark.parametrize(

@@ -19,13 +19,14 @@ from sim2reason.scenes.entities.rocket_entity import RocketEntity
 from sim2reason.scenes.entities.solar_system import SolarSystem
 from sim2reason.scenes.entities.springs_on_planes import AnchoredSpring
 
-DRAWS = 45  # of each recipe and difficulty: 2025 in all
+DRAWS = [9, pytest.param(45, marks=pytest.mark.slow)]  # of each recipe and difficulty: 2025 in all
 
 
+@pytest.mark.parametrize("draws", DRAWS)
 @pytest.mark.parametrize("difficulty", DIFFICULTIES)
 @pytest.mark.parametrize("recipe", RECIPES)
-def test_all_that_is_drawn_is_plausible(recipe: str, difficulty: Difficulty) -> None:
-    for index in range(DRAWS):
+def test_all_that_is_drawn_is_plausible(recipe: str, difficulty: Difficulty, draws: int) -> None:
+    for index in range(draws):
         scene = RECIPES[recipe](difficulty, generator("magnitudes", recipe, difficulty, index))
         assert not list(implausible_numbers(scene))
         for parameter in scene.parameters:

@@ -11,7 +11,6 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.pulleys import BlocksOnSteppedPulley
 from sim2reason.scenes.files import dump, loads
 from sim2reason.simulation.scenes import certify
-from sim2reason.testing import check_entity
 from sim2reason.text.parsing import parse_scene
 from sim2reason.text.prose import describe
 
@@ -85,10 +84,6 @@ def test_the_outer_radius_is_the_larger_one() -> None:
     """Else the words would be wrong."""
     with pytest.raises((SceneError, ValueError), match="not greater than inner"):
         SteppedPulley(outer=0.1, inner=0.1, inertia=0.2)
-
-
-def test_it_conforms() -> None:
-    check_entity(BlocksOnSteppedPulley)
 
 
 def test_a_figure_shows_two_rims_and_a_string_from_each() -> None:

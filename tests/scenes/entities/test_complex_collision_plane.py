@@ -116,8 +116,9 @@ def test_a_spring_block_that_is_struck() -> None:
     assert trace.state.v[1:, 0] == pytest.approx(np.zeros(12), abs=CLOSE)
 
 
-def test_texts_and_files_lead_back() -> None:
-    for seed, scene in enumerate(drawn(ComplexCollisionPlane, 50)):
+@pytest.mark.parametrize("count", [10, pytest.param(50, marks=pytest.mark.slow)])
+def test_texts_and_files_lead_back(count: int) -> None:
+    for seed, scene in enumerate(drawn(ComplexCollisionPlane, count)):
         check_told(scene, seed)
 
 
@@ -165,6 +166,7 @@ def test_what_is_said_of_collisions_is_true_of_walls(restitution: float) -> None
     assert not any(words in sentence for sentence in told for words in ("odies", "those", "they", "the two"))
 
 
+@pytest.mark.slow  # testing/test_entities cuts the sentences of every entity
 def test_no_sentence_can_be_left_out() -> None:
     for seed, scene in enumerate(drawn(ComplexCollisionPlane, 8, seed=1)):
         check_whole(scene, seed)

@@ -13,13 +13,15 @@ from sim2reason.text.parsing import parse_scene
 from sim2reason.text.prose import describe
 
 NAMES = ("EmEntity", "Pendulum", "Projectile", "RocketEntity", "SolarSystem")
-DRAWS, CERTIFIED = 50, 10
+DRAWS = [10, pytest.param(50, marks=pytest.mark.slow)]
+CERTIFIED = 10
 
 
+@pytest.mark.parametrize("draws", DRAWS)
 @pytest.mark.parametrize("name", NAMES)
-def test_they_come_back_from_their_text_and_from_their_file(name: str) -> None:
+def test_they_come_back_from_their_text_and_from_their_file(name: str, draws: int) -> None:
     """Every number that is said is said as it is, and the text means one scene."""
-    for seed in range(DRAWS):
+    for seed in range(draws):
         scene = drawn(name, seed)
         assert load(dump(scene)) == scene
         text = describe(scene, seed).text
@@ -27,6 +29,7 @@ def test_they_come_back_from_their_text_and_from_their_file(name: str) -> None:
         assert not re.search(r"[\[{]|\bentity\b|None|[a-z]_[a-z]{2}|[1-9]\.\d{3}", text), text
 
 
+@pytest.mark.slow  # testing/test_entities cuts the sentences of every entity
 @pytest.mark.parametrize("name", NAMES)
 def test_no_sentence_can_be_spared(name: str) -> None:
     """Without it the text is refused, or means something else; but for those that matter to some questions only."""

@@ -23,12 +23,14 @@ KINDS = [
     "StackedMassPlane",
     "ThreePointMovablePulley",
 ]
-TEXTS, MOTIONS = 12, 6
+TEXTS = [4, pytest.param(12, marks=pytest.mark.slow)]
+MOTIONS = 6
 
 
+@pytest.mark.parametrize("texts", TEXTS)
 @pytest.mark.parametrize("kind", KINDS)
-def test_texts_and_files_lead_back(kind: str) -> None:
-    for seed in range(TEXTS):
+def test_texts_and_files_lead_back(kind: str, texts: int) -> None:
+    for seed in range(texts):
         made = at_random(kind, seed)
         assert load(dump(made)) == made
         told = describe(made, seed)

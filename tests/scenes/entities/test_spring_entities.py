@@ -132,12 +132,14 @@ def test_a_rough_chain_stops_for_good() -> None:
     assert state.q[1, 0] == pytest.approx(-2.0 * (0.3 - 0.25 * 2.0 * G / 80.0), abs=CLOSE)
 
 
+@pytest.mark.parametrize("count", [10, pytest.param(50, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("kind", KINDS)
-def test_texts_and_files_lead_back(kind: type[Entity]) -> None:
-    for seed, scene in enumerate(drawn(kind, 50)):
+def test_texts_and_files_lead_back(kind: type[Entity], count: int) -> None:
+    for seed, scene in enumerate(drawn(kind, count)):
         check_told(scene, seed)
 
 
+@pytest.mark.slow  # testing/test_entities cuts the sentences of every entity
 @pytest.mark.parametrize("kind", KINDS)
 def test_no_sentence_can_be_left_out(kind: type[Entity]) -> None:
     for seed, scene in enumerate(drawn(kind, 8, seed=1)):

@@ -115,11 +115,13 @@ def test_lengths_are_those_along_the_ring() -> None:
     assert np.sum(lengths, axis=0) == pytest.approx(2.0 * pi * RADIUS, abs=CLOSE)
 
 
-def test_texts_and_files_lead_back() -> None:
-    for seed, scene in enumerate(drawn(SpringMassRing, 50)):
+@pytest.mark.parametrize("count", [10, pytest.param(50, marks=pytest.mark.slow)])
+def test_texts_and_files_lead_back(count: int) -> None:
+    for seed, scene in enumerate(drawn(SpringMassRing, count)):
         check_told(scene, seed)
 
 
+@pytest.mark.slow  # testing/test_entities cuts the sentences of every entity
 def test_no_sentence_can_be_left_out() -> None:
     for seed, scene in enumerate(drawn(SpringMassRing, 8, seed=1)):
         check_whole(scene, seed)

@@ -8,10 +8,8 @@ import pytest
 from sim2reason.datasets.solve import solve
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.shapes import Area, LineShape
-from sim2reason.scenes.entities.springs_on_planes import SpringOnWedge
 from sim2reason.scenes.files import dump, loads
 from sim2reason.simulation.scenes import certify
-from sim2reason.testing import check_entity
 from sim2reason.text.parsing import parse_scene
 from sim2reason.text.prose import describe
 
@@ -54,10 +52,6 @@ def test_it_is_asked_about_and_solved(find: str, of: str, when: str, answer: flo
     assert found.answer == pytest.approx(answer, rel=1e-8)
     if find != "period":
         assert found.solution.text, found.solution.reason
-
-
-def test_it_conforms() -> None:
-    check_entity(SpringOnWedge)
 
 
 def test_a_figure_shows_the_spring_on_the_face() -> None:

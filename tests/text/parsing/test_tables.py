@@ -13,7 +13,8 @@ def test_a_table_of_symbols_leads_back_to_the_answer_at_every_binding() -> None:
 
     But for what comes after the time for which a text is followed, that of the scene's own numbers.
     """
-    drawn = (make(Request("collision", "medium", "symbolic", 3, index)).item for index in range(30))
+    first = 12  # with such a table
+    drawn = (make(Request("collision", "medium", "symbolic", 3, index)).item for index in range(first, 30))
     row = "| A | $m_A$ | $x_A$ | $v_A$ |"
     item = next(found for found in drawn if found is not None and row in found.prompt)
     assert item.answer.formula is not None

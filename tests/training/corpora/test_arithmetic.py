@@ -20,19 +20,19 @@ def corpus(**settings: object) -> Arithmetic:
 def test_rows_do_not_hang_on_the_number_of_processes() -> None:
     counts = Counter[str](), Counter[str]()
     one, two = (
-        list(corpus(items=3, rows_each=3, slips={"function": 0.5}, workers=n).rows(count))
+        list(corpus(items=2, rows_each=3, slips={"function": 0.5}, workers=n).rows(count))
         for n, count in zip((1, 2), counts, strict=True)
     )
     assert one == two
-    assert len(one) == 9
-    assert len({row.prompt for row in one}) > 6, "other numbers"
+    assert len(one) == 6
+    assert len({row.prompt for row in one}) > 4, "other numbers"
 
 
 def test_slips_are_known_to_be_wrong() -> None:
-    clean = list(corpus(items=3, rows_each=4).rows(Counter()))
+    clean = list(corpus(items=2, rows_each=3).rows(Counter()))
     assert all(row.right for row in clean)
-    wrong = list(corpus(items=3, rows_each=4, slips={"function": 1.0}).rows(Counter()))
-    assert sum(row.right is False for row in wrong) >= 10  # near 45° a sine is a cosine
+    wrong = list(corpus(items=2, rows_each=3, slips={"function": 1.0}).rows(Counter()))
+    assert sum(row.right is False for row in wrong) >= 5  # near 45° a sine is a cosine
 
 
 def test_drills_are_right() -> None:

@@ -49,6 +49,7 @@ def test_a_trainer_takes_fresh_problems(tmp_path: Path) -> None:
     assert 0.0 < sum(rewards) / 6 < 0.6
 
 
+@pytest.mark.slow  # .ci/run runs the commands of all pages, too
 @pytest.mark.parametrize("page", ["hf", "trl"])
 def test_the_page_is_true(follow: Callable[[str], None], page: str) -> None:
     if page == "trl":
