@@ -7,7 +7,7 @@ export OMP_NUM_THREADS := 1
 export OPENBLAS_NUM_THREADS := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test test-all test-quick test-changed test-ray test-train test-vllm test-exports test-endpoint check lint types contracts docs site site-serve format clean
+.PHONY: help demo test test-slow test-all test-quick test-changed test-ray test-train test-vllm test-exports test-endpoint check lint types contracts docs site site-serve format clean
 
 help: ## say what can be made
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
@@ -36,14 +36,16 @@ demo: .venv/core ## 100 problems over all recipes, one figure, three problems wi
 	@$(BIN)/sim2reason show $(DEMO) -n 3
 	@echo "All 100 problems: $(DEMO)/data/*.parquet, their counts: $(DEMO)/README.md, a figure: $(DEMO)/scene.svg and .png"
 
-# Long statistics are marked slow, and `make test` looks at a fixed sample of each; pytest's option -m '' selects all.
+# Long statistics are marked slow, and `make test` looks at a fixed sample of each.
 PYTEST = $(BIN)/pytest --numprocesses auto --dist worksteal
 
 test: .venv/dev ## the tests that need nothing else, in parallel; 5 minutes on two cores
 	$(PYTEST)
 
-test-all: .venv/dev ## these and the long statistics, as CI runs them; 15 minutes on two cores
-	$(PYTEST) -m ''
+test-slow: .venv/dev ## the long statistics alone, which CI runs, too; 10 minutes on two cores
+	$(PYTEST) -m slow
+
+test-all: test test-slow ## both
 
 # Unit tests of each package, what all registries share, and an item of each recipe and of each mode.
 QUICK := tests/acceptance/test_same_items.py tests/evaluation/benchmarks/test_files.py tests/scenes/bodies tests/cli/test_list.py \

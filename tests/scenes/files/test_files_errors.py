@@ -145,7 +145,7 @@ def test_values_that_the_format_has_come_back() -> None:
 def test_a_reader_without_libyaml_refuses_and_reads_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     import yaml
 
-    from sim2reason.scenes.files import yaml_text
+    from sim2reason.base import yaml_text
 
     wanted = load(GOOD)
     monkeypatch.setattr(yaml_text, "Parser", yaml.SafeLoader)
