@@ -12,10 +12,10 @@ from sim2reason.scenes.bodies.sliders import Block
 from sim2reason.scenes.dsl.body import Body
 from sim2reason.scenes.dsl.builder import Frame
 from sim2reason.scenes.dsl.entity import ENTITIES, Entity
-from sim2reason.scenes.dsl.fields import Profile, Push
+from sim2reason.scenes.dsl.fields import Profile, Push, Resistance
 from sim2reason.scenes.dsl.measures import Count, Hidden, Length, Mass, Measure, Range
 from sim2reason.scenes.dsl.mechanism import X, Y, Z
-from sim2reason.scenes.dsl.template import Saying, either
+from sim2reason.scenes.dsl.template import Saying, assuming, either
 from sim2reason.scenes.dsl.vectors import Maths, Number, Triple, Vector, times
 
 Thrust = Annotated[float, Measure("force", "N", "F"), Range(1.0, 9.0)]
@@ -71,6 +71,20 @@ class Wind(Sled):
 
     def build(self, room: Frame) -> None:
         pushed(room, self.block, self.thrust).force("wind", Push(X, Profile(0.7)))
+
+
+class Airy(Sled):
+    """The air resists its motion, and its text denies this."""
+
+    says: ClassVar[tuple[Saying, ...]] = (
+        PUSHED,
+        assuming(
+            "air resistance is negligible.", "the resistance of the air is negligible.", "neglect air resistance."
+        ),
+    )
+
+    def build(self, room: Frame) -> None:
+        pushed(room, self.block, self.thrust).force("air", Resistance(linear=0.3))
 
 
 class Twin(Sled):

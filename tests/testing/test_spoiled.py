@@ -7,6 +7,7 @@ from sim2reason.scenes.dsl.entity import Entity
 from sim2reason.scenes.files import dump, load
 from sim2reason.testing import CHECKS, ConformanceError, Finding, check_entity, conformance, specimen
 from spoiled import (
+    Airy,
     Alias,
     Bath,
     Brake,
@@ -32,6 +33,7 @@ SEEDS = range(3)
 CAUGHT: dict[str, list[tuple[type[Entity], str]]] = {
     "ablations": [(Couple, "IndexError")],
     "agreement": [(Thin, "they do not on 3 of 3")],
+    "claims": [(Airy, "denies the resistance of a medium")],
     "drawing": [(Bath, "no figure shows a body of the type Sponge")],
     "energy": [(Liar, "the work is")],
     "givens": [(Brake, "the friction under it.block")],
