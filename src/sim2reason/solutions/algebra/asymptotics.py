@@ -36,7 +36,7 @@ def limit(held: Expression, name: str, at: Mapping[str, float], *, large: bool) 
 
 
 def _leading(held: Expression, name: str, at: Mapping[str, float], sense: float) -> tuple[Expression, float]:
-    """Return the leading term of a formula in a symbol as its coefficient and exponent."""
+    """Return coefficient and exponent of a formula's leading term for a symbol going to infinity (`sense` 1) or 0."""
     if name not in held.symbols():
         return held, 0.0
     match held:
@@ -67,7 +67,7 @@ def _leading(held: Expression, name: str, at: Mapping[str, float], sense: float)
 
 
 def _of_sum(held: Sum, name: str, at: Mapping[str, float], sense: float) -> tuple[Expression, float]:
-    """Return the leading term of a sum: its coefficient and exponent."""
+    """Return coefficient and exponent of a sum's leading term; CancelledError if its leading terms cancel."""
     parts = [_leading(term, name, at, sense) for term in held.terms]
     most = max(sense * power for _, power in parts)
     kept = [part for part, power in parts if sense * power == most]

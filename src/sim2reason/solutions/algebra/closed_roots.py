@@ -32,7 +32,7 @@ CoefficientWriter = Callable[[Polynomial], Expression]
 
 
 def roots(name: str, zero: Polynomial, written: CoefficientWriter = Polynomial.factored) -> Iterator[Expression]:
-    """Yield closed-form candidates for a symbol at which a polynomial in it, its functions and roots vanishes.
+    """Yield closed forms of a symbol that may solve zero = 0, a polynomial of it and its sines, cosines and roots.
 
     Squaring may add extraneous roots. `written` converts coefficients to formulas.
     """
@@ -153,7 +153,7 @@ def without_radicals(zero: Polynomial, name: str) -> Polynomial:
 
 
 def coefficient(held: Polynomial, atom: Expression, power: int) -> Polynomial:
-    """Return the coefficient of a power of an atom in a polynomial."""
+    """Return the coefficient of a power of an atom (a symbol, function or root) in a polynomial."""
     found = {
         tuple(pair for pair in monomial if pair[0] != atom): part
         for monomial, part in held.terms.items()
@@ -163,7 +163,7 @@ def coefficient(held: Polynomial, atom: Expression, power: int) -> Polynomial:
 
 
 def _powers(zero: Polynomial, atom: Expression, written: CoefficientWriter) -> Iterator[Expression]:
-    """Yield the roots of an equation that is linear or quadratic in an atom or its square, up to a common power."""
+    """Yield the roots of an equation that is linear or quadratic in a symbol or function, or in its square."""
     powers = sorted({dict(monomial).get(atom, 0) for monomial in zero.terms})
     least, steps = powers[0], [power - powers[0] for power in powers]
     step = 2 if all(power % 2 == 0 for power in steps) and max(steps) > QUADRATIC else 1
@@ -236,7 +236,7 @@ def _degrees(monomial: Monomial, sine: Call, cosine: Call) -> tuple[int, int]:
 
 
 def _constant(zero: Polynomial, sine: Call, cosine: Call) -> Polynomial:
-    """Return the terms without the sine and the cosine."""
+    """Return the terms of a polynomial that contain neither the sine nor the cosine."""
     return coefficient(coefficient(zero, sine, 0), cosine, 0)
 
 

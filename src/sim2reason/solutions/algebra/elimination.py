@@ -25,7 +25,7 @@ MAX_FORMULA_LENGTH = 130  # characters of a formula; longer ones are written wit
 
 @dataclass(frozen=True)
 class Equation:
-    """An equation of motion, `forces` = `inertia`, with its label and its acceleration `moves`, its weight in sums.
+    """An equation of motion, `forces` = `inertia`; its acceleration, `moves`, gives its weight in sums of equations.
 
     `told` has the forces as written; `links` has, by name, the labels of the equations that eliminated names from them.
     """
@@ -53,7 +53,7 @@ class Equation:
         return frozenset[str]().union(*self.links.values())
 
     def by(self, labels: Mapping[str, frozenset[str]]) -> "Equation":
-        """Return the equation with the labels of the equations that eliminated names from its forces."""
+        """Return the equation with a record of the `labels` of equations that eliminated unknowns from its forces."""
         gone = self.told.names() - self.forces.names()
         return replace(self, links={name: labels[name] for name in gone if name in labels})
 
@@ -73,7 +73,7 @@ class Elimination:
         return step
 
     def solve(self, equations: Sequence[Equation], unknowns: Sequence[str], goals: Sequence[str]) -> None:
-        """Write the steps that lead to all goals; raise UnsolvedError if there are none."""
+        """Write the steps that solve equations for all unknowns in `goals`; UnsolvedError if that is impossible."""
         left = set(unknowns)
         for _ in range(len(unknowns) + 1):
             left = {name for name in left if name not in self.book.values}
@@ -175,13 +175,13 @@ class Elimination:
     def _weights(
         self, equations: Sequence[Equation], name: str, left: set[str], free: Sequence[str]
     ) -> list[tuple[Equation, Polynomial]]:
-        """Return all equations, weighted by acceleration per unit of a free one; empty if forces do not cancel."""
+        """Return equations weighted by their accelerations' coefficient of `name`; empty if forces do not cancel."""
         weighted = _whole([(e, weight) for e in equations if (weight := e.moves.coefficient(name))])
         zero = total(e.zero * weight for e, weight in weighted)
         return [] if zero.names() & (left - set(free)) else weighted
 
     def _sum(self, weighted: Sequence[tuple[Equation, Polynomial]], free: Sequence[str], *, labelled: bool) -> Equation:
-        """Return the weighted sum of equations; a single equation is returned unchanged."""
+        """Write and return the weighted sum of equations; a single equation is returned unchanged."""
         return weighted[0][0] if len(weighted) == 1 else self._combined(weighted, free, labelled=labelled)
 
     # ---- in numbers

@@ -109,7 +109,7 @@ def _means(modulus: Scalar) -> list[tuple[complex, complex]]:
 
 
 def _real_if(value: complex) -> Scalar:
-    """Return the real part of a value unless it has an imaginary part, which carries a derivative."""
+    """Return a value as a real number, unless it has an imaginary part, which carries a complex-step derivative."""
     return value if value.imag else value.real
 
 
@@ -145,7 +145,7 @@ class NumericFormula(Expression):
 
     @property
     def rank(self) -> int:
-        """Return the binding strength: 0 for negative numbers, 1 for those with a power of ten, 2 for all others."""
+        """Return the precedence for parentheses: 0 for negative numbers, 1 with a power of ten, 2 for all others."""
         return 0 if self.comes_to < 0.0 else 1 if "times" in self.latex() else 2
 
 

@@ -52,7 +52,7 @@ class Expression:
 
     @property
     def rank(self) -> int:
-        """Return the binding strength in LaTeX: 0 for sums, 1 for products, 2 if it never needs parentheses."""
+        """Return the precedence for parentheses in LaTeX: 0 for sums, 1 for products, 2 if it never needs them."""
         return 2
 
     @property
@@ -176,7 +176,7 @@ class Sum(Expression):
 
     @property
     def rank(self) -> int:
-        """Return 0, the lowest binding strength."""
+        """Return 0, the lowest precedence: within a product, a sum stands in parentheses."""
         return 0
 
 
@@ -216,7 +216,7 @@ class Product(Expression):
 
     @property
     def rank(self) -> int:
-        """Return 1, or 0 for a product with a minus sign."""
+        """Return the precedence for parentheses: 1, or 0 for a product with a minus sign."""
         return 0 if self.negative else 1
 
 
@@ -248,7 +248,7 @@ class Quotient(Expression):
 
     @property
     def rank(self) -> int:
-        """Return 1, or 0 for a negative quotient."""
+        """Return the precedence for parentheses: 1, or 0 for a negative quotient."""
         return 0 if self.negative else 1
 
 
@@ -293,5 +293,5 @@ def multiplied(*parts: Expression) -> Expression:
 
 
 def parenthesized(held: Expression, rank: int) -> str:
-    """Return the LaTeX of a formula, in parentheses if it binds less tightly than `rank`."""
+    """Return the LaTeX of a formula, in parentheses if its precedence is lower than `rank`."""
     return held.latex() if held.rank >= rank else rf"\left({held.latex()}\right)"

@@ -71,7 +71,7 @@ def cancel_common_sum(above: Polynomial, below: Polynomial) -> tuple[Polynomial,
 
 
 def _cancelled(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial]:
-    """Return a fraction without the common atoms of its numerator and denominator."""
+    """Cancel the symbols, functions and roots that all terms of numerator and denominator have in common."""
     monomials = [*above.terms, *below.terms]
     if not above.terms:
         return above, below
@@ -85,7 +85,7 @@ def _cancelled(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polyno
 
 
 def _lowered(held: Polynomial, atom: Expression, power: int) -> Polynomial:
-    """Return a polynomial divided by a power of an atom."""
+    """Divide a polynomial by a power of a symbol, function or root that all of its terms contain."""
     found = dict[tuple[tuple[Expression, int], ...], float]()
     for monomial, part in held.terms.items():
         powers = dict(monomial)
@@ -108,7 +108,7 @@ def cramer(rows: Rows, right: Sequence[Polynomial]) -> list[Expression]:
 
 
 def _put(row: Sequence[Polynomial], place: int, held: Polynomial) -> list[Polynomial]:
-    """Replace one coefficient of a row."""
+    """Return a row of a matrix with the coefficient at one place replaced."""
     return [held if n == place else part for n, part in enumerate(row)]
 
 
@@ -233,7 +233,7 @@ class NumericEquation:
 
 
 def signed_term(part: Expression, name: str, sign: float) -> Expression:
-    """Return a coefficient times a symbol as a signed term."""
+    """Return sign · coefficient · symbol, with the sign of a numerical coefficient in front of the whole term."""
     negative = isinstance(part, NumericFormula) and part.comes_to < 0.0
     size = -part if negative else part
     return multiplied(Number(-sign if negative else sign), multiplied(size, Symbol(name)))

@@ -171,7 +171,7 @@ def _branches(name: str, formula: Expression, value: Expression, written: Coeffi
 
 
 def _undone(formula: Expression, part: Expression, value: Expression) -> Iterator[Expression]:
-    """Yield the formulas of one part of a formula, given its value and its other parts, by the inverse operation."""
+    """Yield the formulas for one operand of formula = value, by the inverse of the outermost operation."""
     match formula:
         case Sum():
             yield reduce(added, (-term for term in formula.terms if term is not part), value)

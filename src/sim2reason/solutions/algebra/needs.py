@@ -51,12 +51,12 @@ def need_of(held: Expression) -> Need:
 
 @cache
 def operation(cls: type[Expression]) -> Need:
-    """Return the need of a class of expressions in `OPERATIONS`; KeyError if it is missing."""
+    """Return the mathematics that the operation of a class of expressions needs; KeyError if none is recorded."""
     return OPERATIONS[next((base for base in cls.__mro__ if base in OPERATIONS), cls)]
 
 
 def _inside(held: Expression) -> Iterable[Expression]:
-    """Return the subexpressions whose needs count."""
+    """Return the subexpressions that must be evaluated first; for a numerical root, its equation."""
     match held:
         case NumericFormula():
             return (held.inner,)

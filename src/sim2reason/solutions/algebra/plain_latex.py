@@ -140,7 +140,7 @@ def _unfolded(whole: Factors) -> Factors:
 
 
 def _same(held: Sum) -> Expression:
-    """Return the sum unchanged, as a default for `of_sum`."""
+    """Return the sum unchanged: the default replacement of sums when a formula is split into factors."""
     return held
 
 
@@ -191,7 +191,7 @@ def _is_divided(term: Factors) -> bool:
 
 
 def _shared(held: Expression) -> Factors:
-    """Return the common factors of all terms."""
+    """Return the common factors of all terms of a sum; no factors for a single term."""
     first, *others = (factors_of(term) for term in _terms(held))
     if not others:
         return Factors(1.0, {})
@@ -256,7 +256,7 @@ def _with_root_reduced(whole: Factors, root: Root, power: int) -> Factors:
 
 
 def _base_above(whole: Factors, root: Root) -> bool:
-    """Return whether a factor of a radicand also occurs in the numerator."""
+    """Return whether a factor of a radicand also occurs outside the root, in the numerator."""
     inside = factors_of(root.inside)
     return any(whole.powers.get(base, 0) > 0 for base, power in inside.powers.items() if power > 0)
 
@@ -268,7 +268,7 @@ def _is_positive_in(base: Expression, inside: Factors) -> bool:
 
 
 def _root_of(inside: Factors) -> Factors:
-    """Return the factors of the square root of factors."""
+    """Return the square root of a product given by its factors, again as factors."""
     formula = inside.written()
     return factors_of(_root(Root(formula), formula)) if formula != ONE else Factors(1.0, {})
 

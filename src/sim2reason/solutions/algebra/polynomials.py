@@ -40,7 +40,7 @@ class Polynomial:
 
     @classmethod
     def of(cls, atom: Expression | float) -> Self:
-        """Return an atom or a number as a polynomial."""
+        """Return a symbol, function, root or number as a polynomial."""
         if isinstance(atom, Expression):
             return cls({((atom, 1),): 1.0})
         return cls({(): float(atom)} if atom else {})
@@ -178,7 +178,7 @@ def total(parts: Iterable[Polynomial]) -> Polynomial:
 
 
 def term_expression(monomial: Monomial, part: float) -> Expression:
-    """Return a term as a formula."""
+    """Return a term, a coefficient times a monomial, as a formula."""
     above, below = list[Expression]([Number(part)]), list[Expression]()
     for atom, power in monomial:
         (above if power > 0 else below).append(atom if abs(power) == 1 else Power(atom, abs(power)))
@@ -187,7 +187,7 @@ def term_expression(monomial: Monomial, part: float) -> Expression:
 
 
 def _term_value(monomial: Monomial, part: float, at: Values) -> Scalar:
-    """Return the value of a term."""
+    """Return the value of a term, a coefficient times a monomial."""
     above: Scalar = part
     below: Scalar = 1.0
     for atom, power in monomial:
@@ -287,7 +287,7 @@ def divide_by_term(held: Polynomial, monomial: Monomial, part: float) -> Polynom
 
 
 def common_monomial(monomials: list[Monomial]) -> Monomial:
-    """Return the common atoms of all monomials in their lowest powers; empty if there are no monomials."""
+    """Return the common factors of all monomials in their lowest powers; empty if there are no monomials."""
     found = dict(monomials[0]) if monomials else {}
     for monomial in monomials[1:]:
         powers = dict(monomial)

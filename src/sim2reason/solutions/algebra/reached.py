@@ -15,7 +15,7 @@ POLE_RATIO = 1e-3  # relative to the values beside a change of sign: larger resi
 
 
 def is_explicit(chain: Chain) -> bool:
-    """Return whether a chain contains no numerical root, so that it has a value for each value of its unknown."""
+    """Return whether a chain of formulas has no root of an implicit equation, so that it can be evaluated directly."""
     return not any(isinstance(formula, ImplicitRoot) for _, formula in chain.formulas)
 
 
@@ -63,7 +63,7 @@ def range_text(unknown: str, book: SolutionBuilder) -> str:
 
 
 def _points(unknown: str, book: SolutionBuilder) -> list[float]:
-    """Return samples of the range of an unknown."""
+    """Return the sample values of an unknown, in SI units, between which its other solutions are searched for."""
     known = book.values[unknown]
     if book.units[unknown] == DEGREES and 0.0 < known < 0.5 * pi:
         return np.linspace(0.0, 0.5 * pi, SEARCH_POINTS).tolist()

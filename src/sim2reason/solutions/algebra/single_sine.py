@@ -29,7 +29,7 @@ Parts = tuple[Array, Array]
 
 
 def closed_root(chain: Chain, at: Symbol, unknown: str, values: Mapping[str, float]) -> ClosedRoot | None:
-    """Return the closed-form value of an unknown at which a chain equals the symbol `at`; None if none is found."""
+    """Return the closed form of an unknown for which a chain of formulas equals the symbol `at`; None if not found."""
     target, near = values[at.name], values[unknown]
     for power, basis, (above, below), _ in _fractions(chain, unknown, values):
         found = above - target**power * below
@@ -42,7 +42,7 @@ def closed_root(chain: Chain, at: Symbol, unknown: str, values: Mapping[str, flo
 
 
 def fraction_in(chain: Chain, at: Symbol, unknown: str, values: Mapping[str, float]) -> tuple[Expression, Expression]:
-    """Return both sides of the equation that `closed_root` solves: `at` or its square, and a fraction."""
+    """Return both sides of a chain's equation: the symbol `at` or its square, and a fraction of sums of functions."""
     for power, basis, parts, points in _fractions(chain, unknown, values):
         sizes = np.array([max(abs(held.value({unknown: x})) for x in points.tolist()) for held in basis])
         scaled = [part / _largest(parts[1]) for part in parts]
@@ -86,12 +86,12 @@ def _sampled(chain: Chain, unknown: str, values: Mapping[str, float]) -> tuple[A
 
 
 def _summed(basis: Basis, parts: Array, kept: Array) -> Expression:
-    """Return the linear combination of the functions that are kept."""
+    """Return the sum of functions times coefficients, without the terms that are not `kept`."""
     return summed(Number(part) * held for held, part, keeps in zip(basis, parts.tolist(), kept, strict=True) if keeps)
 
 
 def _is_shown(terms: Array) -> Array:
-    """Return which terms are large enough to be written."""
+    """Return which terms of a sum are large enough to be written."""
     return terms > VISIBLE_TERM_RATIO * terms.max()
 
 
@@ -101,7 +101,7 @@ def _largest(parts: Array) -> float:
 
 
 def _parts(seen: tuple[Array, Array], basis: Basis, unknown: str, power: int) -> Parts | None:
-    """Return the coefficients of numerator and denominator that fit the samples; None if no fraction does."""
+    """Return the coefficients of the numerator and denominator whose quotient fits the samples; None if none does."""
     points, values = seen
     columns = np.array([[held.value({unknown: x}) for held in basis] for x in points.tolist()])
     whole = np.hstack([columns, -(values**power)[:, None] * columns])

@@ -92,13 +92,13 @@ def _(held: Amplitude) -> Tree:
 
 @tree.register
 def _(held: NumericFormula) -> Tree:
-    """Keep the number in the text beside its formula, so that both can be compared."""
+    """Return the tree of a formula together with the rounded number in the text, so that both can be compared."""
     return ["worked", tree(held.inner), float(held.comes_to)]
 
 
 @tree.register
 def _(held: NumericRoot) -> Tree:
-    """Write the equation and its root, rounded as in the text.
+    """Return the tree of a numerical root: its equation and its value, rounded as in the text.
 
     For a chain of formulas in earlier relations, those relations are the equation.
     """

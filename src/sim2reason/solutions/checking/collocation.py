@@ -55,7 +55,7 @@ def tail(values: Array) -> Array:
 
 
 def pieces(slope: Slope, begin: float, start: Array, count: int, fits: Callable[[Piece], bool]) -> Iterator[Piece]:
-    """Yield integration steps; stop if steps become too short or the state infinite.
+    """Yield the steps of the integration of an initial-value problem, until one gets too short or infinite.
 
     Args:
         slope: the time derivatives of states, (m, n), at times, (m,).
@@ -98,7 +98,7 @@ def _sizes(states: Array, count: int) -> Array:
 
 
 def _step(slope: Slope, piece: Piece, start: Array, count: int) -> Piece | None:
-    """Iterate until the derivative matches at all nodes; return None if the iteration does not converge."""
+    """Iterate the states of a step until they fulfil the differential equation at all nodes; None if they do not."""
     states, times, last = piece.states, piece.times, np.inf
     for _ in range(ITERATIONS):
         try:

@@ -25,7 +25,7 @@ ROUNDING_ATOL = 1e-13  # in SI units: largest rounding error of numbers that can
 
 @dataclass(frozen=True, eq=False)
 class Equation:
-    """A relation of two trees, with its role and symbols."""
+    """An equation between two formulas, as prefix trees, with its role in the solution and its symbols."""
 
     left: Tree
     right: Tree
@@ -34,7 +34,7 @@ class Equation:
 
     @classmethod
     def of(cls, left: Tree, right: Tree, role: str = "law") -> "Equation":
-        """Return the relation of two trees with the symbols of both."""
+        """Return the equation between two formulas, given as prefix trees, with the symbols of both."""
         return cls(left, right, role, frozenset(symbols(left)) | frozenset(symbols(right)))
 
     def __str__(self) -> str:
@@ -84,7 +84,7 @@ UNDETERMINED = "the equations of motion do not determine accelerations and force
 
 
 def separated(tree: Tree, unknowns: frozenset[str]) -> dict[str, Tree]:
-    """Return the coefficients of the unknowns, and the rest under the empty name; TreeError if it is not linear."""
+    """Return a linear formula as coefficients by unknown, its rest under the empty name; TreeError if not linear."""
     if isinstance(tree, str) and tree in unknowns:
         return {tree: 1.0}
     if unknowns.isdisjoint(symbols(tree)):

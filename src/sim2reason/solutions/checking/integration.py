@@ -122,7 +122,7 @@ class Sample(NamedTuple):
 
 
 def integrate(data: Mapping[str, Any], known: Mapping[str, float], steps: int) -> tuple[dict[str, float], int]:
-    """Integrate a phase; return the values of the names in its `ends` and the number of steps.
+    """Integrate a phase; return the values at its end, by the names that later steps use, and the number of steps.
 
     Args:
         data: the `Integration` of a step as JSON values.
@@ -263,7 +263,7 @@ class _Phase:
         return max(abs(float(np.ravel(term(self._instant.at))[0])) for term in self._terms)
 
     def _found(self, time: float) -> dict[str, float]:
-        """Return the values at the end under their names in `ends`."""
+        """Return the values at the end of the phase by the names that later steps use."""
         state = state_at(self._slope, self._piece(time), time, len(self._instant.places))
         self._slope(np.array([time]), state[None])
         self._instant.examine()

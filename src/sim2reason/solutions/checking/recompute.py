@@ -105,13 +105,13 @@ def unknown_by_trial(data: Mapping[str, Any]) -> tuple[str, float] | None:
 
 
 def _of_role(data: Mapping[str, Any], role: str) -> list[tuple[str, float]]:
-    """Return the left names and the values of all relations of a role."""
+    """Return the name on the left and the value on the right of each relation with a given role."""
     relations = [held for step in data["steps"] for held in step["relations"] if held["role"] == role]
     return [(str(held["left"]), float(held["right"])) for held in relations]
 
 
 def by_trial(data: Mapping[str, Any], unknown: tuple[str, float], read: Reader) -> Recomputed:
-    """Recompute a solution that finds an unknown by trial.
+    """Recompute a solution whose unknown is found by trial: the value that leads to the given result.
 
     `read` recomputes the given result from data in which the unknown is given instead.
 
@@ -258,7 +258,7 @@ class _Recomputation:
                 known.assign(name, number)
 
     def _too_small(self) -> list[str]:
-        """Return messages for stated comparisons that are false."""
+        """Return messages for inequalities that the solution states and that are false."""
         found: list[str] = []
         for held in self._compared:
             try:
@@ -269,7 +269,7 @@ class _Recomputation:
         return found
 
     def _undetermined(self) -> Sequence[str]:
-        """Return messages for what does not follow from the laws."""
+        """Return messages for symbols and relations that do not follow from the laws that the solution states."""
         stated = [equation for equation in self._equations if equation.role != "verified" and equation.near is None]
         try:
             return [*undetermined(stated, self._given | self._ends, self._relations.values, self._needed)]

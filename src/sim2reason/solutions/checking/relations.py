@@ -68,7 +68,7 @@ class Relations:
         return list(dict.fromkeys(name for missing in self._missing.values() for name in sorted(missing)))
 
     def add(self, equation: Equation) -> None:
-        """Process one more relation."""
+        """Add a relation: verify it, take a value from it, or keep it until its other symbols have values."""
         if equation.near is not None and isinstance(equation.left, str):
             self._shoot(equation.left, equation.near)
             return
@@ -110,7 +110,7 @@ class Relations:
         self.assign(name, number)
 
     def _drop(self, equation: Equation) -> None:
-        """Remove an equation from those that wait."""
+        """Remove an equation from those that wait for values of their symbols."""
         for name in self._missing.pop(equation):
             self._waiting[name].remove(equation)
 
@@ -127,7 +127,7 @@ class Relations:
         self._judge_parts(equation.right)
 
     def _judge_parts(self, tree: Tree) -> None:
-        """Record faults of stated numbers that differ from their formulas, and of roots that are not unique."""
+        """Record faults in a tree: numbers that differ from their formulas, and roots that are not unique."""
         for _, inner, number in parts_named(tree, "worked"):
             found, said = value(inner, self.values), float(number)  # type: ignore[arg-type]
             if abs(found - said) > STATED_NUMBER_RTOL * abs(found):

@@ -97,7 +97,7 @@ def symbols(tree: Tree) -> Iterator[str]:
 
 
 def parts_named(tree: Tree, operation: str) -> Iterator[list[Tree]]:
-    """Yield the subtrees of one operation, except those in equations of roots."""
+    """Yield the subtrees with a given operation, except those within the equations of roots."""
     if isinstance(tree, list):
         if tree[0] == operation:
             yield tree
@@ -191,7 +191,7 @@ def size(tree: Tree, at: Values) -> float:
 
 
 def bound(tree: Tree, at: Values) -> float:
-    """Return the value of a tree if no terms cancelled; ArithmeticError or ValueError if it is undefined."""
+    """Return the value of a tree with all terms taken as positive; ArithmeticError or ValueError if undefined."""
     if not isinstance(tree, list) or tree[0] in ("root", "pi"):
         return abs(value(tree, at))
     operation, *parts = tree

@@ -45,7 +45,7 @@ class ClosedForm:
     symbols: tuple[str, ...]
 
     def of_sizes(self, points: Sequence[Mapping[str, float]]) -> "ClosedForm":
-        """Return the absolute value; a radicand that is negative at a point is replaced by its absolute value.
+        """Return the absolute value; radicands that are negative at one of the `points` become absolute values.
 
         Factors with one sign at all points get that sign; all others stand between bars.
         """
@@ -53,12 +53,12 @@ class ClosedForm:
         return ClosedForm(found, found.latex(), self.symbols)
 
     def without_roots_of_squares(self, at: Mapping[str, float] | None = None) -> "ClosedForm":
-        """Take squares out of roots, between bars or with their sign at a given point."""
+        """Take squares out of roots, as absolute values or with the sign of their base at the values `at`."""
         found = without_nested_fractions(tidy(_out_of_roots(self.expression, at)))
         return ClosedForm(found, found.latex(), self.symbols)
 
     def with_positive_factors(self, points: Sequence[Mapping[str, float]]) -> "ClosedForm":
-        """Reverse pairs of factors that are negative at all points, so that both are positive."""
+        """Reverse pairs of factors that are negative at all given values of the symbols, so that both are positive."""
         found = _with_positive_factors(self.expression, points)
         return ClosedForm(found, found.latex(), self.symbols)
 
@@ -75,7 +75,7 @@ def closed_form(solution: Solution, own: Sequence[str] = ()) -> ClosedForm:
 
 
 def combined_formula(solution: Solution, own: Sequence[str] = ()) -> Expression:
-    """Substitute the formulas of a solution into one; ClosedFormError if a number is in the way or it gets too long.
+    """Return the answer as a formula of given quantities; ClosedFormError if it needs other numbers or is too long.
 
     `own` has new names for the numbers in the question, in its order, in place of the solution's names.
     """
@@ -111,7 +111,7 @@ def defined_by(steps: Sequence[Step]) -> dict[str, Expression]:
 
 
 def _without_bars(held: Expression) -> Expression:
-    """Remove the absolute value of a formula or of its factors; the sign follows from the numbers."""
+    """Remove absolute values from a formula or its factors; the caller restores the sign."""
     match held:
         case Absolute():
             return held.inside
@@ -164,7 +164,7 @@ def _reduced(whole: Expression) -> Expression:
 
 
 def _rooted_in_sizes(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
-    """Replace radicands that are negative at a point by their absolute values."""
+    """Replace radicands that are negative at any of the given values of the symbols by their absolute values."""
     if not held.parts:
         return held
     parts = [_rooted_in_sizes(part, points) for part in held.parts]
@@ -172,7 +172,7 @@ def _rooted_in_sizes(held: Expression, points: Sequence[Mapping[str, float]]) ->
 
 
 def _of_size(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
-    """Return the absolute value of a formula that is negative at a point; other formulas unchanged."""
+    """Return the absolute value of a formula that is negative at any given values of its symbols; else the formula."""
     return _positive(held, points) if any(_negative(held, at) for at in points) else held
 
 
@@ -192,7 +192,7 @@ def _positive(held: Expression, points: Sequence[Mapping[str, float]]) -> Expres
 
 
 def _with_positive_factors(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
-    """Reverse pairs of factors that are negative at all points."""
+    """Reverse pairs of factors that are negative at all given values of the symbols."""
     if isinstance(held, Product) and any(isinstance(factor, Quotient) for factor in held.factors):
         return reduce(multiplied, (_with_positive_factors(factor, points) for factor in held.factors))
     above, below = (held.above, held.below) if isinstance(held, Quotient) else (held, ONE)
@@ -207,7 +207,7 @@ def _with_positive_factors(held: Expression, points: Sequence[Mapping[str, float
 
 
 def _is_reversible(factor: Expression, points: Sequence[Mapping[str, float]]) -> bool:
-    """Return whether a factor is a difference that is negative at all points."""
+    """Return whether a factor is a difference that is negative at all given values of the symbols."""
     return is_difference(factor) and all(_negative(factor, at) for at in points)
 
 
@@ -242,7 +242,7 @@ def _out_of_roots(held: Expression, at: Mapping[str, float] | None) -> Expressio
 
 
 def _squares_apart(product: Expression) -> tuple[Expression, Expression]:
-    """Split a product into its squared part and the rest."""
+    """Split a product into the square root of its even powers, and its other factors."""
     squared, left = ONE, ONE
     for factor in product.factors if isinstance(product, Product) else (product,):
         if isinstance(factor, Power) and factor.exponent % 2 == 0:

@@ -115,7 +115,7 @@ def parted(held: Expression) -> Expression:
 
 
 def _apart(whole: Term) -> Iterator[Expression]:
-    """Yield fractions with one sum of the numerator divided term by term."""
+    """Yield forms of a fraction in which one sum of the numerator is divided by the denominator term by term."""
     for held in whole.factors if whole.below else ():
         if isinstance(held, Sum):
             rest = _less(whole.factors, (held,))
@@ -216,7 +216,7 @@ def _root(term: Term, over: float) -> Term | None:
 
 
 def _halved(factors: Sequence[Expression]) -> tuple[Expression, ...]:
-    """Return each factor half as often."""
+    """Return the factors of a square root: each factor half as often as in the product."""
     return tuple(held for held in dict.fromkeys(factors) for _ in range(factors.count(held) // 2))
 
 

@@ -84,7 +84,7 @@ class _FinalAlgebra:
         return whole
 
     def _parts(self, name: str) -> list[str]:
-        """Return the derived names in the formula of a name."""
+        """Return the symbols in the formula of a quantity that are themselves derived, not given."""
         names = dict.fromkeys(self._formulas[name].symbols())
         return [other for other in names if other in self._formulas and other not in self._given]
 
@@ -97,7 +97,7 @@ class _FinalAlgebra:
         return relations if len(relations) <= MAX_QUANTITIES else [*self._in_given(last)][:MAX_QUANTITIES]
 
     def _last(self) -> Iterator[Expression]:
-        """Yield the parts of the last formula with more than one derived name."""
+        """Yield the derived quantities in the last formula that has several; their sum if that is its denominator."""
         whole, names = self._whole, self._parts(self._whole)
         while len(names) == 1 and (deeper := self._parts(names[0])):
             whole, names = names[0], deeper
@@ -119,7 +119,7 @@ class _FinalAlgebra:
         return [name for name in self._formulas if name in found]
 
     def _in_given(self, parts: Sequence[Expression]) -> Iterator[Relation]:
-        """Yield the formulas of quantities, in given ones, that the text does not contain yet."""
+        """Yield the equations of quantities in terms of given ones that the text does not contain yet."""
         for part in parts:
             if isinstance(part, Symbol) and self._is_plain(part.name):
                 continue
@@ -141,7 +141,7 @@ class _FinalAlgebra:
         return all(other in self._given or not {*self._formulas[other].symbols()} for other in known)
 
     def _closed(self, part: Expression) -> ClosedForm | None:
-        """Return the closed form of a part, or None."""
+        """Return the closed form of a formula in terms of given quantities; None if it has none."""
         try:
             return simplified_form(self._put_in.of(part))
         except ClosedFormError:

@@ -131,7 +131,7 @@ class RationalFunctions:
         return self._sized(reduce(operation, parts))
 
     def _sized(self, found: Any) -> Any:
-        """Return an element; TooLongError if it has too many terms."""
+        """Return a rational function unchanged; TooLongError if it has too many terms."""
         if max(len(found.numer), len(found.denom)) > TERMS:
             raise TooLongError
         return found
@@ -152,7 +152,7 @@ class RationalFunctions:
         return self._met[function, inner]
 
     def reduced(self, found: Any) -> Any:
-        """Replace the squares of roots by their radicands."""
+        """Replace the squares of roots in a rational function by their radicands."""
         for place, inside in self._squares.items():
             for side in (found.numer, found.denom):
                 if any(monomial[place] > 1 for monomial in side):
@@ -182,7 +182,7 @@ class RationalFunctions:
     # ---- back
 
     def written(self, found: Any) -> Iterator[Expression]:
-        """Yield an element as formulas: expanded, with common factors in front, and factored."""
+        """Yield forms of a rational function: expanded, with common factors in front, and factored."""
         above, below = found.numer, found.denom
         yield ratio(self._sum(above).expression(), self._sum(below).expression())
         top, bottom = (_signed(side) for side in (above, below))
@@ -210,7 +210,7 @@ class RationalFunctions:
         return Polynomial(dict(sorted(terms.items(), key=lambda term: [atom_sort_key(atom) for atom in term[0]])))
 
     def _gathered(self, side: Any) -> Expression:
-        """Return a polynomial with one atom collected, where that is shorter."""
+        """Return a polynomial with the terms of one symbol, sine or root collected, where that is shorter."""
         whole = self._sum(side)
         options = [whole.expression()]
         atoms = {atom for monomial in whole.terms for atom, power in monomial if power == 1}
@@ -246,7 +246,7 @@ def _factored(side: Any) -> tuple[Any, list[tuple[Any, int]]]:
 
 
 def _terms(found: Any) -> int:
-    """Return the number of terms in numerator and denominator."""
+    """Return the number of terms in the numerator and denominator of a rational function."""
     return len(found.numer) + len(found.denom)
 
 
@@ -271,5 +271,5 @@ def _signed(side: Any) -> tuple[int, Any]:
 
 
 def _times(sign: int, held: Expression) -> Expression:
-    """Return a formula with a sign."""
+    """Return a formula times a sign, 1 or −1."""
     return held if sign > 0 else -held if held != ONE else Number(-1.0)

@@ -33,7 +33,7 @@ class Exclusion:
 
 
 def clauses(told: Sequence[Exclusion]) -> Iterator[str]:
-    """Yield one clause for each kind of argument."""
+    """Yield one clause for each kind of argument why pairs of bodies do not collide."""
     for kind, clause in CLAUSES.items():
         held = [each for each in told if each.kind == kind]
         if held:
@@ -46,7 +46,7 @@ def _pairs(held: Sequence[Exclusion]) -> str:
 
 
 def _numbers(held: Sequence[Exclusion]) -> str:
-    """Return the numbers of the arguments, joined as a list."""
+    """Return the numbers that prove that pairs do not collide, such as times, joined as a list."""
     return join_words([each.said for each in held])
 
 
@@ -124,7 +124,7 @@ class RelativeMotion:
     names: list[Expression] = field(default_factory=list[Expression])
 
     def named(self, base: str, formula: Expression, unit: str, axis: str = "") -> Expression:
-        """Return a name for a number that is stated before the argument; zero needs no name."""
+        """Name a number of the relative motion that the text states before the argument; zero needs no name."""
         if not self.book.value(formula):
             return ZERO
         self.names.append(self._verified(base, formula, unit, axis, self.told))
@@ -170,7 +170,7 @@ def approach_sentence(flights: Impacts, step: StepBuilder, begins: Impact, follo
 
 
 def late_values(flights: Impacts, step: StepBuilder) -> Iterator[str]:
-    """Yield a sentence with the values of an argument that were unknown before."""
+    """Yield a sentence with the values of quantities in a step that the text has not stated before."""
     book = flights.book
     used = [name for r in step.relations if r.role == "verified" for name in r.right.symbols()]
     late = [name for name in dict.fromkeys(used) if name in book.formulas and name not in book.stated]
@@ -241,7 +241,7 @@ class Intervals:
         return held.meets and held.ends is not self.following(held.begins)
 
     def _last(self, meeting: CollisionPair) -> Impact | None:
-        """Return the collision at the end time if both bodies belong to the given meeting; else None."""
+        """Return the collision at the end time in which a body of the given pair takes part; None if there is none."""
         return next((held for held in self.at_end if {*held.bodies} & {*meeting.names}), None)
 
     def _number(self, body: str, begins: Impact | None) -> int:

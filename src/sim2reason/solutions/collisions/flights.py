@@ -24,7 +24,7 @@ class FreeFlights(ABC):
     """The free flights of all bodies in a motion; subclasses add the collisions between them."""
 
     def __init__(self, setting: ProblemContext, book: SolutionBuilder, *, timed: bool = False) -> None:
-        """Take the problem and the book; UnsolvedError for bodies that act on each other between collisions.
+        """Take the problem and the solution in progress; UnsolvedError if bodies interact between collisions.
 
         With `timed`, all collisions get their times, so that the text proceeds from one to the next.
         """
@@ -63,7 +63,7 @@ class FreeFlights(ABC):
         return [Impact(n, e.time, e.subjects, self._meeting(e.subjects, e.time)) for n, e in enumerate(events)]
 
     def _meeting(self, bodies: tuple[str, ...], time: float) -> int:
-        """Return the index of the meeting of a collision; of two walls, the nearer one."""
+        """Return the index of the pair, two bodies or body and wall, that collides; of two walls, the nearer one."""
         found = [n for n, met in enumerate(self.mechanism.meetings) if set(met.names) == set(bodies)]
         if len(found) == 1:
             return found[0]
@@ -238,7 +238,7 @@ class FreeFlights(ABC):
         return Polynomial.of(name)
 
     def _instant(self, time: Symbol) -> str:
-        """Return the number of the collision of discs at a time, as a subscript; empty for other times."""
+        """Return, as a subscript, the number of the oblique collision of discs at a time; empty at other times."""
         impact = next((self.impacts[n] for n, name in self.times.items() if name == time), None)
         oblique = impact is not None and self.mechanism.meetings[impact.meeting].normal is None
         return self.collision_number(impact) if impact is not None and oblique else ""
@@ -249,7 +249,7 @@ class FreeFlights(ABC):
         return str(impact.number + 1) if several else ""
 
     def _lasting(self, leg: Flight, time: Symbol) -> Expression:
-        """Return the duration of a flight up to a time, as a name only if it has one."""
+        """Return the duration of a flight up to a time: its symbol if it has one, else a difference of times."""
         begins = self.begins(leg)
         if begins is None:
             return time
@@ -289,5 +289,5 @@ class FreeFlights(ABC):
         return found
 
     def gap(self, number: int) -> Polynomial:
-        """Return the gap between the two bodies of a meeting at t = 0."""
+        """Return the initial gap between two bodies, or body and wall, that may collide."""
         return gap_at_start(self.setting.lexicon, self.frames, number)

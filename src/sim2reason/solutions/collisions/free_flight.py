@@ -27,7 +27,7 @@ BOUNDS = (("s", r"\text{top}"), ("d", r"\text{max}"))  # names of the highest po
 
 
 def write_nearer_before(flights: Impacts, body: str, leg: Flight, distance: Symbol) -> None:
-    """Write that a body was nearer than a distance before a flight: it was inside a box with a near corner.
+    """Write that, before a flight, a body was nearer to its start than a distance, by bounds on its coordinates.
 
     No other step depends on it; nothing is written if the corner is too far away, or for unknown numbers.
     """

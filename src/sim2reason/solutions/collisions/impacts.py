@@ -32,13 +32,13 @@ class Impacts(FreeFlights, ABC):
         return self.times[impact.number]
 
     def latest(self, impact: Impact) -> tuple[dict[str, int], Impact | None]:
-        """Return the flight numbers that lead to a collision, by body, and the latest collision before it."""
+        """Return, by body, the number of the flight that ends with a collision, and the latest collision before it."""
         legs = {body: self.count(body, impact) for body in impact.bodies}
         begun = [held for b, n in legs.items() if (held := self.leg(b, n).after) is not None]
         return legs, max(begun, key=lambda held: held.number, default=None)
 
     def _meets(self, impact: Impact) -> Symbol:
-        """Write the time of a collision: the gap between the bodies since the later of their flights began closes."""
+        """Write the time of a collision: that at which the gap closes, counted from the start of the later flight."""
         meeting = self.mechanism.meetings[impact.meeting]
         if meeting.normal is None:
             return self.discs_meet(impact)
@@ -89,7 +89,7 @@ class Impacts(FreeFlights, ABC):
         return self.time_since_start(since, name)
 
     def counted_from(self, impact: Impact, since: Symbol | None) -> str:
-        """Return the words after a time, such as *, counted from t = 0*; empty for the first collision."""
+        """Return words such as *, counted from t = 0* that say from when a time of collision counts; may be empty."""
         if since is None:
             return ", counted from t = 0" if impact.number else ""
         return f" after {self.event(since)}"
@@ -194,7 +194,7 @@ class Impacts(FreeFlights, ABC):
         return self.velocity(body, self.count(body, impact), k, time)
 
     def restitution(self, number: int) -> Polynomial:
-        """Return the coefficient of restitution of a meeting."""
+        """Return the coefficient of restitution of two bodies, or body and wall, that collide."""
         return self.setting.lexicon.of(lambda m: m.meetings[number].restitution)
 
     def closing(self, impact: Impact) -> Expression:

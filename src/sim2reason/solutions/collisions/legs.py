@@ -19,7 +19,7 @@ class Flight:
 
 @dataclass(frozen=True)
 class Impact:
-    """A collision: its index in the motion, its time in s, its bodies and the index of its meeting."""
+    """A collision: its index in the motion, time in s and bodies, and the index of this pair in the mechanism."""
 
     number: int
     time: float  # s

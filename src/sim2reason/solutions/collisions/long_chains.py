@@ -17,7 +17,7 @@ Side = tuple[Frames, Mechanism]
 
 
 def gap_at_start(lexicon: Lexicon, frames: tuple[Frames, Frames], number: int) -> Polynomial:
-    """Return the initial gap of a meeting, m; UnreadError if it is no simple function of the stated numbers.
+    """Return the initial gap of a pair, m; UnreadError if it is no simple function of the stated numbers.
 
     For a disc and a wall, the gap may be a sum of three lengths: the positions of wall and disc, and the radius.
     """
@@ -45,7 +45,7 @@ def _of_three(lexicon: Lexicon, whole: DualValue) -> Polynomial | None:
 
 
 def _place(frames: Frames, mechanism: Mechanism, number: int) -> float:
-    """Return the position of the second body of a meeting along the normal, relative to the first or to the origin."""
+    """Return the position of a pair's second body along the normal, relative to the first or, for walls, the origin."""
     met = mechanism.meetings[number]
     assert met.normal is not None
     other = frames.center(met.b).place

@@ -43,7 +43,7 @@ class Flights(Impacts):
 
 
 def _meet(flights: Impacts, impact: Impact) -> Symbol:
-    """Write the time at which two discs touch: (p t + q)² + c² = p d², p = u², q = X·u, c = X×u."""
+    """Write when discs at relative position X and velocity u touch: (u² t + X·u)² + (X×u)² = u² d²."""
     X, u, since, _ = _relative(flights, impact)
     if (axis := _only_axis(u)) is not None:
         return _meet_along(flights, impact, axis)
@@ -115,7 +115,7 @@ def _distance(flights: Impacts, impact: Impact) -> Expression:
 
 
 def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[Expression], Symbol | None, list[str]]:
-    """Return relative position, velocity, its time and axis names at the start of the later flight; written once."""
+    """Return a pair's relative position and velocity at the start of the later flight, that time and the axes."""
     if impact.number in flights.relative:
         return flights.relative[impact.number]
     legs, latest = flights.latest(impact)
@@ -258,7 +258,7 @@ def tell_side(flights: Flights, body: str, k: int, distance: Symbol) -> None:
 
 
 def _tell(flights: Flights, body: str, k: int, distance: Symbol, motion: tuple[list[Expression], Expression]) -> None:
-    """Write the sentences of `tell_side` with the comparisons that they need."""
+    """Write that a body stays within a distance of its start until its last flight, and its direction then."""
     book, (ends, speed), leg = flights.book, motion, flights.leg(body, flights.count(body, None))
     assert leg.after is not None
     sizes = [-end if book.value(end) < 0.0 else end for end in ends if end != ZERO]

@@ -72,7 +72,7 @@ class CollisionOrder:
                 self._tell_next(begins)
 
     def _tell_apart(self, begins: Impact | None) -> None:
-        """Write which bodies do not collide with their velocities after a collision, or at the start.
+        """Write which pairs of bodies do not collide, given the velocities after a collision or at the start.
 
         At the start they include bodies that would collide later, which proves that the first collision is the first.
         """
@@ -107,7 +107,7 @@ class CollisionOrder:
             self._close(step)
 
     def _close(self, step: StepBuilder) -> None:
-        """Close a step and record the earliest step it may follow."""
+        """Close a step, and record the number of the step before which it must not be moved."""
         step.close()
         self._book.earliest[self._book.steps[-1].id] = self._first
 
@@ -236,7 +236,7 @@ class CollisionOrder:
         return self._excluded_by(kind, held, motion.concluded("t", whole, SECONDS))
 
     def _excluded_by(self, kind: str, held: FreeInterval, said: str) -> Exclusion:
-        """Return the argument of a kind for the pair of an interval."""
+        """Return the argument, of a given kind, that the two bodies of an interval do not collide."""
         return Exclusion(kind, self._flights.setting.bodies_phrase(list(held.legs)), self._letters(held), said)
 
     # ---- the motion without what gravity adds to all of it
@@ -259,7 +259,7 @@ class CollisionOrder:
             yield axis, (lexicon.read(DualValue(*along)) + r - s).expression(), (w - v).expression()
 
     def _drift(self, body: str, number: int, k: int, time: Polynomial) -> tuple[Polynomial, Polynomial]:
-        """Return displacement and velocity at a time of a flight without the common terms ½ a t² and a t."""
+        """Return displacement and velocity at a time of a flight, without the terms ½ a t² and a t of gravity."""
         flights, a = self._flights, self._flights.acceleration(k)
         place, before, velocity = NIL, NIL, NIL
         for n in range(number + 1):
@@ -299,7 +299,7 @@ class CollisionOrder:
         return f"After {self._flights.event(self._flights.when(begins))}," if begins is not None else "Undisturbed,"
 
     def _hence(self, begins: Impact | None) -> str:
-        """Return the conclusion about the next collision if no further exclusions follow."""
+        """Return the end of a sentence: which pair collides first, or that none collides any more; may be empty."""
         following = self._flights.impacts[0] if begins is None and self._flights.impacts else None
         if following is not None and (self._time == inf or following.time <= self._time * (1.0 + 1e-9)):
             return f", so {self._meet(following)} first"

@@ -13,7 +13,7 @@ OUTCOME = frozenset({"after", "solve"})  # kinds of the steps that give velociti
 
 
 def in_order(steps: Sequence[Step], earliest: Mapping[int, int], late: AbstractSet[str]) -> list[Step]:
-    """Move each argument behind the steps that its numbers follow from and behind the first collision time.
+    """Move each argument about the order of collisions behind the steps with its numbers and the first collision time.
 
     `earliest` has, for each argument, the index of the step from which on that collision is sought. An argument with
     names that are known only at the end, `late`, stays in its position; its conclusion is assumed before the unknown is

@@ -17,7 +17,7 @@ class FieldEnergy:
     """Works and energies of a charged body up to a moment, written as they are needed."""
 
     def __init__(self, known: StraightMotion, moment: FieldMoment) -> None:
-        """Take the motion `known`, with displacement and velocity at the moment, and the moment in the fields."""
+        """Take the displacement and velocity at the moment of the question as `known`, and that `moment`."""
         self.known, self.moment, self.fields, self.book = known, moment, moment.fields, known.book
 
     def potential(self) -> Expression:

@@ -62,7 +62,7 @@ class Fields:
         self._checked()
 
     def _component(self, axis: str) -> Symbol:
-        """Return the symbol of a velocity component, a new one if the usual one has a value in another case."""
+        """Return the symbol of a velocity component: v_x or v_y, or a new one if that already has a value."""
         usual = Symbol(f"v_{axis}")
         if usual.name not in self.book.values or usual.name in self.book.stated:
             return usual
@@ -205,7 +205,7 @@ class Fields:
         return f"{strength}{where}; {there} " if strength else f"{where}, "
 
     def _part(self, number: int, field: str, axis: int) -> Expression:
-        """Return a number of an electric field's profile, signed along an axis."""
+        """Return a parameter of the electric force, such as its rate of change, as a component along an axis."""
 
         def signed(m: Mechanism) -> float:
             law = m.forces[number].law
@@ -273,7 +273,7 @@ class Fields:
 
 
 def _profile(force: Force) -> Profile:
-    """Return the profile of an electric field."""
+    """Return how an electric force depends on time and position."""
     assert isinstance(force.law, Push)
     return force.law.profile
 

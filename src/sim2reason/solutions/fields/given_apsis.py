@@ -10,7 +10,7 @@ from sim2reason.solutions.writing.unit_latex import METRES
 
 
 def given_apsis(orbit: KeplerOrbit, *, far: bool) -> Symbol:
-    """Write the given greatest or least distance with a law of energy that is linear in the unknown mass."""
+    """Write the greatest or least distance of an orbit by energy conservation, linear in an unknown central mass."""
     book, mu, first = orbit.book, orbit.parameter, orbit.radius
     if book.in_symbols or not book.is_hidden(mu):
         return orbit.apsis(far=far)
@@ -31,7 +31,7 @@ def given_apsis(orbit: KeplerOrbit, *, far: bool) -> Symbol:
 
 
 def _distance(orbit: KeplerOrbit, *, far: bool) -> float:
-    """Return the numerical value of the greatest or the least distance."""
+    """Return the numerical value of the greatest or the least distance from the central body."""
     mu, r, h, square = map(
         orbit.book.value, (orbit.parameter, orbit.radius, orbit.momentum, sum_of_squares(orbit.rate))
     )

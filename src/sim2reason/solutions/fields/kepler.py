@@ -149,7 +149,7 @@ class KeplerOrbit:
         return self.book.add_step("eccentricity", "The eccentricity is", self.eccentricity_symbol, formula)
 
     def apsis(self, *, far: bool) -> Symbol:
-        """Return the greatest or the least distance."""
+        """Return the greatest or the least distance from the central body."""
         e, which = self.eccentricity, "greatest" if far else "least"
         formula = self.axis * (ONE + e if far else ONE - e)
         return self.book.add_step("apsis", f"The {which} distance is", self.named("r"), formula, METRES)

@@ -285,7 +285,7 @@ class RotatingMotion(FieldMotion):
         return self.carried(axis, time) + (here * even + other * odd) / both
 
     def extreme(self, *, least: bool) -> tuple[str, str, Symbol, Expression]:
-        """Return the greatest or least speed in uniform fields: rotating part parallel or opposite to the drift."""
+        """Return step kind, sentence, symbol and formula of the extreme speed in uniform fields: drift ± rotation."""
         if all(part == ZERO for part in self._drift):
             said = "The magnetic force is perpendicular to the velocity and does no work, so the speed is always"
             return "extremum", said, self.book.fresh("v"), vector_length(self.turned)

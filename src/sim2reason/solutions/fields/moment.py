@@ -27,7 +27,7 @@ class FieldMoment:
     """The moment of a question about a charged body, written as it is needed."""
 
     def __init__(self, setting: ProblemContext, book: SolutionBuilder, fields: Fields) -> None:
-        """Take the problem, the book and the fields."""
+        """Take the problem, the solution in progress and the fields."""
         self.setting, self.book, self.fields = setting, book, fields
 
     @cached_property
@@ -266,7 +266,7 @@ class FieldMoment:
     def _turned(
         self, parts: list[Expression], sign: float, residual: Expression, said: str, *, moved: bool = False
     ) -> None:
-        """Write the time at which a residual vanishes, near the extreme magnitude of a vector."""
+        """Write the time at which a vector has its extreme magnitude, as a zero of the condition `residual`."""
         time = self.fields.instant
         start = self._sampled(time, parts, sign)
         near = NumericRoot(residual, time.name, start).value(self.book.values).real

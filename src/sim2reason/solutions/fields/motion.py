@@ -144,12 +144,12 @@ class ElectricMotion(FieldMotion):
         return self.named(said, along, "c", -(self.push / self.slope), METRES)
 
     def _even(self, time: Expression) -> Expression:
-        """Return the cosine of the phase, or its hyperbolic cosine."""
+        """Return cos ωt for an oscillation along the field, or cosh λt for exponential growth."""
         phase = self.frequency * time
         return Call("cos", phase) if self.swings else HALF * (Call("exp", phase) + Call("exp", -phase))
 
     def _odd(self, time: Expression) -> Expression:
-        """Return the sine of the phase, or its hyperbolic sine, over the frequency."""
+        """Return sin(ωt)/ω for an oscillation along the field, or sinh(λt)/λ for exponential growth."""
         phase = self.frequency * time
         if self.swings:
             return Call("sin", phase) / self.frequency

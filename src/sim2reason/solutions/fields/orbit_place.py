@@ -113,7 +113,7 @@ class AtAnomaly(OrbitPlace):
         return self._grown()
 
     def _distance(self) -> Symbol:
-        """Write the distance r = a (1 − p cos η + q sin η)."""
+        """Write the distance r = a (1 − e cos(E₀ + η)) after the increase η of the eccentric anomaly."""
         if self._radius is not None:
             return self._radius()
         orbit, angle = self.orbit, self.grown

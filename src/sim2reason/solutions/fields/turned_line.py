@@ -52,7 +52,7 @@ class Turned(OrbitPlace):
 
     @property
     def _across(self) -> Expression:
-        """Return e sin ν at the start."""
+        """Return e sin ν, the eccentricity times the sine of the initial true anomaly."""
         return self._swift * self._outward / self.orbit.parameter
 
     @property
@@ -138,7 +138,7 @@ class Turned(OrbitPlace):
         return self._perpendicular() if self.orbit.position_dot_velocity != ZERO else self._from_apsis()
 
     def _lagrange(self, name: Symbol) -> str:
-        """Return a sentence with the position after the anomaly has increased by an angle."""
+        """Return a sentence with the position after the eccentric anomaly has increased by an angle."""
         orbit = self.orbit
         less, more = orbit.weights(name)
         said = f"When ${orbit.anomaly.latex()}$ has increased by ${name.latex()}$, the position is, by Lagrange's"
@@ -146,7 +146,7 @@ class Turned(OrbitPlace):
         return f"{said} and the initial velocity times ${more.latex()}$."
 
     def _from_apsis(self) -> Expression:
-        """Return the increase of the anomaly over a quarter turn from an end of the major axis."""
+        """Return the increase of the eccentric anomaly over a quarter turn from an end of the major axis."""
         orbit, name = self.orbit, self.orbit.named(r"\eta")
         step = orbit.book.begin_step("anomaly")
         step.add_text(self._lagrange(name))
@@ -158,7 +158,7 @@ class Turned(OrbitPlace):
         return name
 
     def _perpendicular(self) -> Expression:
-        """Return the increase of the anomaly over a quarter turn, by a quadratic equation for cot(η/2)."""
+        """Return the increase η of the eccentric anomaly over a quarter turn, by a quadratic equation for cot(η/2)."""
         orbit, book, name, cot = self.orbit, self.orbit.book, self.orbit.named(r"\eta"), self.orbit.named("c")
         (less, more), r, a, q = orbit.weights(name), orbit.radius, orbit.axis, orbit.e_sin_anomaly
         step, half = book.begin_step("anomaly"), name / TWO
@@ -181,7 +181,7 @@ class Turned(OrbitPlace):
         return name
 
     def _opposite_end(self) -> Expression:
-        """Return the increase of the anomaly over half a turn, where the initial velocity has coefficient zero."""
+        """Return the increase of the eccentric anomaly over half a turn, when no initial velocity remains in it."""
         orbit, name = self.orbit, self.orbit.named(r"\eta")
         if orbit.position_dot_velocity == ZERO:
             return PI

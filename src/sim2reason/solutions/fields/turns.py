@@ -238,7 +238,7 @@ class FieldTurn:
         return motion if along and motion.swings else None
 
     def _swung(self, swing: ElectricMotion, kind: str, axis: int, time: Expression) -> Expression | None:
-        """Return a component after half an oscillation if its formula is short; else None."""
+        """Return a component ``s`` or ``v`` after half an oscillation; None if it has no short formula."""
         drive, turning = self.fields.drive, self.fields.turning
         if drive is not None and axis == drive.axis:
             return TWO_TURNS * swing.center if kind == "s" else None
@@ -258,7 +258,7 @@ class FieldTurn:
         return self._rotated(motion, kind, axis, time) if isinstance(motion, RotatingMotion) else None
 
     def _rotated(self, motion: RotatingMotion, kind: str, axis: int, time: Expression) -> Expression | None:
-        """Return a component after a full or half turn of the rotating velocity; else None."""
+        """Return a component ``s`` or ``v`` after a full or half turn of the rotating velocity; None at other times."""
         if isinstance(self.moment, VelocityReturned):
             return motion.carried(axis, time) if kind == "s" else None
         if not self.halved:
@@ -268,7 +268,7 @@ class FieldTurn:
         return motion.carried(axis, time) + TWO_TURNS * motion.turned[1 - axis] * TURNS[axis] / motion.turning
 
     def told(self, kind: str, axis: int) -> str:
-        """Return the beginning of a sentence with a short component and its reason; empty for others."""
+        """Return the beginning of a sentence with a component ``s`` or ``v`` after a turn; empty for others."""
         motion = self.motion
         if kind in ("v", "s") and self._swing is not None:
             return self._told_swung(kind, axis)

@@ -120,7 +120,7 @@ class KnownMotion(Protocol):
         ...
 
     def growth(self, kind: str, line: str) -> Polynomial:
-        """Return the increase of a line's length, m, for the kind ``s``, or its rate, m/s, for ``v``."""
+        """Return the increase of a string's or spring's length, m, for the kind ``s``, or its rate, m/s, for ``v``."""
         ...
 
     @property
@@ -180,7 +180,7 @@ class Goal(ABC):
         return (target.subject,)
 
     def lines(self, target: Target) -> Sequence[str]:
-        """Return the lines whose length the quantity depends on; by default none."""
+        """Return the strings and springs whose length the quantity depends on; by default none."""
         del target
         return ()
 
@@ -198,7 +198,7 @@ GOALS: Registry[Goal] = Registry("solutions.goals")
 
 
 def single_symbol(parts: Components, known: KnownMotion) -> Symbol | None:
-    """Return the symbol whose multiple by a unit vector a vector is; None if there are several symbols."""
+    """Return the symbol of a vector that is this symbol times a unit vector; None for other vectors."""
     names = {name for part in parts for name in part.names() if name in known.book.values}
     unknown = [name for name in sorted(names) if not known.setting.is_given(name) or name in known.speeds]
     if len(unknown) != 1:

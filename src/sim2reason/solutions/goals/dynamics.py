@@ -19,7 +19,7 @@ class MassTimes(Goal):
 
     @property
     def uses(self) -> str:
-        """Return the kind of the vector."""
+        """Return the kind of the vector that is multiplied by the mass: velocity ``v`` or acceleration ``a``."""
         return self.of.base
 
     def write(self, target: Target, known: KnownMotion) -> Symbol:

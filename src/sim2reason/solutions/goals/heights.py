@@ -21,11 +21,11 @@ class HeightGoal(Goal):
 
     @property
     def uses(self) -> str:
-        """Displacements."""
+        """Return ``s``, for displacements."""
         return "s"
 
     def write(self, target: Target, known: KnownMotion) -> Symbol:
-        """Write the height at the start, if it is from the ground, and how far the body has risen since."""
+        """Write the rise of the body since the start, added to its initial height if measured from the ground."""
         body, called = target.subject, known.setting.display_name(target.subject)
         first = self._at_start(body, known) if self.from_ground else NIL
         height = (first + known.component("s", body, Z)).factored()

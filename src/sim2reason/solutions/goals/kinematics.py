@@ -42,7 +42,7 @@ class VectorGoal(Goal):
 
     @property
     def uses(self) -> str:
-        """Return the kind of the vector."""
+        """Return the kind of the vector: displacement ``s``, velocity ``v`` or acceleration ``a``."""
         return self.noun.base
 
     def write(self, target: Target, known: KnownMotion) -> Symbol:

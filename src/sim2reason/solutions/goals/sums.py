@@ -82,7 +82,7 @@ class TensionImpulse(SumGoal):
         return ()
 
     def force(self, target: Target, setting: ProblemContext) -> str:
-        """Return the unknown of the tension."""
+        """Return the name of the unknown tension, such as ``T2``."""
         return tension(target.subject, setting)
 
     def term(self, target: Target, setting: ProblemContext, part: MotionPart) -> Expression:
@@ -105,7 +105,7 @@ class TensionWork(SumGoal):
     noun = WORK
 
     def force(self, target: Target, setting: ProblemContext) -> str:
-        """Return the unknown of the tension of the string attached to the body."""
+        """Return the name of the unknown tension of the string attached to the body, such as ``T2``."""
         return tension(_tied(target.subject, setting), setting)
 
     def term(self, target: Target, setting: ProblemContext, part: MotionPart) -> Expression:
@@ -129,7 +129,7 @@ class HeatGoal(SumGoal):
     noun = HEAT
 
     def force(self, target: Target, setting: ProblemContext) -> str:
-        """Return the unknown of the friction."""
+        """Return the name of the unknown friction force on the body, such as ``f0``."""
         names = [face.subject for face in setting.mechanism.faces]
         return f"f{names.index(target.subject)}"
 
@@ -160,7 +160,7 @@ class HandWork(SumGoal):
     noun = WORK
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """Return no bodies; those on the string follow from `string_phrases`."""
+        """Return no bodies: the work depends on the length of the string, not on one body."""
         del target
         return ()
 
@@ -236,7 +236,7 @@ class NetImpulseGoal(Goal):
 
 
 def tension(line: str, setting: ProblemContext) -> str:
-    """Return the unknown of the tension of a string, such as ``T2``."""
+    """Return the name of the unknown tension of a string, such as ``T2``."""
     names = [held.name for held in setting.mechanism.constraints]
     if line not in names:
         raise UnsolvedError("it has no tension of its own")
@@ -305,11 +305,11 @@ class CollisionGoal(Goal):
         return write_answer(known, whole, self.noun, "", f"{what} in all is")
 
     def _law(self, struck: CollisionTerm) -> str:
-        """Return the words for the law that gives the quantity."""
+        """Return the beginning of a sentence with the law for the energy loss or the impulse."""
         return struck.loses if self.noun is LOSS else struck.pushes
 
     def _one(self, struck: CollisionTerm) -> Expression:
-        """Return the quantity of one collision."""
+        """Return the energy loss or the impulse of one collision."""
         return struck.lost if self.noun is LOSS else struck.push
 
 

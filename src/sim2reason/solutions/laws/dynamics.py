@@ -21,7 +21,7 @@ class Dynamics:
     def __init__(
         self, setting: ProblemContext, book: SolutionBuilder, segment: Segment, measure: LawQuantity = ACCELERATIONS
     ) -> None:
-        """Take the problem, the book and the segment; UnreadError for other kinds of mechanisms."""
+        """Take the problem, the solution in progress and the segment; UnreadError for other kinds of mechanisms."""
         self.setting, self.book, self.segment = setting, book, segment
         self.newton = Newton(setting.lexicon, segment)
         self.mechanism = setting.mechanism
@@ -221,7 +221,7 @@ class Dynamics:
                 self._force(name, name[0], self.setting.subscript_of(self.mechanism.faces[int(name[1:])].subject))
 
     def added(self, group: Sequence[Row]) -> Row:
-        """Return the sum of Newton's laws of a group."""
+        """Return the sum of Newton's laws of a group of bodies."""
         forces, inertia = total(row.forces for row in group), total(row.inertia for row in group)
         return Row("newton", group[0].number, forces, inertia)
 
@@ -269,7 +269,7 @@ class Dynamics:
         return self.setting.direction_words((sense * x, sense * y, sense * z), on=parent)
 
     def sufficient_coordinates(self, coordinates: Sequence[int]) -> list[int]:
-        """Return those coordinates that determine a body's motion: none of a carrier whose motion is included."""
+        """Return the coordinates without those of carriers whose motion another coordinate already includes."""
         spared = {j for k in coordinates if k in self.carried for j in self._below(self.mechanism.coordinates[k].body)}
         return [k for k in coordinates if k not in spared]
 

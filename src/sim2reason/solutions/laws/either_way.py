@@ -27,7 +27,7 @@ def has_either_sign(setting: ProblemContext, book: SolutionBuilder, held: Expres
 def acceleration_over_distance(
     setting: ProblemContext, book: SolutionBuilder, begun: Expression, a: Symbol, bodies: Sequence[str]
 ) -> tuple[Expression, str]:
-    """Return the acceleration in d = ½ a t², or its magnitude, with the reason to end a sentence.
+    """Return the acceleration for d = ½ a t², or its magnitude for motion either way, and a clause with the reason.
 
     The magnitude is returned for bodies that may start in either direction, unless an assumption excludes one.
     """

@@ -103,7 +103,7 @@ class EquationsOfMotion:
     """The mass matrix, loads and constraints of a mechanism as polynomials in the text's symbols."""
 
     def __init__(self, lexicon: Lexicon, book: SolutionBuilder, phase: SwitchState, names: Names) -> None:
-        """Record the equations of the mechanism and of its twin; UnsolvedError if the two differ in form."""
+        """Record the equations of the mechanism and a copy with other numbers; UnsolvedError if they differ in form."""
         self._lexicon, self.book, self.names = lexicon, book, names
         self.mechanism = lexicon.mechanism
         self._here, one = assembled(lexicon.mechanism, phase)
@@ -135,14 +135,14 @@ class EquationsOfMotion:
         return self.read(here, there)
 
     def held(self, row: int) -> tuple[Polynomial, Polynomial]:
-        """Return both sides of a constraint in its second derivative, linear in the accelerations."""
+        """Return both sides of a constraint's second time derivative, which is linear in the accelerations."""
         size = range(len(self.mechanism.coordinates))
         left = total(self.pull(row, k) * self.names.acceleration(k) for k in size)
         return left, self.read(*(rows[row].target for rows in self._rows))
 
     @cached_property
     def _rows(self) -> tuple[list[RowTerms], list[RowTerms]]:
-        """Return the recorded constraints of the mechanism and of its twin."""
+        """Return the recorded constraints of the mechanism and of its copy with other numbers."""
         starts = {line.name: 0.0 for line in self.mechanism.lines}
         return self._here.rows(starts), self._there.rows(starts)
 
@@ -161,7 +161,7 @@ class EquationsOfMotion:
 
     @property
     def assemblies(self) -> tuple[Assembly, Assembly]:
-        """Return the recorded equations of the mechanism and of its twin."""
+        """Return the recorded equations of the mechanism and of its copy with other numbers."""
         return self._here, self._there
 
     def both(self, quantity: Callable[[Assembly], Quantity]) -> Polynomial:
@@ -171,7 +171,7 @@ class EquationsOfMotion:
     # ---- from tapes to names
 
     def read(self, here: Quantity, there: Quantity) -> Polynomial:
-        """Return a quantity recorded for the mechanism and for its twin in the symbols of the text."""
+        """Return in the text's symbols a quantity recorded for the mechanism and for its copy with other numbers."""
         if isinstance(here, Recorded) and isinstance(there, Recorded):
             return self._node(here.id, there.id)
         if isinstance(here, Recorded) or isinstance(there, Recorded):
@@ -179,7 +179,7 @@ class EquationsOfMotion:
         return self.number(DualValue(float(here), float(there)))  # type: ignore[arg-type]
 
     def number(self, both: DualValue) -> Polynomial:
-        """Return a number in the symbols of the text; an unread number gets a symbol that must cancel."""
+        """Return a number in the text's symbols; if that is impossible, a symbol that must cancel."""
         try:
             return self._lexicon.read(both)
         except UnreadError:
@@ -188,13 +188,13 @@ class EquationsOfMotion:
             return Polynomial.of(Symbol(name))
 
     def _node(self, here: int, there: int) -> Polynomial:
-        """Return a recorded node in the symbols of the text, from the cache."""
+        """Return an intermediate result of the recorded equations in the symbols of the text, from the cache."""
         if (here, there) not in self._known:
             self._known[here, there] = self._made(here, there)
         return self._known[here, there]
 
     def _form(self, side: int, node: int) -> int:
-        """Return a number for the form of a recorded quantity: its operations, regardless of constants."""
+        """Return a number that identifies the form of a recorded quantity: its operations, regardless of constants."""
         forms = self._forms[side]
         if node not in forms:
             operation, a, b = self._tapes[side].nodes[node]
@@ -208,7 +208,7 @@ class EquationsOfMotion:
         return forms[node]
 
     def _made(self, here: int, there: int) -> Polynomial:
-        """Return a recorded node in the symbols of the text."""
+        """Convert an intermediate result of the recorded equations to the symbols of the text."""
         one, two = self._tapes
         (operation, a, b), (other, c, d) = one.nodes[here], two.nodes[there]
         if operation != other:
@@ -293,7 +293,7 @@ def _by_itself(one: Polynomial, other: Polynomial) -> float:
 
 
 def _joined(operation: str, first: Polynomial, second: Polynomial) -> Polynomial:
-    """Return an operation on two polynomials."""
+    """Return the result of an operation (+, -, * or /) on two polynomials."""
     if operation == "*":
         return first * second
     if operation == "+":

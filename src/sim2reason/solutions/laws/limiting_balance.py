@@ -93,13 +93,13 @@ class LimitingBalance(LimitingDynamics):
         return (row.inertia - row.forces.without((f"N{face}",))).substitute(still)
 
     def laws(self, goals: Sequence[str]) -> tuple[list[Row], list[str]]:
-        """Return all laws except the condition, and their unknowns."""
+        """Return all laws, except that of the body about to move, and their unknowns."""
         rows, unknowns = super().laws(goals)
         held = self._condition
         return [row for row in rows if (row.kind, row.number) != (held.kind, held.number)], unknowns
 
     def write(self, *, slides: bool) -> str:
-        """Write the laws and the condition, and return the symbol of the unknown.
+        """Write the laws and the condition of zero acceleration; return the symbol of the question's unknown.
 
         Raises:
             UnsolvedError: the forces are not determined, or the unknown has no closed form.
@@ -179,7 +179,7 @@ class LimitingBalance(LimitingDynamics):
         return f", and so has the friction on {self.setting.bodies_phrase(others)}, {why}"
 
     def _bound(self) -> tuple[str, set[str]]:
-        """Return the words for what binds bodies to the one about to slip, and those bodies."""
+        """Return the words for the taut strings, and the bodies that they bind to the one about to slip."""
         taut = [held for n, held in enumerate(self.newton.lines) if self.values.get(f"T{n}", 0.0) > ACCELERATION_ATOL]
         tied, found = (
             [{self._body_at(line.through[0]), self._body_at(line.through[-1])} - {None} for line in taut],
@@ -190,7 +190,7 @@ class LimitingBalance(LimitingDynamics):
         return "the taut string makes" if len(taut) == 1 else "the taut strings make", found
 
     def _body_at(self, site: str) -> str | None:
-        """Return the body at a site."""
+        """Return the body to which an attachment point belongs; None for a fixed point."""
         return self.mechanism.site[site].body
 
     def _introduce(self, *, slides: bool) -> None:

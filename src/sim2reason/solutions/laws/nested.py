@@ -28,7 +28,7 @@ SHORT = 130  # characters of a formula into which another value is substituted, 
 
 
 class AnswerStrategy(Protocol):
-    """A strategy, as far as nested questions need it."""
+    """The methods of a strategy that are needed to answer an inner question."""
 
     def refusal(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; "" if it does."""
@@ -130,7 +130,7 @@ def _shortened(formula: Expression) -> Expression | None:
 
 
 def _put(formula: Expression, renamed: Mapping[str, Expression]) -> Expression:
-    """Substitute expressions for symbols; UnsolvedError if a number was found with those symbols."""
+    """Substitute expressions for symbols; UnsolvedError if a numerical root depends on these symbols."""
     try:
         formula = substitute_all(formula, renamed)
     except TypeError as error:

@@ -64,7 +64,7 @@ class Newton:
 
     @property
     def lines(self) -> tuple[Line, ...]:
-        """Return the lines that impose constraints."""
+        """Return the lines that impose constraints, such as strings."""
         return self.mechanism.constraints
 
     # ---- numbers
@@ -102,7 +102,7 @@ class Newton:
         return found
 
     def _over(self, number: DualValue, *coordinates: int) -> Polynomial:
-        """Divide a number by the scales of coordinates, or by the symbol of the largest radius if there are several."""
+        """Divide a number by the rim radii of coordinates; for several radii, by the symbol of the largest one."""
         stepped = [k for k in coordinates if len(set(self._rims.get(k, ()))) > 1]
         plain = (self.scale[k] for k in coordinates if k not in stepped)
         radii = (self.lexicon.read(self.scale[k]).symbol for k in stepped)
@@ -173,7 +173,7 @@ class Newton:
         return [part * symbol("q", j) for j in hinges if k in hinges and (part := self.turning(k, j))]
 
     def turning(self, k: int, j: int) -> Polynomial:
-        """Return the moment of inertia that two hinges share, over the product of their rims' radii."""
+        """Return the moment of inertia that couples two hinges, over the product of their rims' radii."""
 
         def inertia(m: Mechanism, f: Frames) -> float:
             total = 0.0

@@ -84,7 +84,7 @@ class Burning(StraightMotion):
 
     @cached_property
     def full(self) -> Expression:
-        """Return the mass at lift-off, and write why it is that."""
+        """Write the mass at lift-off with the reason, and return it."""
         if not self.waits:
             self._tell_rising()
             return self.first
@@ -221,7 +221,7 @@ class Burning(StraightMotion):
         step.close()
 
     def assumed_at(self, time: Symbol) -> str:
-        """Return a sentence about the fuel at a time that is verified at the end or assumed by the problem."""
+        """Return the sentence that no fuel is left at a time, an assumption that may be verified at the end."""
         if self.book.in_symbols:
             return f"By assumption, no fuel is left at ${time.latex()}$. "
         rises = self.setting.motion.state(np.array([self.setting.time])).v[0, 0] > 0.0
@@ -273,7 +273,7 @@ def _pull(mechanism: Mechanism) -> float:
 
 
 def _attracted(mechanism: Mechanism, pull: Attraction, one: Vector, other: Vector) -> float:
-    """Return the gravitational acceleration of one attraction along a direction, m/s²."""
+    """Return the magnitude of the gravitational acceleration by one attraction at given positions, m/s²."""
     apart = sum((a - b) ** 2 for a, b in zip(one, other, strict=True)) ** 0.5
     heavy = max(mechanism.body[pull.a].mass, mechanism.body[pull.b].mass)
     return pull.constant * heavy / apart**pull.power

@@ -39,7 +39,7 @@ def rolling_bodies(dynamics: Dynamics, shared: SharedRate) -> list[str]:
 
 
 def only_turning(dynamics: Dynamics, shared: SharedRate) -> str:
-    """Return the body whose rotation alone has a shared rate, such as a slipping one; empty if there is none."""
+    """Return the only body of a common rate if that is the rate of its rotation, as for a slipping wheel; else ""."""
     rolling = rolling_bodies(dynamics, shared)
     return rolling[0] if len(rolling) == len(shared.sense) == 1 else ""
 
@@ -119,7 +119,7 @@ def not_slipping(dynamics: Dynamics, row: Row) -> str:
 
 
 def inertia_words(dynamics: Dynamics, k: int) -> str:
-    """Return the words for the divisor of a torque, after the body's moment of inertia if it has one."""
+    """Return the words after *torque on* a body: its moment of inertia, if known, and the division by its radius."""
     newton = dynamics.newton
     try:
         radius, inertia = newton.lexicon.read(newton.scale[k]), newton.turning(k, k)
@@ -155,7 +155,7 @@ def slipping_words(dynamics: Dynamics, face: int, normal: Polynomial) -> str:
 
 
 def speed_words(dynamics: Dynamics, shared: SharedRate, begun: Expression, name: Symbol) -> str:
-    """Return the words before a velocity if its name does not identify it, or if it is that of a rotation."""
+    """Return words that say which velocity a symbol means if it is plain *v* or belongs to a rotation; else ""."""
     body = only_turning(dynamics, shared)
     first = f", at first ${begun.latex()}$," if begun != ZERO else ""
     if body:

@@ -197,7 +197,7 @@ def _changed(
 
 
 def _exceeds_still(book: SolutionBuilder, held: Relation, formulas: Mapping[str, Expression]) -> None:
-    """Check a comparison numerically with other formulas for names.
+    """Check numerically that an inequality of the solution still holds with other formulas for names.
 
     Raises:
         UnsolvedError: the comparison does not hold.
@@ -210,7 +210,7 @@ def _exceeds_still(book: SolutionBuilder, held: Relation, formulas: Mapping[str,
 
 
 def _verify(book: SolutionBuilder, step: Step, held: Relation, sides: Sequence[Expression], lead: str) -> None:
-    """Write one comparison with its new values."""
+    """Write that an inequality from an earlier step still holds for the new values of both sides."""
     writing, (left, right) = book.begin_step("verify"), sides
     record_inequality(book, writing, left, right)
     if max(len(side.latex()) for side in sides) > MAX_WRITTEN_LENGTH:
@@ -222,7 +222,7 @@ def _verify(book: SolutionBuilder, step: Step, held: Relation, sides: Sequence[E
 
 
 def _told(writing: StepBuilder, step: Step, sides: tuple[Expression, Expression]) -> str:
-    """Return one side of a comparison in words: its new value, or its name if it is unchanged."""
+    """Return one side of an inequality in words: its new value, or its name if it is unchanged."""
     before, after = sides
     named = next((r for r in step.relations if r.role == "verified" and before in (r.left, r.right)), None)
     if named is None or before == after:

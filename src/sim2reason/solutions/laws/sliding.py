@@ -77,7 +77,7 @@ def verify_sliding(dynamics: Dynamics) -> None:
 
 
 def _tell(dynamics: Dynamics) -> None:
-    """Write the reasons of `verify_sliding`."""
+    """Write for each body that starts to slide that static friction cannot hold it, or its relative acceleration."""
     spoken = {dynamics.mechanism.coordinates[row.number].body for group in dynamics.groups for row in group}
     moved: dict[Expression, list[int]] = {}
     for number, side in dynamics.newton.slip_directions.items():

@@ -45,7 +45,7 @@ HALF = Number(0.5)
 
 @dataclass
 class Stage:
-    """A segment with its initial `speeds` and `places` by coordinate, positive along the coordinate."""
+    """A stage of constant accelerations, with initial velocities `speeds` and displacements `places` by coordinate."""
 
     setting: ProblemContext
     book: SolutionBuilder
@@ -74,7 +74,7 @@ class Stage:
         return of(k) - of(j).scaled(sign)
 
     def reach(self, goals: Sequence[str]) -> None:
-        """Write the accelerations and forces that are goals."""
+        """Write the derivation of the accelerations and forces in `goals`, such as ``q3`` or ``T1``."""
         if not self.uniform:
             self.dynamics.reach(goals)
 
@@ -169,11 +169,11 @@ class Stage:
         return name
 
     def _shared(self, k: int) -> SharedRate | None:
-        """Return the common rate of a coordinate, or None."""
+        """Return the common rate of connected bodies to which a coordinate belongs, or None."""
         return next((shared for shared in self.dynamics.shared if k in shared.sense), None)
 
     def _begun(self, shared: SharedRate) -> Polynomial:
-        """Return the initial velocity of a common rate, in its own sense."""
+        """Return the initial velocity of bodies with a common rate, positive in the sense of the rate's symbol."""
         k, sense = next(iter(shared.sense.items()))
         return self.speeds.get(k, NIL).scaled(float(sense))
 
@@ -199,7 +199,7 @@ class Stage:
         return self.written_time
 
     def _rolling(self) -> Symbol:
-        """Write the time at which slip ends: Σ factor (v + a t) = 0."""
+        """Write the time at which slip ends, when Σ factor · (v + a t) over the coordinates is zero."""
         begun = total(part * self.speeds.get(k, NIL) for k, part in self.end.slip.items())
         gained = total(part * self.acceleration(k) for k, part in self.end.slip.items())
         step, name = self.book.begin_step("time"), self.book.fresh("t")
@@ -318,5 +318,5 @@ class Stage:
 
 
 def _path(begun: Expression, a: Expression, time: Expression) -> Expression:
-    """Return v t + ½ a t²."""
+    """Return the displacement v t + ½ a t² at constant acceleration."""
     return added(multiplied(begun, time), multiplied(HALF, multiplied(a, Power(time, 2))))

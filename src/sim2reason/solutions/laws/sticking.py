@@ -17,7 +17,7 @@ FRICTION_LIMIT_RATIO = 1.0 + 1e-9  # largest ratio of the needed friction to µ_
 
 
 def verify_sticking(dynamics: Dynamics) -> None:
-    """Write, for each sticking body whose own law gives the friction, that it does not exceed its maximum."""
+    """Write, for each sticking body whose own law gives its friction, that this does not exceed its maximum."""
     mechanism, newton = dynamics.mechanism, dynamics.newton
     spoken = {mechanism.coordinates[row.number].body for group in dynamics.groups for row in group}
     spoken |= {carrier for body in spoken for carrier in carriers(dynamics, body)}
@@ -38,7 +38,7 @@ def limit_of_friction(newton: Newton, face: int) -> Expression:
 
 
 def _tell(dynamics: Dynamics, number: int, friction: Expression, normal: Expression) -> None:
-    """Write the comparison of the needed friction with its maximum."""
+    """Write that the friction needed to stick is within the limit of static friction."""
     book, body = dynamics.book, dynamics.mechanism.faces[number].subject
     friction = friction if book.value(friction) >= 0.0 else -friction
     most = multiplied(dynamics.newton.static_coefficient(number).expression(), normal)
@@ -152,13 +152,13 @@ def friction_formulas(
     most: Expression,
     named: Symbol | None = None,
 ) -> list[str]:
-    """Return the formulas of the needed and the greatest friction; the needed one is omitted if already `named`."""
+    """Return the equations of the needed and the greatest friction; the needed one may be `named` already."""
     names = [named or book.fresh("f", mark), book.fresh(r"f_{\text{max}}", mark)]
     return [step.verified(name, held, NEWTONS) for name, held in zip(names, (friction, most), strict=True)]
 
 
 def force_from_one_law(dynamics: Dynamics, rows: list[Row], name: str) -> Expression | None:
-    """Return a force from a law in which all other values are known; None if there is none."""
+    """Return a force or acceleration from a law in which all else is known; None if there is none."""
     named = dynamics.names.get(name)
     if named is not None:
         named = named if named.names() <= dynamics.book.values.keys() else named.substitute(dynamics.bound)

@@ -24,7 +24,7 @@ class StraightMotion(ABC):
     """The derivation of one answer for bodies that move along straight lines."""
 
     def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
-        """Take the problem and the book."""
+        """Take the problem and the solution in progress."""
         self.setting, self.book = setting, book
         self.mechanism, self.query = setting.mechanism, setting.query
         self.target: Target | None = setting.target
@@ -44,12 +44,12 @@ class StraightMotion(ABC):
 
     @property
     def goal(self) -> Goal | None:
-        """Return the goal of the question's quantity; None for a time."""
+        """Return the object that derives the question's quantity; None if a time is asked for."""
         return GOALS[self.target.quantity] if self.target is not None else None
 
     @property
     def uses(self) -> str:
-        """Return the kinds of vectors that the goal needs; ``s`` for a time."""
+        """Return the kinds of vectors that the question's quantity needs; ``s`` for a time."""
         return self.goal.uses if self.goal is not None else "s"
 
     @cached_property

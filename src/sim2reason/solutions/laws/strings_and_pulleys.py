@@ -91,7 +91,7 @@ def _taking_part(matrix: NDArray[np.float64], target: NDArray[np.float64], goal:
 
 
 def _weights(matrix: NDArray[np.float64], target: NDArray[np.float64]) -> NDArray[np.float64] | None:
-    """Return the weights of the laws whose sum gives the target; None if no sum does."""
+    """Return the weights with which laws add up to the target coefficients; None if no sum does."""
     if not len(matrix):
         return None
     weights = np.asarray(np.linalg.lstsq(matrix.T, target, rcond=1e-12)[0], dtype=np.float64)

@@ -49,7 +49,7 @@ def tell_not_turned(book: SolutionBuilder, begun: Expression, a: Symbol, time: S
 
 
 def verify_remaining(book: SolutionBuilder, left: Symbol, formula: Expression, until: str) -> None:
-    """Write that earlier stages end before an instant; at the end if it depends on the unknown."""
+    """Write at the end that earlier stages end before an instant, if the time left depends on the unknown."""
 
     def write() -> None:
         step = book.begin_step("verify")
@@ -62,7 +62,7 @@ def verify_remaining(book: SolutionBuilder, left: Symbol, formula: Expression, u
 
 
 def verify_farther(book: SolutionBuilder, whole: Polynomial, covers: tuple[Symbol, Polynomial], who: str) -> None:
-    """Write that earlier stages do not cover a distance; at the end if it depends on the unknown.
+    """Write that earlier stages do not cover a distance, at the end of the text if it depends on the unknown.
 
     `whole` is the remaining distance; `covers` has the distance and the displacement so far.
     """
@@ -89,6 +89,6 @@ def verify_farther(book: SolutionBuilder, whole: Polynomial, covers: tuple[Symbo
 
 
 def _in_the_end(book: SolutionBuilder, held: Expression, write: Callable[[], None]) -> None:
-    """Schedule a check for the end if it depends on the unknown."""
+    """Schedule a check for the end of the text if the quantity checked depends on the question's unknown."""
     if book.is_hidden(held) and not book.in_symbols:
         book.afterwards.append(write)

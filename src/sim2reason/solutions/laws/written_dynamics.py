@@ -42,7 +42,7 @@ class WrittenDynamics(Dynamics):
     """The laws of an instant, from which accelerations and forces are derived in writing."""
 
     def reach(self, goals: Sequence[str]) -> None:
-        """Write the derivation of unknowns, such as ``q3`` or ``T1``; their `names` have values then."""
+        """Write the derivation of unknowns, such as ``q3`` or ``T1``; their symbols in `names` have values then."""
         still = self.frozen | self.unforced
         tell_unforced(self, goals)
         goals = [goal for goal in dict.fromkeys(goals) if not (goal[0] == "q" and int(goal[1:]) in still)]
@@ -232,7 +232,7 @@ class DynamicsWriter:
     # ---- rows
 
     def _row(self, group: Sequence[Row]) -> Row:
-        """Return the sum of a group's laws in the symbols of the book, along its sense of motion."""
+        """Return the sum of Newton's laws of a group of bodies, in the text's symbols, along its motion."""
         sense = float(self.d.sense.get(group[0].number, 1))
         row = self.d.added(group)
         forces, inertia = (
@@ -241,7 +241,7 @@ class DynamicsWriter:
         return Row("newton", group[0].number, forces, inertia)
 
     def _equation(self, group: Sequence[Row], *, labelled: bool) -> Equation:
-        """Return the equation of a group's laws."""
+        """Return the equation that is the sum of Newton's laws of a group of bodies."""
         row = self._row(group)
         k = group[0].number
         moves = self.names.get(f"q{k}", NIL)
