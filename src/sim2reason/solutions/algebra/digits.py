@@ -34,7 +34,7 @@ def full_latex(value: float) -> str:
 
 
 def with_guard_digits(value: float) -> str:
-    """Write a number with guard digits, for equations that are subtracted, and without trailing zeros."""
+    """Write a number with guard digits, for equations to be subtracted from each other, without trailing zeros."""
     text = rounded_latex(value, GUARD_DIGITS)
     return text if "times" in text or "." not in text else re.sub(r"(\.\d+?)0+$", r"\1", text)
 

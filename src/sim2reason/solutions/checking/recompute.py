@@ -167,7 +167,7 @@ INTEGER_ATOL = 1e-9  # largest difference between a count and an integer
 
 
 def recompute(data: Mapping[str, Any]) -> Recomputed:
-    """Recompute the answer of a solution from its data, see `sim2reason.solutions.data.as_data`.
+    """Recompute the answer of a solution from its JSON data alone, made by `sim2reason.solutions.data.as_data`.
 
     Givens and relations are processed in order, and phases are integrated. Every name must follow from what is stated,
     every relation must hold, and the laws must determine the goal. Faults are returned as messages, never raised.

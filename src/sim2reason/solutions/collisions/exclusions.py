@@ -137,7 +137,7 @@ class RelativeMotion:
         return ratio(*self.names)
 
     def concluded(self, base: str, formula: Expression, unit: str) -> str:
-        """Return the equation of the final number of the argument."""
+        """Write the number that concludes the argument, such as a time, and return its equation."""
         said: list[str] = []
         self._verified(base, formula, unit, "", said)
         return said[0]
@@ -195,7 +195,7 @@ TIME_RTOL = 1e-9  # relative: a collision this close to a time counts as simulta
 
 @dataclass(frozen=True)
 class FreeInterval:
-    """An interval in which both bodies of a possible collision move freely; `legs` are their flight numbers."""
+    """An interval in which both bodies of a possible collision move freely; `legs` are the numbers of their flights."""
 
     meeting: int
     legs: dict[str, int]

@@ -53,7 +53,7 @@ class FreeFlights(ABC):
 
     @cached_property
     def frames(self) -> tuple[Frames, Frames]:
-        """Return the initial geometry of the mechanism and of its twin, which has other parameters."""
+        """Return the initial geometry of the mechanism and of its twin, the same mechanism with other parameters."""
         return initial_frames(self.setting.lexicon.mechanism), initial_frames(self.setting.lexicon.twin)
 
     @cached_property

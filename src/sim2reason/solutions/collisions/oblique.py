@@ -26,7 +26,7 @@ class Flights(Impacts):
         return _meet(self, impact)
 
     def approach(self, impact: Impact) -> tuple[dict[str, Symbol], Symbol]:
-        """Return the line of centres, by axis, and the approach velocity along it; both are written once."""
+        """Write once, and return, the unit vector along the line of centres, by axis, and the approach velocity."""
         if impact.number not in self.approaches:
             self.approaches[impact.number] = _approach(self, impact)
         return self.approaches[impact.number]
@@ -174,7 +174,7 @@ def _named(
 
 
 def _approach(flights: Impacts, impact: Impact) -> tuple[dict[str, Symbol], Symbol]:
-    """Write the line of centres, by axis, and the relative velocity along it, which is negative."""
+    """Write the unit vector along the line of centres, by axis, and the negative relative velocity along it."""
     book, number = flights.book, flights.collision_number(impact)
     _, u, _, labels = _relative(flights, impact)
     parts, when = _normal(flights, impact)

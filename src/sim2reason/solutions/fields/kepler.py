@@ -54,7 +54,7 @@ class KeplerOrbit:
 
     @cached_property
     def parameter(self) -> Symbol:
-        """Return µ = G M."""
+        """Return µ = G M, the gravitational constant times the central mass."""
         constant = gravitational_constant(self.book, self.setting.mechanism.attractions[0].constant)
         return self.book.add_step("parameter", "Let", self.named(r"\mu"), constant * self._heavy, PARAMETER)
 
@@ -94,7 +94,7 @@ class KeplerOrbit:
 
     @cached_property
     def position_dot_velocity(self) -> Expression:
-        """Return r₀·v₀."""
+        """Return r₀·v₀, the scalar product of initial position and initial velocity."""
         return self.place[0] * self.rate[0] + self.place[1] * self.rate[1]
 
     @cached_property

@@ -78,7 +78,7 @@ class QuadraticDragMotion(FieldMotion):
     """Motion in a magnetic field with quadratic drag."""
 
     def rate(self, axis: int, time: Expression) -> Expression:
-        """Return the initial velocity, rotated and divided by 1 + γ t."""
+        """Return a component of the initial velocity, rotated and divided by 1 + γ t, as quadratic drag reduces it."""
         found, turning = self.launch[axis], self.fields.turning
         if turning is not None:
             across = self.launch[1 - axis] * TURNS[axis]

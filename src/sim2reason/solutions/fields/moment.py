@@ -131,7 +131,7 @@ class FieldMoment:
 
     @cached_property
     def speed(self) -> Expression | None:
-        """Return the speed at the moment if a short formula exists: without an electric field, or once turned."""
+        """Return the speed at the moment if a short formula exists: without electric field, or after a known turn."""
         fields = self.fields
         if fields.has_field:
             return self.turn.speed(self.launched) if fields.turning is None else None

@@ -41,7 +41,7 @@ class FieldMotion(ABC):
         return self.rate(axis, time)
 
     def named(self, said: str, base: str, mark: str, formula: Expression, unit: str) -> Expression:
-        """Return the name of a constant of the motion; zero and symbols need none."""
+        """Write a constant of the motion under a new name and return the name; zero and symbols need none."""
         if formula == ZERO or isinstance(formula, Symbol):
             return formula
         return self.book.add_step("motion", said, self.book.fresh(base, mark), formula, unit, rests=self.fields.law)

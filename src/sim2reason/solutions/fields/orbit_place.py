@@ -109,7 +109,7 @@ class AtAnomaly(OrbitPlace):
         self._grown, self._radius = grown, radius
 
     def _anomaly(self) -> Expression:
-        """Return the known increase of the anomaly."""
+        """Return the known increase of the eccentric anomaly."""
         return self._grown()
 
     def _distance(self) -> Symbol:

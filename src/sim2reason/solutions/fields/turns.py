@@ -230,7 +230,7 @@ class FieldTurn:
 
     @property
     def _swing(self) -> ElectricMotion | None:
-        """Return the motion if it is half an oscillation along the field; else None."""
+        """Return the motion if, up to the question's moment, it is half an oscillation along the field; else None."""
         drive, motion = self.fields.drive, self.motion
         if drive is None or not isinstance(self.moment, AcrossField) or not isinstance(motion, ElectricMotion):
             return None

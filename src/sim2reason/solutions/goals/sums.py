@@ -144,7 +144,7 @@ class HeatGoal(SumGoal):
         return multiplied(friction.expression(), part.slipped(target.subject).expression()) if friction else ZERO
 
     def said(self, target: Target, setting: ProblemContext) -> str:
-        """Return the name of the dissipated energy; for a rolling body, of the slip at the contact point."""
+        """Return the name of the dissipated energy; for a rolling body it mentions the slip of the contact point."""
         rolls = any(face.subject == target.subject and len(face.slip) > 1 for face in setting.mechanism.faces)
         how = ", which is the friction times the distance that the point of contact slips," if rolls else ""
         who, under = setting.display_name(target.subject), setting.mechanism.body[target.subject].parent

@@ -178,7 +178,7 @@ class Dynamics:
             self._called(held, alone=len(classes) == 1, goals=goals)
 
     def _called(self, held: dict[int, int], *, alone: bool, goals: Sequence[str]) -> None:
-        """Name the common rate of a class of coordinates after one of their bodies."""
+        """Name the common rate of several coordinates after one of their bodies."""
         bodies = [self.mechanism.coordinates[k].body for k in held]
         goal = next(
             (self.mechanism.coordinates[int(g[1:])].body for g in goals if g[0] == "q" and int(g[1:]) in held), ""
@@ -198,7 +198,7 @@ class Dynamics:
             self.names[f"q{k}"] = Polynomial.of(named).scaled(float(sense))
 
     def _turn(self, held: dict[int, int]) -> int:
-        """Return the sign of the rate with which a class of coordinates moves, or begins to."""
+        """Return the sign of the rate with which coordinates of one common rate move, or begin to."""
         for values in (
             self.relative_to_ground(self.segment.v),
             [self.values[f"q{k}"] for k in range(len(self.segment.v))],

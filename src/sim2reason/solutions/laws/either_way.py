@@ -18,7 +18,7 @@ DECADES = 1.0  # random factors range over this many decades up and down
 
 
 def has_either_sign(setting: ProblemContext, book: SolutionBuilder, held: Expression, bodies: Collection[str]) -> bool:
-    """Return whether a symbolic quantity may have either sign, for bodies without an assumed direction."""
+    """Return whether a symbolic quantity has either sign, depending on the numbers, for bodies of unknown direction."""
     if not book.in_symbols or any(isinstance(each, MovesOneWay) and each.name in bodies for each in setting.assumed):
         return False
     return len({positive for positive, _ in _signs(setting, book, held)}) > 1
@@ -69,7 +69,7 @@ def _is_assumed_positive(setting: ProblemContext, book: SolutionBuilder, held: E
 def _signs(
     setting: ProblemContext, book: SolutionBuilder, held: Expression
 ) -> Iterator[tuple[bool, Mapping[str, float]]]:
-    """Yield whether a quantity is positive, for random values of the given numbers, with these values."""
+    """Yield whether a quantity is positive, for random values of the given numbers, together with these values."""
     formulas = defined_by(book.steps)
     angles = {given.symbol for given in setting.lexicon.givens.values() if given.angle}
     random = np.random.default_rng(0)

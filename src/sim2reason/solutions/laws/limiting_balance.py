@@ -150,7 +150,7 @@ class LimitingBalance(LimitingDynamics):
         return found, formula
 
     def _either_way(self) -> str:
-        """Return a sentence about the sign if the symbolic answer is an absolute value, for slip either way."""
+        """Return the sentence that slip the other way only changes the sign, if the symbolic answer is a magnitude."""
         formula, way = self.setting.formula, self._way()
         if not self.book.in_symbols or formula is None or BAR not in formula.latex or not way or self._with_it():
             return ""

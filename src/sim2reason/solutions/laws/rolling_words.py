@@ -45,7 +45,7 @@ def only_turning(dynamics: Dynamics, shared: SharedRate) -> str:
 
 
 def turning_noun(dynamics: Dynamics, shared: SharedRate) -> str:
-    """Return the words for a rate of pure rotation and its positive sense."""
+    """Return the words for the angular acceleration or angle of a body that only rotates, and the positive sense."""
     rate = "the angle through which it turns" if dynamics.measure.values else "its angular acceleration"
     body, sense = only_turning(dynamics, shared), _positive(dynamics, shared)
     return f"the {radius_of(dynamics.setting, body)} of {dynamics.setting.display_name(body)} times {rate}{sense}"
@@ -103,7 +103,7 @@ def winding_way(dynamics: Dynamics, k: int, sense: int) -> str:
 
 
 def glided_words(dynamics: Dynamics, k: int) -> str:
-    """Return the words before the distance or arc of a coordinate at constant rate."""
+    """Return the words before the distance or arc that a coordinate covers at a constant rate."""
     coordinate = dynamics.mechanism.coordinates[k]
     if coordinate.kind != "hinge":
         return f"{constant_words(dynamics, k)}, which gives"
@@ -165,7 +165,7 @@ def speed_words(dynamics: Dynamics, shared: SharedRate, begun: Expression, name:
 
 
 def arc_words(dynamics: Dynamics, shared: SharedRate) -> str:
-    """Return the words before an arc of pure rotation; empty for other displacements."""
+    """Return the words that introduce the arc of a body that only rotates; empty for other displacements."""
     body = only_turning(dynamics, shared)
     radius = f"the {radius_of(dynamics.setting, body)} of {dynamics.setting.display_name(body)}" if body else ""
     return f"{radius} times the angle through which it has turned is " if body else ""

@@ -21,7 +21,7 @@ MIN_REPEATED_WORDS = 20  # words: shorter repetitions are kept
 
 
 def shorten_second_case(book: SolutionBuilder, begun: int, changed: Mapping[str, str]) -> None:
-    """Replace the steps from `begun` on that repeat laws by a sentence that the laws are the same.
+    """Replace steps of the second case, from `begun` on, that repeat laws by one sentence that the laws are the same.
 
     `changed` maps the name of the differing number to its name in the first case.
     """
@@ -95,13 +95,13 @@ def _is_idle_law(step: Step, kept: Sequence[Step], first: Sequence[Step], book: 
 
 
 def _moved(step: Step, places: Mapping[int, int]) -> Step:
-    """Return a step with its own number and those of the needed steps replaced."""
+    """Return a step with its own number, and those of the steps that it needs, replaced by new ones."""
     needs = {places.get(place, place) for place in step.needs}
     return replace(step, id=places[step.id], needs=tuple(sorted(needs)))
 
 
 def _same_laws(names: Mapping[str, str]) -> str:
-    """Return the sentence that the laws are the same, with the substituted names."""
+    """Return the sentence that the same laws hold with new names in place of those of the first case."""
     said = [f"${new}$ for ${old}$" for new, old in names.items()]
     return f"The same laws hold, with {join_words(said)}."
 
@@ -143,7 +143,7 @@ def _renaming(text: str, other: str) -> dict[str, str] | None:
 
 
 def _labels(first: Sequence[Step], rest: Sequence[Step], names: Mapping[str, str]) -> dict[str, str]:
-    """Return new labels of equations: those of the first case for repeated laws, else the next ones."""
+    """Return new labels for the second case's equations: the first case's for repeated laws, else the next numbers."""
     told = max((int(label[1:-1]) for step in first for label in LABEL.findall(step.text)), default=0)
     found = {new: old for new, old in names.items() if LABEL.fullmatch(new)}
     for step in rest:
@@ -188,7 +188,7 @@ def _hanging(formulas: Mapping[str, Expression], symbol: str) -> dict[str, Expre
 def _changed(
     side: Expression, symbol: str, changed: Expression, hanging: Mapping[str, Expression]
 ) -> Expression | None:
-    """Return a formula with `changed` in place of a symbol, also in dependent names; None if it gets long."""
+    """Return a formula with `changed` in place of a symbol, also in names that depend on it; None if it gets long."""
     for name, formula in {**hanging, symbol: changed}.items():
         side = substitute(side, name, formula)
         if len(side.latex()) > MAX_SUBSTITUTED_LENGTH:

@@ -77,7 +77,7 @@ def verify_sliding(dynamics: Dynamics) -> None:
 
 
 def _tell(dynamics: Dynamics) -> None:
-    """Write for each body that starts to slide that static friction cannot hold it, or its relative acceleration."""
+    """Write why each body that starts to slide does: it needs too much friction, or accelerates despite friction."""
     spoken = {dynamics.mechanism.coordinates[row.number].body for group in dynamics.groups for row in group}
     moved: dict[Expression, list[int]] = {}
     for number, side in dynamics.newton.slip_directions.items():
@@ -152,7 +152,7 @@ def _without_friction(dynamics: Dynamics, found: Symbol) -> Expression | None:
 
 
 def _unvalued(dynamics: Dynamics, face: int) -> Symbol | None:
-    """Return the symbol of an acceleration of slip that a string binds to another one; None without a string."""
+    """Return the symbol of a slip acceleration that a string ties to another acceleration; None if no string does."""
     slips = [*dynamics.newton.slip(face).items()]
     if len(slips) != 1:
         return None

@@ -249,7 +249,7 @@ class Stage:
         return Quotient(added(multiplied(Number(sign), Root(under)), -begun), a)
 
     def _over(self, shared: SharedRate) -> tuple[Expression, str]:
-        """Return the acceleration over a distance, perhaps its magnitude, and the reason to end a sentence."""
+        """Return the acceleration for d = ½ a t², or its magnitude for motion either way, and a clause saying why."""
         bodies = [self.dynamics.mechanism.coordinates[k].body for k in shared.sense]
         begun = self._begun(shared).factored()
         return acceleration_over_distance(self.setting, self.book, begun, shared.symbol, bodies)

@@ -82,7 +82,7 @@ class StraightMotion(ABC):
         return abs(dot(self._start.center(body).gradient[k], way)) >= COMPONENT_ATOL
 
     def stretching(self, line: str) -> list[int]:
-        """Return the coordinates that change the length of a line."""
+        """Return the coordinates that change the length of a string or spring."""
         newton = Newton(self.setting.lexicon, self.setting.motion.segments[0])
         number = self.mechanism.lines.index(self.mechanism.line[line])
         return [k for k in range(len(self.mechanism.coordinates)) if newton.stretch(number, k)]
@@ -205,7 +205,7 @@ class StraightMotion(ABC):
         raise UnsolvedError(f"no {what} of {line}")
 
     def growth(self, kind: str, line: str) -> Polynomial:
-        """Return the increase of a line's length, or its rate; by default raise UnsolvedError."""
+        """Return the increase of the length of a string or spring, or its rate; by default raise UnsolvedError."""
         raise UnsolvedError(f"no {kind} of {line}")
 
     @property

@@ -252,7 +252,7 @@ class DynamicsWriter:
         return Equation(self.d.book.labels.next() if labelled else "", row.forces, row.inertia, moves)
 
     def _tell(self, groups: Sequence[Sequence[Row]], equations: Sequence[Equation]) -> None:
-        """Write the laws of all groups."""
+        """Write Newton's laws of all groups of bodies."""
         step = self._open("newton")
         for group, equation in zip(groups, equations, strict=True):
             if not equation.inertia and not self._mass(group):
@@ -265,7 +265,7 @@ class DynamicsWriter:
         step.close()
 
     def _why(self, group: Sequence[Row]) -> str:
-        """Return the words before the law of a group."""
+        """Return the words before Newton's law of a group of bodies."""
         if self.d.measure.values:
             who, _, direction = self._who(group).rpartition(", ")
             said = f"No external force on {who} has a component {direction}, and they start from rest,"
@@ -285,7 +285,7 @@ class DynamicsWriter:
         return equation.inertia.collected(accelerations)
 
     def _mass(self, group: Sequence[Row]) -> bool:
-        """Return whether a group has a mass or a moment of inertia."""
+        """Return whether a group of bodies has a mass or a moment of inertia."""
         heavy = {k for b in self.d.mechanism.bodies if b.mass for k in self.d.newton.moving_coordinates(b.name)}
         return any(row.number in heavy or self.d.mechanism.coordinates[row.number].kind == "hinge" for row in group)
 
