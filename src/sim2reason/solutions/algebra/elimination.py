@@ -39,7 +39,7 @@ class Equation:
 
     @cached_property
     def zero(self) -> Polynomial:
-        """Forces minus inertia, which is zero by the equation."""
+        """Return forces minus inertia, which is zero by the equation."""
         return self.forces - self.inertia
 
     def substitute(self, values: Mapping[str, Polynomial]) -> "Equation":

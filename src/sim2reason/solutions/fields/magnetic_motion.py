@@ -49,7 +49,7 @@ class CrossedFieldsMotion(ElectricMotion):
         return self.named(said, "k", along, self._drive.slope - Power(self._turning, 2), PER_SECOND_SQUARED)
 
     def moved(self, axis: int, time: Expression) -> Expression:
-        """Return the displacement: an oscillation along the electric field, and an integral across it."""
+        """Return a displacement component: an oscillation along the electric field, an integral across it."""
         along = self._drive.axis
         if axis == along:
             return self._along(time)
@@ -57,7 +57,7 @@ class CrossedFieldsMotion(ElectricMotion):
         return self.launch[axis] * time + self._turning * TURNS[axis] * summed
 
     def rate(self, axis: int, time: Expression) -> Expression:
-        """Return the velocity; across the electric field it is linear in the displacement along it."""
+        """Return a velocity component; that across the electric field is linear in the displacement along the field."""
         along = self._drive.axis
         if axis == along:
             return super().rate(axis, time)

@@ -28,7 +28,7 @@ ACCELERATIONS = VectorName.of("acceleration")
 
 
 def along_sense(whose: str, sense: Sense) -> str:
-    """Return the name of a vector component, or the positive sense for a vector along a line."""
+    """Return words such as *the x component of* a vector, or the vector's name with the sense taken as positive."""
     if sense.fixed:
         return f"the {sense.axis} component of the {whose}"
     return f"the {whose} (taking {sense.positive} as positive)"

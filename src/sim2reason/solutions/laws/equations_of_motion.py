@@ -165,7 +165,7 @@ class EquationsOfMotion:
         return self._here, self._there
 
     def both(self, quantity: Callable[[Assembly], Quantity]) -> Polynomial:
-        """Return a quantity of the recorded equations in the symbols of the text."""
+        """Return in the text's symbols a quantity that is read from the recorded equations."""
         return self.read(quantity(self._here), quantity(self._there))
 
     # ---- from tapes to names
