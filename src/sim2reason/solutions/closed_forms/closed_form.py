@@ -262,7 +262,7 @@ class Substitution:
         self._known: dict[str, Expression] = {}
 
     def named(self, name: str) -> Expression:
-        """Return the formula of a name in given quantities."""
+        """Return the formula of a named quantity in terms of given quantities."""
         if name in self._given:
             return Symbol(self._given[name])
         if name not in self._known:

@@ -104,7 +104,7 @@ class _FinalAlgebra:
         yield from _summands(self._formulas[whole], names) or [Symbol(name) for name in names]
 
     def _on_the_way(self) -> list[str]:
-        """Return the names on which the answer depends, in order of definition.
+        """Return the symbols of quantities on which the answer depends, in order of definition.
 
         The search stops at names that the text gives in terms of given quantities.
         """

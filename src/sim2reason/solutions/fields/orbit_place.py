@@ -129,7 +129,7 @@ class AtAnomaly(OrbitPlace):
         return {number: self.orbit.named("c", number) for number in "1234"}
 
     def _combined(self, numbers: str, axis: int) -> Expression:
-        """Return a linear combination of initial position and velocity; zero components need no coefficient."""
+        """Return a component: Lagrange's coefficients times initial position and velocity, without zero terms."""
         orbit, found = self.orbit, ZERO
         for number, part in zip(numbers, (orbit.place[axis], orbit.rate[axis]), strict=True):
             if part != ZERO:

@@ -31,7 +31,7 @@ class Burning(StraightMotion):
         raise UnsolvedError("a rocket has no law of constant mass")
 
     def force(self, kind: str, name: str) -> Symbol:
-        """Raise UnsolvedError: a rocket has no such forces."""
+        """Raise UnsolvedError: a rocket has no tension, normal force or friction."""
         raise UnsolvedError(f"no {kind} of {name}")
 
     # ---- numbers

@@ -35,7 +35,7 @@ def rubs_at_rest(dynamics: Dynamics, face: int) -> bool:
 
 
 def directions_of_friction(dynamics: Dynamics, rows: Sequence[Row]) -> list[str]:
-    """Return sentences about the directions of the friction forces in some laws."""
+    """Return sentences about the directions of the friction forces that occur in the given laws."""
     used = {name for row in rows for name in row.zero.names()}
     ways: dict[str, list[str]] = {}
     sticking: list[str] = []

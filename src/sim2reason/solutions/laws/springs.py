@@ -8,7 +8,7 @@ from sim2reason.solutions.writing.lexicon import DualValue, UnreadError
 
 
 class SpringLaws(Newton):
-    """The laws of a segment in which springs act."""
+    """Newton's laws in a segment of a motion in which springs act."""
 
     @property
     def springs(self) -> list[int]:

@@ -178,11 +178,11 @@ class Stage:
         return self.speeds.get(k, NIL).scaled(float(sense))
 
     def _ends(self, shared: SharedRate) -> bool:
-        """Return whether a common rate includes the coordinate that ends the stage."""
+        """Return whether one of the coordinates with a common rate ends the stage."""
         return not self.end.slip and self.end.coordinate in shared.sense
 
     def _value(self, shared: SharedRate, *, moved: bool) -> float:
-        """Return the engine's final value of a common rate, m/s, or displacement, m."""
+        """Return, from the engine, the final velocity, m/s, or displacement, m, of bodies with a common rate."""
         k, sense = next(iter(shared.sense.items()))
         scale = sense * self.dynamics.newton.scale[k].here
         own = self.dynamics.relative_to_ground
@@ -255,7 +255,7 @@ class Stage:
         return acceleration_over_distance(self.setting, self.book, begun, shared.symbol, bodies)
 
     def _at_end(self, shared: SharedRate) -> Polynomial:
-        """Return the final velocity of a common rate, written once."""
+        """Return the final velocity of bodies with a common rate, written once."""
         name = shared.symbol.name
         if name not in self._velocity:
             self._velocity[name] = self._speed(shared)
@@ -292,7 +292,7 @@ class Stage:
         return Polynomial.of(name)
 
     def _travelled(self, shared: SharedRate) -> Polynomial:
-        """Return the displacement of a common rate, written once."""
+        """Return the displacement in this stage of bodies with a common rate, written once."""
         name = shared.symbol.name
         if name not in self._moved:
             self._moved[name] = self._distance(shared)
