@@ -91,14 +91,14 @@ class _StatedParts:
         return replace(step, text=f"{AS_IN_PART.format(first)}{step.text.removeprefix(SO)}")
 
     def _integrated(self, part: str, step: Step) -> Step:
-        """Return an integration reduced to its results if an earlier part has integrated the same problem."""
+        """Reduce the text of an integration to its results if an earlier part has integrated the same equations."""
         match = _INTEGRATED.fullmatch(step.text) if step.integration is not None else None
         if match is None or (first := self._problems.setdefault(match["problem"], part)) == part:
             return step
         return replace(step, text=f"The numerical integration of part ({first}) also gives {match['ends']}")
 
     def _is_said(self, step: Step, values: Container[str]) -> bool:
-        """Return whether an earlier part has the same step, for steps without results."""
+        """Return whether a step without results repeats the text of an earlier part."""
         results = any(name in values for name in step.gives)
         return not results and step.kind not in ("givens", EARLIER) and step.text in self._sentences
 
@@ -118,7 +118,7 @@ class _StatedParts:
         return replace(step, text=text, relations=tuple(r for r in step.relations if r.latex() in text))
 
     def _new(self, sentence: str) -> str:
-        """Return a sentence without the introductions that were made before; empty if none is left."""
+        """Return a sentence without the symbols that earlier parts introduced; empty if it is then empty."""
         return "" if sentence in self._sentences else shortened(sentence, lambda item: item not in self._sentences)
 
     def _quoted(self, dropped: Sequence[Step], left: Sequence[Step]) -> Iterator[Step]:

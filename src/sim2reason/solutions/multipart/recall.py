@@ -61,7 +61,7 @@ def recallable_names(solution: Solution, earlier: Sequence[tuple[str, Solution]]
 
 
 def kept_steps(solution: Solution, known: Collection[str], said: Container[str] = ()) -> list[Step]:
-    """Return the steps from known names to the goal, and those that verify assumptions, unless in `said`.
+    """Return the steps from known names to the goal, and the verifications whose texts are not in `said`.
 
     All steps are returned if none can be left out.
     """
@@ -95,7 +95,7 @@ def _result_names(solution: Solution) -> list[str]:
 
 
 def _tells(other: Solution, name: str, solution: Solution, *, whole: bool) -> bool:
-    """Return whether another solution has the same value as its answer, or with `whole` as any result."""
+    """Return whether another solution gives a name the same value, as its answer or, with `whole`, as any result."""
     if other.answer is None or name not in other.values:
         return False
     found = other.goal == name or (whole and any(name in step.gives and step.kind != EARLIER for step in other.steps))
@@ -143,7 +143,7 @@ def with_bases(names: Iterable[str], solution: Solution) -> set[str]:
 
 
 def _introduced(solution: Solution) -> Iterator[str]:
-    """Yield the texts of all steps; introductions only if one of their names is used."""
+    """Yield the texts of all steps except those that only introduce symbols which no relation uses."""
     used = with_bases(names_of(solution.steps), solution)
     yield from (step.text for step in solution.steps if step.kind != "names" or used & {*introduced_names(step.text)})
 

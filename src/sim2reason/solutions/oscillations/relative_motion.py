@@ -125,7 +125,7 @@ class RelativeMotion:
         )
 
     def ratio(self, k: int, i: int) -> float:
-        """Return the rate of a coordinate relative to that of the shared or the relative coordinate."""
+        """Return the rate of coordinate k per rate of coordinate i, which is the shared or the relative coordinate."""
         return self.ratios[k].get(i, 0.0)
 
     @property
@@ -141,7 +141,7 @@ class RelativeMotion:
 
     @cached_property
     def masses(self) -> tuple[Polynomial, Polynomial, Polynomial]:
-        """Return the mass of the shared motion, the mixed term, and the mass of the relative motion."""
+        """Return the mass-matrix elements of the shared motion, of both motions mixed, and of the relative motion."""
         i, j, m = self.other, self.free[0], self.whole.mass
         both = m(i, j) + m(j, j).scaled(self.shared)
         shared = m(i, i) + m(i, j).scaled(2.0 * self.shared) + m(j, j).scaled(self.shared**2)

@@ -20,7 +20,7 @@ from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, SPEED
 
 
 def signed(held: Expression) -> Polynomial:
-    """Return a symbol, its negative, or zero as a polynomial."""
+    """Convert a formula that is a symbol, its negative, or zero to a polynomial."""
     return NIL if held == ZERO else Polynomial.of(-held).scaled(-1.0) if held.negative else Polynomial.of(held)
 
 
@@ -45,12 +45,12 @@ class OneCoordinateModel(LinearMotionModel):
         return f"{self.mover} is at rest"
 
     def fastest(self, where: str) -> str:
-        """Return the clause that the speed is greatest at a position, up to the value of the speed."""
+        """Return a clause such as *block A is fastest at the position x, where its speed is*, before the value."""
         return f"{self.mover} is fastest at {where}, where its speed is"
 
     @property
     def standing(self) -> str:
-        """Return the beginning of a sentence about a turning point."""
+        """Return the words such as *Block A turns back*, which begin a sentence about a turning point."""
         return f"{capitalized(self.mover)} turns back"
 
     @abstractmethod
@@ -113,12 +113,12 @@ class TwoBodyModel(OneCoordinateModel):
         return "the relative velocity is zero"
 
     def fastest(self, where: str) -> str:
-        """Return the clause that the relative velocity is greatest at a position."""
+        """Return a clause that the relative velocity is greatest at the position `where`, before its value."""
         return f"the relative velocity is greatest at {where}, where it is"
 
     @property
     def standing(self) -> str:
-        """Return the beginning of a sentence about a turning point of the relative motion."""
+        """Return the words *The relative motion turns back*, which begin a sentence about a turning point."""
         return "The relative motion turns back"
 
     @property
@@ -178,7 +178,7 @@ class TwoBodyModel(OneCoordinateModel):
 
     @property
     def kept(self) -> Polynomial:
-        """Return the conserved momentum."""
+        """Return the conserved momentum of the two bodies, from the initial rates."""
         held = self._relative
         return held.momentum({i: self.first(i) for i in (held.other, *held.free)})
 

@@ -109,7 +109,7 @@ class SwingState(SwingAngle):
         step.add_text(f"As {called} is less than $90^\\circ$, the string stays taut until then.")
 
     def _verify_reach(self, reach: Symbol) -> None:
-        """Write at the end that the string stays taut, for an angle that depends on the unknown."""
+        """Write after the answer that the string stays taut, if the turning angle depends on the unknown."""
         step = self.book.begin_step("verify")
         self._tell_reach(step, reach, f"${reach.latex()}$")
         step.close()
@@ -154,7 +154,7 @@ class SwingState(SwingAngle):
 
     @property
     def _energy(self) -> Expression:
-        """Return the initial energy above the lowest point, in J."""
+        """Return the initial kinetic and potential energy, with zero potential energy at the lowest point, J."""
         m, g, ell = self.mass, self.gravity, self.length
         high = multiplied(multiplied(m, multiplied(g, ell)), added(ONE, -self.cosine_first))
         if self.launch == ZERO:
