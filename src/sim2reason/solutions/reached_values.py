@@ -26,7 +26,7 @@ THRESHOLDS: Mapping[str, tuple[type[Threshold], ...]] = {
 
 
 def number_unit(moment: Moment | None) -> str:
-    """Return the unit, in LaTeX, of the number that a moment states; seconds if it states none."""
+    """Return the unit, in LaTeX, of the time, distance or angle that defines a moment; seconds if none does."""
     stated = moment.stated if moment is not None else ()
     return UNITS.get(stated[0][1], "") if stated else SECONDS
 

@@ -174,7 +174,7 @@ class Inversion:
         return replace(found, guarded=True) if self._guarded and isinstance(found, NumericFormula) else found
 
     def _in_numbers(self, name: str, formula: Expression) -> Expression:
-        """Return a formula in which all names but one have their numbers."""
+        """Replace all symbols of a formula except one by their numerical values."""
         return evaluate_known_parts(formula, frozenset({name}), self.book.worked)
 
     def _others(self, name: str, formula: Expression, value: Expression) -> Sequence[float]:

@@ -46,7 +46,7 @@ class ProblemContext:
 
     @classmethod
     def of(cls, question: Question, study: SimulatedScene, words: Words, description: Description) -> Self:
-        """Return the setting of a question with an answer; the unknown has its symbol in the text.
+        """Build the problem context of a question with an answer; an unknown parameter has its symbol in the text.
 
         A text in symbols has no symbol for a number that it does not state, such as a strain of zero.
         """

@@ -189,7 +189,7 @@ def _inverted(setting: ProblemContext, book: SolutionBuilder, goal: str) -> str:
 
 
 def solve_prompt(prompt: str) -> tuple[Solution, ProblemContext]:
-    """Return the solution and setting of a problem from its text alone; TextError as from `parse_prompt`."""
+    """Return the solution and context of a problem from its prompt alone; TextError if it cannot be parsed."""
     parsed = parse_prompt(prompt)
     setting = setting_of(parsed)
     if setting.stated != parsed.asked.given:
@@ -198,7 +198,7 @@ def solve_prompt(prompt: str) -> tuple[Solution, ProblemContext]:
 
 
 def setting_of(parsed: ParsedPrompt) -> ProblemContext:
-    """Return the setting that a prompt describes, with its own symbols.
+    """Build the problem context that a parsed prompt describes, with the symbols of its text.
 
     If the given result does not determine the unknown, the setting asks for that result.
     """

@@ -84,7 +84,7 @@ class _StatedParts:
         return [*given, *recalled, *quoted, *(step for step in rest if step.kind != EARLIER and step.text)]
 
     def _solved_again(self, step: Step) -> Step:
-        """Return a step that repeats the left side of an earlier equation, with a reference to that part."""
+        """Add *As in part (a)* to a step that solves the same equation as an earlier part; other steps unchanged."""
         first = self._parts.get(step.relations[0].latex()) if step.relations else None
         if first is None or not step.text.startswith(SO):
             return step
@@ -235,7 +235,7 @@ def _without(step: Step, equation: str) -> Step:
 
 
 def _tidied(steps: Sequence[Step]) -> tuple[Step, ...]:
-    """Return the steps that have a text, with the givens and introductions in use, and new labels."""
+    """Drop steps without text and unused given numbers and symbols, and number steps and equations anew."""
     left = [step for step in steps if step.text]
     rest = [step for step in left if step.kind not in ("givens", "names")]
     used = names_in_text(" ".join(step.text for step in rest)) | {*names_of(rest)}
@@ -246,7 +246,7 @@ def _tidied(steps: Sequence[Step]) -> tuple[Step, ...]:
 
 
 def _in_use(step: Step, used: frozenset[str]) -> Step:
-    """Return a step of givens or introductions reduced to the names in use; other steps unchanged."""
+    """Reduce a step that lists given numbers or introduces symbols to the names in use; other steps unchanged."""
     if step.kind == "givens":
         return reduce_givens(step, used)
     if step.kind != "names":

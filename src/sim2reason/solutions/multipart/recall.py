@@ -126,7 +126,7 @@ def _without(step: Step, known: Collection[str], goal: str) -> Step:
 
 
 def _introductions(solution: Solution, kept: Sequence[Step], said: Container[str]) -> list[Step]:
-    """Return the steps, not in `said`, that introduce symbols of the kept steps."""
+    """Return the steps that introduce symbols of the kept steps, except those whose texts are in `said`."""
     symbols = with_bases((name for step in kept for name in step.symbols()), solution)
     found = (step for step in solution.steps if step.kind == "names" and step not in kept and step.text not in said)
     return [step for step in found if symbols & {*_NAMED.findall(step.text)}]
@@ -149,7 +149,7 @@ def _introduced(solution: Solution) -> Iterator[str]:
 
 
 def _needed(solution: Solution, known: Collection[str], said: Container[str]) -> list[Step]:
-    """Return the steps that lead to the goal from the known names, and their reasons, unless in `said`.
+    """Return the steps from known names to the goal, and the reasons for these steps whose texts are not in `said`.
 
     The steps that exclude earlier collisions are kept with everything on which they depend.
     """
@@ -168,7 +168,7 @@ def _needed(solution: Solution, known: Collection[str], said: Container[str]) ->
 
 
 def _reasons(solution: Solution, kept: Collection[int], known: Collection[str], said: Container[str]) -> Iterator[Step]:
-    """Yield the steps, not in `said`, that give reasons for the kept steps."""
+    """Yield the steps that give reasons for the kept steps, except those whose texts are in `said`."""
     for step in solution.steps:
         needs = [held for need in step.needs if (held := solution.steps[need]).gives]
         apart = [held for held in needs if held.id not in kept]
@@ -188,7 +188,7 @@ def _is_known(needed: Step, step: Step, known: Collection[str]) -> bool:
 
 
 def reduce_givens(step: Step, used: Collection[str]) -> Step:
-    """Return the step of givens, reduced to the names in use."""
+    """Reduce the step that lists the given numbers to the names in use."""
     said = re.findall(r"\$[^$]*\$(?: \([a-z]+\))?", step.text)
     if len(said) != len(step.relations):
         return step

@@ -217,7 +217,7 @@ class LinearMotion:
         return found
 
     def load(self, i: int) -> Polynomial:
-        """Return Q, the net force along a free coordinate at its origin, by default the start."""
+        """Return Q, the net force along a free coordinate where it is zero, by default at the start."""
         pulls = [(n, self.extension_ratio(n, i)) for n in self.springs]
         found = self.steady(i) - total(self.laws.stiffness(n) * self.laws.strain(n).scaled(p) for n, p in pulls if p)
         return found - self.stiffness(i, i) * self.begin if self.begin else found

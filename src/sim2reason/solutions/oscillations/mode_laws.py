@@ -163,7 +163,7 @@ class ModeLaws:
         return held
 
     def _named(self, number: int) -> Mode:
-        """Return a mode after writing the laws that determine its λ and its shape."""
+        """Write the laws that determine λ and the shape of the mode with an index, and return the mode."""
         numbers = self.shapes[:, number]
         first = int(np.argmax(np.abs(numbers)))
         mark = str(number + 1) if self.size - self.zeros > 1 else ""

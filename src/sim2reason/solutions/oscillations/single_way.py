@@ -73,7 +73,7 @@ class OneCoordinateModel(LinearMotionModel):
         return self.along("a")
 
     def share(self, k: int) -> tuple[Polynomial, Polynomial] | None:
-        """Return numerator and denominator of a coordinate's displacement per free one; None if it varies in time."""
+        """Return coordinate k's displacement per free coordinate, as numerator and denominator; None if it varies."""
         return Polynomial.of(self.motion.ratio(k, self.motion.free[0])), Polynomial.of(1.0)
 
     def moved_to(self, moment: Moved) -> Expression:
@@ -131,7 +131,7 @@ class TwoBodyModel(OneCoordinateModel):
         return RelativeMotion(self.linear, self.book)
 
     def share(self, k: int) -> tuple[Polynomial, Polynomial] | None:
-        """Return numerator and denominator of a coordinate's displacement per relative displacement."""
+        """Return coordinate k's displacement per relative displacement of the bodies, as numerator and denominator."""
         held = self._relative
         if {*held.ratios[k]} == {*held.free}:
             return super().share(k)
@@ -151,7 +151,7 @@ class TwoBodyModel(OneCoordinateModel):
         return self.book.add_step("momentum", said, self.name, formula, METRES)
 
     def first(self, i: int) -> Polynomial:
-        """Return the initial rate of the relative motion, or of the shared motion."""
+        """Return the initial rate of a coordinate: of the relative motion, or of the motion common to both bodies."""
         held = self._relative
         mine = self.first_speeds.get(i, NIL)
         if i == held.other:
@@ -185,7 +185,7 @@ class TwoBodyModel(OneCoordinateModel):
     # ---- what both share
 
     def _balanced(self, kind: str, unit: str, total: Polynomial, said: str) -> Polynomial:
-        """Write the shared displacement, velocity or acceleration from the momentum, and return it."""
+        """Write a displacement, velocity or acceleration common to both bodies, from the momentum, and return it."""
         if kind in self._told:
             return self._told[kind]
         shared, both, _ = self._relative.masses
@@ -208,7 +208,7 @@ class TwoBodyModel(OneCoordinateModel):
         return self.setting.display_name(self.mechanism.coordinates[self._relative.other].body)
 
     def place(self, i: int) -> Polynomial:
-        """Return the displacement of a coordinate, m: the relative one, or the shared one from momentum."""
+        """Return the displacement of a coordinate, m: the relative one, or that of both bodies, from momentum."""
         if i != self._relative.other:
             return self.along("s")
         total = self.kept
@@ -221,7 +221,7 @@ class TwoBodyModel(OneCoordinateModel):
         return self._balanced("s", METRES, total, said)
 
     def speed(self, i: int) -> Polynomial:
-        """Return the velocity of a coordinate, m/s: the relative one, or the shared one from momentum."""
+        """Return the velocity of a coordinate, m/s: the relative one, or that common to both bodies, from momentum."""
         if i != self._relative.other:
             return self.along("v")
         if not self.kept and not self.along("v"):
@@ -229,7 +229,7 @@ class TwoBodyModel(OneCoordinateModel):
         return self._balanced("v", SPEED, self.kept, f"{self._relative.words.conserved}; with the velocity")
 
     def acceleration(self, i: int) -> Polynomial:
-        """Return the acceleration of a coordinate, m/s²: the relative one, or the shared one."""
+        """Return the acceleration of a coordinate, m/s²: the relative one, or that common to both bodies."""
         if i != self._relative.other:
             return self.along("a")
         said = f"{self._relative.words.unaccelerated}; with the acceleration"

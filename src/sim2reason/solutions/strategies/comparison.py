@@ -73,7 +73,7 @@ class TwoCases(Strategy):
     nested = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return no kinds: no single formula results, since the two cases are solved separately."""
+        """Return no question kinds, since two separately solved cases give no single formula."""
         del mechanism
         return frozenset()
 

@@ -55,7 +55,7 @@ class _Proportions(StraightMotion):
     """Displacements that constraints without forces relate to each other."""
 
     def size(self, k: int) -> Expression:
-        """Return the distance that a coordinate covers, m; from rest nothing turns back."""
+        """Return the distance that a coordinate covers, m: the size of its displacement, as nothing turns back."""
         held = self.rate("s", k).expression()
         return held if self.book.value(held) >= 0.0 else -held
 

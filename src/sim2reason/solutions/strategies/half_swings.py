@@ -193,7 +193,7 @@ class _Swinging(Oscillating):
 
     @property
     def _begun(self) -> Expression:
-        """Return the total duration of the half-oscillations in `_times`, and write those not yet written."""
+        """Return the total duration of the earlier half-oscillations, and write those durations that are missing."""
         for held, span in self._times[len(self._lasting) :]:
             self._lasting.append(self._lasts(held, span))
         return total(map(Polynomial.of, self._lasting)).expression()
@@ -202,7 +202,7 @@ class _Swinging(Oscillating):
         return self.book.fresh("t", str(len({held.name for held in self._lasting}) + 1))
 
     def _lasts(self, held: HarmonicOscillation, span: float) -> Symbol:
-        """Write the duration of a half-oscillation, s, once for all that begin at rest; return its symbol."""
+        """Write the duration of a half-oscillation, s, only once for those that begin at rest; return its symbol."""
         whole = held.begun == ZERO
         if whole and self._half is not None:
             return self._half

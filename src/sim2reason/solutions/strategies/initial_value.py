@@ -25,7 +25,7 @@ class InitialValue(Strategy):
     kinds = frozenset({"start"})
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return no kinds, since generated questions never ask for the value at the start."""
+        """Return no question kinds, since generated questions never ask for the value at the start."""
         del mechanism
         return frozenset()
 

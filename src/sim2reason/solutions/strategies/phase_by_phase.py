@@ -20,7 +20,7 @@ class PhaseByPhase(Strategy):
         return varying_acceleration(mechanism)
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return no kinds, since no single formula results from several phases."""
+        """Return no question kinds, since no single formula results from several phases."""
         del mechanism
         return frozenset()
 

@@ -39,7 +39,7 @@ class ValueReached(Strategy):
     finished = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return no kinds, since the numbers of this text stand in no single formula."""
+        """Return no question kinds, since the answer is not written as a single formula."""
         del mechanism
         return frozenset()
 

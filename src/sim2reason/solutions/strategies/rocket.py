@@ -163,7 +163,7 @@ class _Burning(Burning):
         return self._fallen(name, distance, (fast + root if falls else fast - root) / g, which)
 
     def _fallen(self, name: Symbol, distance: Symbol, formula: Expression, which: str) -> Symbol:
-        """Write the time of free flight to a distance and return its symbol."""
+        """Write the time since burnout at which the rocket has covered a distance, and return its symbol."""
         step = self.book.begin_step("time")
         law = step.law(distance, self._thrown(name))
         step.add_text(f"With its engine off {self.name} moves under gravity alone and has covered")

@@ -60,12 +60,12 @@ class SlackSwing(Strategy):
         return "" if happened & {"slack", "taut"} else "the string stays taut"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write each phase and the answer, and return its symbol."""
+        """Write each phase of the motion, on the circle or in free flight, and the answer; return its symbol."""
         return _Slack(setting, book).write().name
 
 
 class _Slack:
-    """The quantities of a bob in the last of its phases."""
+    """The quantities of a bob in the last phase of its motion, which contains the moment of the question."""
 
     def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
         """Take a question, without writing anything."""

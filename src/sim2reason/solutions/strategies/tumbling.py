@@ -100,7 +100,7 @@ class _Tumbling:
 
     @cached_property
     def about(self) -> Symbol:
-        """Write the moment of inertia about an edge and return its symbol."""
+        """Write the moment of inertia of the prism about an edge and return its symbol."""
         said = "By the parallel-axis theorem, the moment of inertia about an edge is"
         formula = self.own + self.mass * Power(self.radius, 2)
         return self.book.add_step("inertia", said, self.book.fresh("I"), formula, INERTIA)

@@ -26,7 +26,7 @@ class WhichOfTwo(Strategy):
     finished = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return no kinds, since the answer names a body."""
+        """Return no question kinds, since no formula answers which of two is first or greater."""
         del mechanism
         return frozenset()
 

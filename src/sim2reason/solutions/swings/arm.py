@@ -59,7 +59,7 @@ class Arm:
     """The pieces of a rigid body on an axle, in the symbols of the text, written as needed."""
 
     def __init__(self, setting: ProblemContext, book: SolutionBuilder, carrier: str = "") -> None:
-        """Take the arm of a carrier, by default that on the only axle; UnreadError for an unknown number."""
+        """Take the arm on the axle of a carrying body, by default the only axle; UnreadError for an unknown number."""
         self.setting, self.book, self.carrier = setting, book, carrier or lone_axle(setting.mechanism)
         self.axis: Vector = setting.mechanism.body[self.carrier].coordinates[0].axis
         turning = [body for body in setting.mechanism.bodies if self.carrier in (body.name, body.parent)]

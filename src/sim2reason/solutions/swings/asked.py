@@ -34,7 +34,7 @@ PLACES = frozenset({"deflection", "height", "displacement"})  # quantities whose
 
 
 def quantity_of(setting: ProblemContext) -> str:
-    """Return the quantity that is asked for, or whose extreme value is."""
+    """Return the quantity that is asked for, or whose extreme value is asked for."""
     query = setting.query
     if isinstance(query, StretchQuery):
         return EXTREMES[query.functional][0] if query.functional in EXTREMES else query.functional

@@ -199,7 +199,7 @@ def candidates(spread: MeanSquares) -> list[Expression]:
 
 
 def tilted(spread: MeanSquares, angle: Expression) -> tuple[Expression, str]:
-    """Return the moment of inertia over the mass about a tilted line in the plane of the axis, with the reason."""
+    """Return the moment of inertia per mass about a line at 90° minus an angle to the body's axis, and the reason."""
     across, own, _ = candidates(spread)
     along, beside = Power(Call("cos", angle), 2), Power(Call("sin", angle), 2)
     if own == ZERO:

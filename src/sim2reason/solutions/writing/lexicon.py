@@ -197,7 +197,7 @@ class Lexicon:
 
     @cached_property
     def _nothing(self) -> float:
-        """Return the size below which a number counts as zero; smaller if some given numbers are tiny."""
+        """Return the size below which a number of the mechanism counts as zero; smaller if given numbers are tiny."""
         least = min((abs(given.value) for given in self.givens.values() if given.value), default=1.0)
         return COINCIDENCE_RTOL if least >= ATOMIC_SIZE else COINCIDENCE_RTOL * least**2
 
@@ -267,7 +267,7 @@ def _is_word(scene: Scene, parameter: Parameter) -> bool:
 
 
 def _factor(number: DualValue, atom: DualValue) -> float | None:
-    """Return the simple fraction that relates a number to an atom in both mechanisms; None if there is none."""
+    """Return the simple fraction number / atom if it is the same in mechanism and twin; None if there is none."""
     if atom.here == 0.0 or atom.there == 0.0:
         return None
     here, there = number.here / atom.here, number.there / atom.there

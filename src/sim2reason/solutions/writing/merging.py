@@ -45,7 +45,7 @@ def _alike(first: Step, other: Step, *, follows: bool) -> bool:
 
 
 def _merge_group(group: Sequence[Step]) -> Step:
-    """Return steps with equal leads as one step with all their formulas."""
+    """Combine steps whose sentences differ only in their formulas into one step with all formulas."""
     if len(group) == 1:
         return group[0]
     matches = [match for step in group if (match := SENTENCE.fullmatch(step.text)) is not None]
