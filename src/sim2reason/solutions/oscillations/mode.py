@@ -24,7 +24,7 @@ class Mode:
 
 
 def _summed(modes: Sequence[Mode], i: int, t: Symbol, order: int) -> Expression:
-    """Return the time derivative of an order (0: itself) of a free coordinate's displacement, as a sum over modes."""
+    """Return a free coordinate's displacement as a sum over modes, or its time derivative of the given `order`."""
     found: Expression = ZERO
     for mode in modes:
         inner = _free(mode, t, order) if mode.rate is None else _swung(mode, mode.rate, t, order)
@@ -33,7 +33,7 @@ def _summed(modes: Sequence[Mode], i: int, t: Symbol, order: int) -> Expression:
 
 
 def _free(mode: Mode, t: Symbol, order: int) -> Expression:
-    """Return the time derivative of an order of c t + b t²/2, the coordinate of a mode without a restoring force."""
+    """Return c t + b t²/2, a mode without a restoring force, or its time derivative of the given `order`."""
     if order == 0:
         return mode.swing * t + 0.5 * mode.rise * Power(t, 2)
     if order == 1:
@@ -42,7 +42,7 @@ def _free(mode: Mode, t: Symbol, order: int) -> Expression:
 
 
 def _swung(mode: Mode, rate: Symbol, t: Symbol, order: int) -> Expression:
-    """Return the time derivative of an order of b (1 − cos ωt) + c sin ωt, the coordinate of an oscillating mode."""
+    """Return b (1 − cos ωt) + c sin ωt, an oscillating mode, or its time derivative of the given `order`."""
     cosine, sine = Call("cos", rate * t), Call("sin", rate * t)
     rises = {0: ONE - cosine, 1: sine, 2: cosine, 3: -sine}[order]
     swings = {0: sine, 1: cosine, 2: -sine, 3: -cosine}[order]

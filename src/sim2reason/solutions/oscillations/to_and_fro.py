@@ -96,7 +96,7 @@ def tell_beyond(
 
 
 def _tell_sign(way: LinearMotionModel, rest: Expression, sign: str, reached: tuple[Expression, bool]) -> None:
-    """Verify the assumed side of the start on which the net force is zero, by the phase at which the body rests."""
+    """Write the verification that the net force is zero on the assumed side of the start, by the phase at rest."""
     step, (phase, early), right = way.book.begin_step("verify"), reached, Number(0.5) * PI
     greater, less = (ZERO, rest) if way.book.value(rest) < 0.0 else (rest, ZERO)
     record_inequality(way.book, step, greater, less)
@@ -233,7 +233,7 @@ class FrictionTravel(BackAndForthTravel):
     """Half-oscillations with kinetic friction of constant magnitude."""
 
     def force(self, kind: str, name: str) -> Polynomial:
-        """Return the kinetic friction µN, whose work is taken along the whole path."""
+        """Return the kinetic friction µN on a body, for its work along the whole path; zero for other forces."""
         if kind != "f":
             return super().force(kind, name)
         newton = self.way.newton

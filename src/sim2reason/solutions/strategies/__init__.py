@@ -68,13 +68,13 @@ def strategy(cls: type[Strategy]) -> type[Strategy]:
 
 
 def applicable_strategies(mechanism: Mechanism) -> list[Strategy]:
-    """Return the strategies that may apply to a mechanism, the cheapest first."""
+    """Return the strategies that may apply to a mechanism, those of lowest cost first."""
     fit = (held for held in STRATEGIES.values() if not held.unfit(mechanism))
     return mechanism.memoize("fitting strategies", lambda: sorted(fit, key=lambda held: held.cost))
 
 
 def strategies_for_kind(kind: str, mechanism: Mechanism, *, derived: bool = False) -> list[Strategy]:
-    """Return the strategies that may answer a kind of question about a mechanism, the cheapest first.
+    """Return the strategies that may answer a kind of question about a mechanism, those of lowest cost first.
 
     With `derived`, only those that lead to formulas.
     """

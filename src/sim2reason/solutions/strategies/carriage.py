@@ -124,7 +124,7 @@ class _Asked(CarriageLaws):
 
     @property
     def _straight(self) -> bool:
-        """Return whether momentum alone gives the velocity of a single body, as at its lowest or highest point."""
+        """Return whether momentum alone gives the velocity of a single swinging body, as at its lowest point."""
         return self.lone and self.sine == ZERO and self.driving_force == ZERO and ZERO not in (self.rate, self.speed)
 
     def said(self, quantity: str) -> str:

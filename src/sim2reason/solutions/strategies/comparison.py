@@ -118,10 +118,10 @@ def compared(book: SolutionBuilder, query: ComparisonQuery, before: str, after: 
 
 
 def _deriving(inner: ProblemContext) -> Sequence[Strategy]:
-    """Return the strategies that may derive a formula for the inner question."""
+    """Return the strategies that may derive a formula for the question that is compared."""
     return deriving_strategies(inner.query.kind, inner.mechanism)
 
 
 def _closed(inner: ProblemContext) -> Sequence[Strategy]:
-    """Return the strategies that answer the inner question without integration, the cheapest first."""
+    """Return the strategies that answer the compared question without integration, those of lowest cost first."""
     return [held for held in closed_form_strategies(inner.query.kind, inner.mechanism) if not held.nested]

@@ -49,7 +49,7 @@ class HalfSwings(Strategy):
         )
 
     def refusal(self, setting: ProblemContext) -> str:
-        """Return why the oscillation strategy does not apply to a question; empty if it does."""
+        """Return why the strategy does not apply to a question about an oscillation; empty if it does."""
         return STRATEGIES["oscillation"].refusal(setting)
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:

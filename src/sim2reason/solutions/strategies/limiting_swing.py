@@ -33,7 +33,7 @@ class LimitingSwing(Strategy):
     kinds = frozenset({"threshold"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return the reason that no body swings about a fixed point or axle by itself; empty if one does."""
+        """Return the reason that no body swings alone about a fixed point or axle; empty if one does."""
         swings = pivot(mechanism) is not None or lone_axle(mechanism)
         return "" if swings else "nothing swings about a fixed point by itself"
 
