@@ -143,7 +143,7 @@ class TwoBodyModel(OneCoordinateModel):
         return (found, shared) if found.value(held.givens) > 0.0 else (found.scaled(-1.0), shared.scaled(-1.0))
 
     def moved_to(self, moment: Moved) -> Expression:
-        """Return the relative displacement when a body has moved a stated distance; write a step if momentum is used."""
+        """Return the relative displacement at which a body has moved a stated distance; written if momentum is used."""
         formula = super().moved_to(moment)
         if {*self._relative.ratios[self.moving([moment.name])[0]]} == {*self._relative.free}:
             return formula

@@ -1,4 +1,4 @@
-"""Value reached: the place or time at which a quantity has a stated value, then the quantity asked for there."""
+"""Value reached: the place or time at which a quantity has a stated value, then the quantity asked for this moment."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -29,7 +29,7 @@ _SENTENCES = re.compile(r"(?<=[.]) (?=[A-Z])")
 
 @strategy
 class ValueReached(Strategy):
-    """The strategy that finds where or when a quantity has the stated value, then solves the question about then."""
+    """The strategy that finds where a quantity has the stated value, then solves the question for this moment."""
 
     name = "value reached"
     cost = 1.0
