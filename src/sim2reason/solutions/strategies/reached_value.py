@@ -29,7 +29,7 @@ _SENTENCES = re.compile(r"(?<=[.]) (?=[A-Z])")
 
 @strategy
 class ValueReached(Strategy):
-    """The strategy that finds where a quantity has the stated value, then solves the question for this moment."""
+    """The strategy that finds the moment at which a quantity has a stated value, then answers for it."""
 
     name = "value reached"
     cost = 1.0
