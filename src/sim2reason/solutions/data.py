@@ -11,7 +11,7 @@ Data = dict[str, Any]
 
 
 def as_data(solution: Solution) -> Data:
-    """Return a solution that has an answer as JSON values.
+    """Convert a solution with an answer to JSON values, from which the answer can be recomputed.
 
     `givens` are numbers by symbol; each step has its relations, whose sides are prefix trees as in
     `sim2reason.solutions.checking`, the `results` whose numbers its text states, by symbol in SI units, and the

@@ -14,7 +14,7 @@ DERIVATION = "derivation"
 
 
 def derivation(query: Query, study: SimulatedScene, words: Words) -> Solution:
-    """Return the cheapest worked solution in closed form for a query, computed once; it may have no answer.
+    """Return the closed-form worked solution of a query with the simplest mathematics, cached; it may have no answer.
 
     The query itself is answered even where the text states its answer and asks for a parameter. For *when is the speed
     2.1 m/s?* the derivation gives the speed at that time.

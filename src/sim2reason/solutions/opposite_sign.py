@@ -18,7 +18,7 @@ SINES = {"arcsin": "sine", "arccos": "cosine"}
 
 
 def states_only_magnitude(setting: ProblemContext, book: SolutionBuilder, goal: str) -> bool:
-    """Return whether the question states only the magnitude of a goal whose sign was chosen in its formula."""
+    """Return whether the question states only the magnitude of the goal, a quantity that could have either sign."""
     target = setting.target
     if target is None or target.sense is not None or target.quantity in SQUARES:
         return False
@@ -29,7 +29,7 @@ def states_only_magnitude(setting: ProblemContext, book: SolutionBuilder, goal: 
 def exclude_opposite_sign(
     book: SolutionBuilder, step: StepBuilder, goal: str, found: Sequence[tuple[str, Expression]]
 ) -> bool:
-    """Write the reason why the opposite sign of a goal leads to no possible value; return whether there is one.
+    """Write why the goal with the opposite sign allows no value of the unknown; return whether a reason was found.
 
     `found` has the chain of formulas from the goal to the unknown: each name with its formula, the unknown last.
     """
@@ -50,7 +50,7 @@ def exclude_opposite_sign(
 
 
 def _impossible(book: SolutionBuilder, step: StepBuilder, goal: str, name: str, formula: Expression) -> str | None:
-    """Return why a formula has no real value, in words; empty if that is obvious; None if it has a value."""
+    """Return why a formula has no real value, in words; empty if the formula shows it; None if it has a value."""
     for part in _inner_first(formula):
         if isinstance(part, Root):
             if goal not in part.symbols():
@@ -71,7 +71,7 @@ def _impossible(book: SolutionBuilder, step: StepBuilder, goal: str, name: str, 
 
 
 def _out_of_range(book: SolutionBuilder, step: StepBuilder, goal: str, name: str, formula: Expression) -> str:
-    """Return that the unknown would be negative, or a coefficient of restitution above 1; empty if neither."""
+    """Return the clause that the unknown would be negative, or a restitution coefficient above 1; empty if neither."""
     try:
         branches = _of_either_sign(goal, formula)
         found = list(dict.fromkeys(with_unit(book.value(branch), book.units[name]) for branch in branches))

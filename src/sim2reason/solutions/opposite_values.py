@@ -1,4 +1,4 @@
-"""The reason for the sign of a goal with a stated magnitude, from the unknowns that give the opposite sign."""
+"""The sign of a quantity of which a question states only the magnitude: why the opposite sign is excluded."""
 
 from collections.abc import Sequence
 
@@ -16,7 +16,7 @@ OPPOSITE = f"{ONLY} with the opposite sign, for which {{}} would be {{}}"
 def write_sign_reason(
     roots: OtherRoots, step: StepBuilder, chain: Chain | None, found: Sequence[tuple[str, Expression]]
 ) -> None:
-    """Write why the goal has its sign, from its chain of formulas `found` or from other values of the unknown.
+    """Write why the opposite sign of the goal is excluded: it has no value of the unknown, or an impossible one.
 
     The `chain` leads from the unknown to the goal, and is None where the sign is known. If one of its formulas is a
     root that was found numerically, no other values are searched for.

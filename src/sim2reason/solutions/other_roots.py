@@ -51,7 +51,7 @@ class OtherRoots:
             step.add_text(beyond_right_angle(others, book.values[name]) or self._obtuse(step, name, found))
 
     def drop(self, step: StepBuilder, name: str, others: Sequence[float]) -> None:
-        """Write that another root is excluded because a positive quantity would be negative."""
+        """Write why the only other root is excluded: it, or the unknown that would lead to it, would be negative."""
         book = self.book
         if len(others) != 1 or book.values[self.unknown] <= 0.0 or (name == self.unknown and others[0] >= 0.0):
             return
@@ -70,7 +70,7 @@ class OtherRoots:
         return f"${with_unit(value, self.book.units[name])}$"
 
     def schedule_exclusion(self, others: Sequence[float], lead: str = OTHER, *, must: bool = False) -> None:
-        """Schedule a final statement of the comparison that fails for another, positive value of the unknown.
+        """Schedule a final step that excludes other values of the unknown, by an assumed inequality that they violate.
 
         It is written when all assumed comparisons are. The sentence begins with `lead`. With `must`, UnsolvedError is
         raised if no comparison fails, as then nothing determines the root.
@@ -83,7 +83,7 @@ class OtherRoots:
                 self.book.checks.setdefault((self, value), partial(self._tell_excluded, value, lead, must=must))
 
     def _tell_passage(self, value: float) -> None:
-        """Write that another time is later, or, where the second time is asked for, that it is the first one."""
+        """Write that the other root for a time is later than the first time, or earlier than the second one."""
         name, ordinal = Symbol(self.unknown), ("first", "second")[self.book.passage - 1]
         earlier = self.book.passage > 1 and value < self.book.values[self.unknown]
         step = self.book.begin_step("verify")
@@ -139,7 +139,7 @@ class OtherRoots:
             step.add_text(f"The other root, {self._number(name, others[0])}, is later than ${late[0]}$.")
 
     def _say_never(self, step: StepBuilder, name: str, value: float) -> None:
-        """Write that no value of the unknown gives another root, or schedule the exclusion of the values that do."""
+        """Write that no value of the unknown leads to another root, or schedule the exclusion of the values that do."""
         if name == self.unknown:
             return
         chain = self._chain(name)
@@ -151,7 +151,7 @@ class OtherRoots:
             step.add_text(f"No {what} gives the other root, {self._number(name, value)}.")
 
     def _would_be_negative(self, name: str, value: float) -> bool:
-        """Return whether a name, linear in the unknown, takes a value only where the unknown is negative."""
+        """Return whether a quantity that is linear in the unknown has a given value only for a negative unknown."""
         at, known, chain = self.book.values, self.book.values[self.unknown], self._chain(name)
         try:
             one, two, three = (float(chain.value({**at, self.unknown: n * known}).real) for n in (1.0, 2.0, 3.0))
@@ -161,7 +161,7 @@ class OtherRoots:
         return straight and (value - one) / (two - one) < -1.0
 
     def _breaks_assumption(self, step: StepBuilder, name: str, value: float) -> None:
-        """Write the comparison, assumed by the equations, that fails with another root."""
+        """Write an inequality that the equations assume and that another root of a quantity violates."""
         for left, right in self._assumed(name):
             try:
                 more, less = substitute(right, name, Number(value)), substitute(left, name, Number(value))
@@ -177,7 +177,7 @@ class OtherRoots:
                 return
 
     def _assumed(self, name: str) -> Iterator[Sides]:
-        """Yield both sides of each written comparison that contains a name and otherwise only known names."""
+        """Yield both sides of each inequality in the steps that contains a name and otherwise only known names."""
         for relation in (relation for step in self.book.steps for relation in step.relations):
             names = {*relation.symbols()}
             if relation.role == "exceeds" and name in names and self.book.hidden.isdisjoint(names - {name}):

@@ -1,4 +1,4 @@
-"""Questions about the moment at which a quantity reaches a value: at which named moments that is."""
+"""Moments at which a quantity reaches a value, expressed by a distance, an angle or a time at the same instant."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -26,13 +26,13 @@ THRESHOLDS: Mapping[str, tuple[type[Threshold], ...]] = {
 
 
 def number_unit(moment: Moment | None) -> str:
-    """Return the unit, in LaTeX, of the number that a moment states; seconds if it states none."""
+    """Return the unit, in LaTeX, of the time, distance or angle that defines a moment; seconds if none does."""
     stated = moment.stated if moment is not None else ()
     return UNITS.get(stated[0][1], "") if stated else SECONDS
 
 
 def at_named_moment(setting: ProblemContext) -> ProblemContext:
-    """Return the question at the moment with a name of its own that a value sets; the question itself if none has."""
+    """Return the question with *its displacement is 2 m* as the moment *it has moved 2 m*; others are unchanged."""
     moment = setting.query.moment
     if not isinstance(moment, Reached):
         return setting
@@ -41,7 +41,7 @@ def at_named_moment(setting: ProblemContext) -> ProblemContext:
 
 
 def _thresholds(setting: ProblemContext, target: Target, value: float) -> Iterator[Threshold]:
-    """Yield the moments at which a quantity first has a value, if the moment asked about is that one."""
+    """Yield the moments at which a quantity first has a value, if they coincide with the moment of the question."""
     if target.sense is not None or setting.unknown or value <= 0.0:
         return
     for cls in THRESHOLDS.get(target.quantity, ()):
@@ -53,7 +53,7 @@ def _thresholds(setting: ProblemContext, target: Target, value: float) -> Iterat
 
 
 def instants(setting: ProblemContext) -> Iterator[tuple[Moment, float]]:
-    """Yield moments of a stated number that are the one at which a quantity reaches a value, each with its number.
+    """Yield moments, each with the distance, angle or time that defines it, at the instant of the question's moment.
 
     Distances along a line and angles come first, at which energy gives speeds without the time, which comes last.
     """
@@ -73,7 +73,7 @@ def instants(setting: ProblemContext) -> Iterator[tuple[Moment, float]]:
 
 
 def is_number_of(moment: Moment, target: Target | None) -> bool:
-    """Return whether a quantity is the number that a moment states."""
+    """Return whether a quantity is the one whose value defines a moment, such as the displacement for *moved 2 m*."""
     if target is None or target.sense is not None or not isinstance(moment, Threshold):
         return False
     return type(moment) in THRESHOLDS.get(target.quantity, ()) and moment.name == target.subject

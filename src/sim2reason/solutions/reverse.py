@@ -48,7 +48,7 @@ MAX_SUBSTITUTIONS = 40  # maximum number of substitutions of one formula into an
 
 
 def forward(setting: ProblemContext) -> ProblemContext:
-    """Return the setting whose answer the engine knows, for a question that hides it; other settings unchanged.
+    """Rewrite a question for a time, threshold or optimum as one for a quantity at a known moment; others unchanged.
 
     For *when is the speed 2.1 m/s?* it asks for the speed at the time t, the answer. For a threshold, the number whose
     limit is meant has its limiting value; if a result states that, another number is the unknown. For an optimum, the
@@ -97,7 +97,7 @@ class Inversion:
         self._signed = self._chain(goal, *self._leading(goal)) if signed else None  # the goal of either sign
 
     def write(self, spelled: str = "") -> str:
-        """Write the solution for the unknown and return its symbol; `spelled` is the stated result, empty for zero."""
+        """Write the steps to the unknown and return its symbol; `spelled` is the given result as text, "" for zero."""
         book, at = self.book, self.goal
         formula, value = self._begun(spelled)
         for _ in range(MAX_SUBSTITUTIONS):
@@ -129,7 +129,7 @@ class Inversion:
         return self._numerically(at)
 
     def _begun(self, spelled: str) -> tuple[Expression, Expression]:
-        """Return the formula of the goal and its given value; for an implicit root, the residual and zero."""
+        """Return both sides of goal formula = given value; for a goal defined by an equation, its residual and zero."""
         book, formula = self.book, self._defined
         if spelled:
             book.make_given(self.goal, self.stated, spelled)
@@ -149,7 +149,7 @@ class Inversion:
         return evaluate_known_parts(formula, frozenset(self.book.hidden), self.book.worked)
 
     def _equation(self, name: str) -> tuple[Expression, Expression]:
-        """Return the formula of a known name and its value; for an implicit root, the residual and zero."""
+        """Return both sides of formula = value for a name; for one defined by an equation, its residual and zero."""
         found = self.book.formulas[name]
         return (found.residual, ZERO) if isinstance(found, ImplicitRoot) else (found, Symbol(name))
 
@@ -174,18 +174,18 @@ class Inversion:
         return replace(found, guarded=True) if self._guarded and isinstance(found, NumericFormula) else found
 
     def _in_numbers(self, name: str, formula: Expression) -> Expression:
-        """Return a formula in which all names but one have their numbers."""
+        """Replace all symbols of a formula except one by their numerical values."""
         return evaluate_known_parts(formula, frozenset({name}), self.book.worked)
 
     def _others(self, name: str, formula: Expression, value: Expression) -> Sequence[float]:
-        """Return the other values of a name that satisfy an equation."""
+        """Return the further values of a name that satisfy formula = value, besides its known one."""
         if self.book.in_symbols:
             return ()
         found = other_solutions(name, formula, value, self.book.values)
         return found or other_solutions(name, self._in_numbers(name, formula), value, self.book.values)
 
     def _equation_behind(self, name: str, found: Expression, formula: Expression, value: Expression) -> Sides | None:
-        """Return the sides of the equation that a root solves; None if inverse operations suffice."""
+        """Return both sides of the equation to show before its root; None if inverse operations alone give the root."""
         if isinstance(found, NumericRoot):
             told = self.book.in_symbols or formula is self._defined or isinstance(formula, ImplicitRoot)
             return None if told or len(formula.latex()) > MAX_FORMULA_LENGTH or value == ZERO else (value, formula)
@@ -282,7 +282,7 @@ class Inversion:
         return f"{what}{value} gives{',' if units else ''}{units} "
 
     def _insertion(self, at: str, names: Sequence[str]) -> str:
-        """Return the beginning of a sentence about substitution into the equation of a name."""
+        """Return the beginning of a sentence about formulas inserted into the equation for the name `at`."""
         inserted = [f"${name}$" for name in names if name not in (self.unknown, at)]
         if not inserted:
             return f"The equation for ${at}$"

@@ -1,4 +1,4 @@
-"""The problem context of a strategy: a scene with the names of its text, its motion in segments and a query."""
+"""The context of one problem, as strategies use it: a scene with the names of its text, its motion and a query."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -46,7 +46,7 @@ class ProblemContext:
 
     @classmethod
     def of(cls, question: Question, study: SimulatedScene, words: Words, description: Description) -> Self:
-        """Return the setting of a question with an answer; the unknown has its symbol in the text.
+        """Build the problem context of a question with an answer; an unknown parameter has its symbol in the text.
 
         A text in symbols has no symbol for a number that it does not state, such as a strain of zero.
         """
@@ -63,7 +63,7 @@ class ProblemContext:
 
     @property
     def target(self) -> Target | None:
-        """Return the quantity that is asked for; for a question over an interval, that with the functional's name."""
+        """Return the subject with the quantity, or the functional, that is asked for; None for other questions."""
         if isinstance(self.query, StretchQuery):
             return Target(self.query.functional, self.query.name)
         target = self.query.target
@@ -87,7 +87,7 @@ class ProblemContext:
 
     @cached_property
     def motion(self) -> Motion:
-        """Return the motion until that time as segments; a recorded motion is reused."""
+        """Return the motion, in segments, until the time that decides the answer; a recorded motion is reused."""
         until, trace = max(self.time * FOLLOWED_TIME_FACTOR, MIN_FOLLOWED_TIME), self.study.trace
         known, held = float(trace.state.times[-1]), trace.record
         if self.mechanism is not self.study.mechanism or until > known:
@@ -98,12 +98,12 @@ class ProblemContext:
 
     @cached_property
     def earlier_event_kinds(self) -> frozenset[str]:
-        """Return the kinds of the events before that time."""
+        """Return the kinds of the events before the time that decides the answer."""
         return frozenset(event.kind for event in events_before(self.motion.events, self.time))
 
     @cached_property
     def answer(self) -> float | None:
-        """Return the engine's value of the query, of an unknown number, or of the moment's of a given result.
+        """Return the engine's answer: to the query, or for the unknown parameter or moment if the result is given.
 
         A greatest value at an end of its interval counts, although generated questions never ask for one.
         """
@@ -124,11 +124,11 @@ class ProblemContext:
 
     @cached_property
     def pulleys(self) -> Mapping[str, str]:
-        """Return the address of the pulley that each light carrier holds."""
+        """Return the addresses of pulleys, by the name of the massless body that only carries the pulley."""
         return pulleys(self.mechanism, self.words.mentions)
 
     def display_name(self, body: str) -> str:
-        """Return the noun phrase of a body; of a light carrier, that of its pulley."""
+        """Return the noun phrase of a body; of a massless body that only carries a pulley, that of the pulley."""
         address = body if body in self.words.mentions else self.pulleys.get(body, "")
         return self.words.mentions.get(address, "the carrier of the pulley")
 
@@ -177,7 +177,7 @@ class ProblemContext:
         return held.body in self.pulleys and any(held.at)
 
     def _by_one_end(self, found: Mapping[str, str]) -> dict[str, str]:
-        """Return phrases for strings that have a fixed end without a name in the text, by name."""
+        """Return phrases, by string name, for the strings not in `found`, such as *the string tied to block A*."""
         named: dict[str, str] = {}
         for line in self.mechanism.strings:
             if line.name in found:
@@ -202,7 +202,7 @@ class ProblemContext:
         return name in self._given_names
 
     def given(self, path: str) -> StatedNumber | None:
-        """Return a parameter that the text states, by its path; None if it does not."""
+        """Return the number that the text states for the parameter at an address; None if it states none."""
         return self.lexicon.givens.get(path)
 
     def direction_words(self, way: Vector, *, on: str | None = None) -> str:

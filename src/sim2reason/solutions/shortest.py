@@ -1,4 +1,4 @@
-"""The shortest worked solution of a question, found before the question is written or inverted.
+"""The worked solution of a question with the simplest mathematics, found before the prompt is written.
 
 Numerical integration is not used: if only that would lead to the answer, the solution has none.
 """
@@ -25,7 +25,7 @@ def shortest_solution(
     stated: StatedResult | None = None,
     most: Need = Need.SPECIAL_FUNCTION,
 ) -> Solution:
-    """Return the solution of a query, or of the question for the `unknown` with the `stated` result; cached.
+    """Return the simplest solution of a query, or of the reverse question for `unknown` given the `stated` result.
 
     The mathematics of a solution may not exceed `most`. `unknown` is the address of a parameter of the scene. The data
     of the solution are only recomputed by `shortest_verified_solution`, since filters reject most questions before.
@@ -40,7 +40,7 @@ def shortest_solution(
 def shortest_verified_solution(
     query: Query, study: SimulatedScene, words: Words, unknown: str, stated: StatedResult | None, most: Need
 ) -> Solution:
-    """Return the shortest solution whose answer is recomputed from its own data."""
+    """Return the simplest solution of a query, without an answer if recomputation from its data gives another."""
     found = shortest_solution(query, study, words, unknown, stated, most)
     setting = _setting(query, study, words, unknown, stated, most)
     if found.answer is None or verify_solution(found, forward(setting)).answer is not None:
@@ -70,7 +70,7 @@ def cached_shortest_solution(query: Query, study: SimulatedScene) -> Solution | 
 
 
 def may_have_solution(kind: str, study: SimulatedScene, most: Need) -> bool:
-    """Return whether a strategy that needs no more than `most` may answer generated questions of a kind."""
+    """Return whether some strategy may answer generated questions of a kind with mathematics of level `most`."""
     found = study.memoize(
         ("needed least", kind),
         lambda: [each.least_need for each in closed_form_strategies(kind, study.mechanism) if each.drawn],

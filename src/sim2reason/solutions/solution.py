@@ -227,7 +227,7 @@ class Solution:
         return rf" = {number} \approx \boxed{{{rounded_latex(answer * factor, 3)}}}{unit}"
 
     def in_answer_unit(self, value: float) -> float:
-        """Return the value of the answer for a value of the goal in SI units."""
+        """Convert a value of the goal, in SI units, to the unit of the answer."""
         return degrees(value) if self.unit == DEGREES else value * self.scale
 
     @property

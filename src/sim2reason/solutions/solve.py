@@ -37,7 +37,7 @@ from sim2reason.text.prose.writer import Writer
 
 
 def solve(setting: ProblemContext, *, derived: bool = False, checked: bool = True) -> Solution:
-    """Return the worked solution that needs the simplest mathematics; without an answer it has a reason.
+    """Return the worked solution with the simplest mathematics; if no strategy succeeds, one with only the reason.
 
     The first by cost with elementary needs is taken, if there is one. A solution is accepted if its answer can be
     recomputed from its data. With `derived`, only strategies that lead to formulas are tried; their solutions are
@@ -71,7 +71,7 @@ def solve(setting: ProblemContext, *, derived: bool = False, checked: bool = Tru
 
 
 def _kept(strategy: Strategy, setting: ProblemContext, *, derived: bool) -> Solution:
-    """Return the solution by one strategy, as `solve_with` does, from the cache if possible.
+    """Return the worked solution of a question by one strategy, from the cache if possible.
 
     The solution of a derivation is cached with the motion, and reused by the search for the shortest solution of the
     same query unless its mathematics is too advanced. A solution to be shown is always written anew, in its own names.
@@ -88,7 +88,7 @@ def _kept(strategy: Strategy, setting: ProblemContext, *, derived: bool) -> Solu
 
 
 def solve_with(strategy: Strategy, setting: ProblemContext, *, shown: bool = True) -> Solution:
-    """Return the solution by one strategy, without an answer if it finds none; in symbols for a problem in symbols.
+    """Return the worked solution by one strategy, in symbols for a symbolic problem; a failed one has no answer.
 
     If it is not `shown`, some verifications, on which no result depends, are omitted.
     """
@@ -115,7 +115,7 @@ def solve_with(strategy: Strategy, setting: ProblemContext, *, shown: bool = Tru
 def _written(
     strategy: Strategy, setting: ProblemContext, called: Mapping[str, str] | None = None, *, shown: bool
 ) -> Solution:
-    """Return a solution in numbers; in symbols where it is said how the question's own numbers are `called`."""
+    """Return a strategy's solution in numbers, or in symbols if `called` names the numbers that the question states."""
     asks = "" if setting.sought is None or setting.unknown else number_unit(setting.query.moment)
     book = SolutionBuilder(setting.words.units, asks=asks, called=called, most=setting.most)
     book.passage = setting.passage
@@ -152,7 +152,7 @@ def _written(
 def _unanswered_solution(
     strategy: Strategy, setting: ProblemContext, book: SolutionBuilder, goal: str, steps: tuple[Step, ...]
 ) -> Solution:
-    """Return the steps that a strategy wrote as a solution that has no answer yet."""
+    """Combine the steps that a strategy wrote into a solution whose answer is not yet set."""
     counted = not setting.unknown and setting.sought is None and KINDS[setting.query.kind].measured(setting.query).whole
     found = Solution(
         strategy.name,
@@ -174,7 +174,7 @@ def _unanswered_solution(
 
 
 def _inverted(setting: ProblemContext, book: SolutionBuilder, goal: str) -> str:
-    """Write the solution for the unknown where the answer to the query is given, and return its symbol."""
+    """Write the steps from the given answer of the query back to the unknown parameter, and return its symbol."""
     assert setting.stated is not None
     value, unit = setting.stated.value, book.units.get(goal, "")
     value = radians(value) if unit == DEGREES else value
@@ -189,7 +189,7 @@ def _inverted(setting: ProblemContext, book: SolutionBuilder, goal: str) -> str:
 
 
 def solve_prompt(prompt: str) -> tuple[Solution, ProblemContext]:
-    """Return the solution and setting of a problem from its text alone; TextError as from `parse_prompt`."""
+    """Return the solution and context of a problem from its prompt alone; TextError if it cannot be parsed."""
     parsed = parse_prompt(prompt)
     setting = setting_of(parsed)
     if setting.stated != parsed.asked.given:
@@ -198,7 +198,7 @@ def solve_prompt(prompt: str) -> tuple[Solution, ProblemContext]:
 
 
 def setting_of(parsed: ParsedPrompt) -> ProblemContext:
-    """Return the setting that a prompt describes, with its own symbols.
+    """Build the problem context that a parsed prompt describes, with the symbols of its text.
 
     If the given result does not determine the unknown, the setting asks for that result.
     """

@@ -1,6 +1,6 @@
-"""Extreme values at an end of a part of a motion: the question about the value there, and why it is extreme.
+"""Extreme values at an end of an interval of the motion: the question for the value there, and why it is extreme.
 
-The part is the whole stretch that is asked about, or what goes before an event: an impact, burn-out, a turning point.
+The interval is that of the question, or the part of it before an event: an impact, burn-out or a turning point.
 """
 
 from collections.abc import Iterator, Mapping
@@ -43,9 +43,9 @@ CHANGES: Mapping[str, tuple[str, str]] = {
 
 
 def at_end(setting: ProblemContext) -> ProblemContext | None:
-    """Return the question about the value at an end of a stretch; None if that is not the extreme value asked for.
+    """Rewrite a question for an extreme value over an interval as one for the value at its start, end or an event.
 
-    Also None if it is not clear why there is no other value beyond it.
+    Return None if the extreme value is elsewhere, or if no reason is known why no other value exceeds it.
     """
     query = setting.query
     functional = FUNCTIONALS[query.functional] if isinstance(query, StretchQuery) else None
@@ -66,9 +66,9 @@ def _same(one: float, other: float | None) -> bool:
 
 
 def _ends(setting: ProblemContext, query: StretchQuery) -> Iterator[Moment]:
-    """Yield the moments at which a stretch ends, of a jump of velocities also just before it, and begins.
+    """Yield the moments at which the interval of a question ends (also just before an impact there) and begins.
 
-    Last come events of the body that may be within the stretch: its first impact, burn-out and turning point.
+    Last come events of the body that may be within the interval: its first impact, burn-out and turning point.
     """
     moment, study = query.moment, setting.study
     if isinstance(moment, WholeMotion):
@@ -86,12 +86,12 @@ def _ends(setting: ProblemContext, query: StretchQuery) -> Iterator[Moment]:
 
 
 def _value_at(moment: Moment, query: StretchQuery, functional: Extreme) -> Query:
-    """Return the question about the quantity itself at a moment."""
+    """Return the question for a quantity at a moment, instead of its extreme value over an interval."""
     return Query(moment.kind, Target(functional.quantity.name, query.name, functional.sense), moment)
 
 
 def reason(setting: ProblemContext) -> str:
-    """Return why the value at an end of a stretch is the extreme one, in sentences; empty if no reason is known."""
+    """Return why the value at an end of the interval is the extreme one, in sentences; empty if no reason is known."""
     query = setting.extreme
     functional = FUNCTIONALS[query.functional] if query is not None else None
     if query is None or not isinstance(functional, Extreme):
@@ -124,7 +124,7 @@ def reason(setting: ProblemContext) -> str:
 
 @dataclass(frozen=True, slots=True)
 class _Course:
-    """How a speed changes in a stretch: whether the extreme is `last`, and all before it `monotonic`; how it begins.
+    """The change of a speed over an interval: whether the greatest is the `last`, and whether it is `monotonic`.
 
     `lowest` says that the body is nowhere lower than at the extreme.
     """
@@ -136,12 +136,12 @@ class _Course:
 
     @property
     def end(self) -> str:
-        """Return which end of the stretch has the extreme value."""
+        """Return the words *at the start* or *at the end*, by the end of the interval that has the extreme value."""
         return "at the end" if self.last else "at the start"
 
 
 def _until(setting: ProblemContext) -> float:
-    """Return the last instant of the stretch, s."""
+    """Return the last instant, s, of the interval of the question."""
     moment = setting.extreme.moment if setting.extreme is not None else None
     assert moment is not None
     time = setting.study.time(moment)
@@ -150,7 +150,7 @@ def _until(setting: ProblemContext) -> float:
 
 
 def _of_speed(setting: ProblemContext, course: _Course) -> str:
-    """Return why the speed of a body is greatest at an end of a stretch; empty if it is not clear."""
+    """Return why the speed of a body is greatest at an end of the interval; empty if no reason is known."""
     query, mechanism, until = setting.extreme, setting.mechanism, _until(setting)
     assert query is not None
     who, noun = setting.display_name(query.name), FUNCTIONALS[query.functional].name
@@ -189,7 +189,7 @@ def _of_speed(setting: ProblemContext, course: _Course) -> str:
 
 
 def _event_within(setting: ProblemContext) -> float | None:
-    """Return the time, s, of an event with an extreme value that comes before the end of the stretch; else None."""
+    """Return the time, s, of the moment of the extreme value if it is inside the interval; None if at an end."""
     moment = setting.query.moment
     time = setting.study.time(moment) if moment is not None else None
     if time is None or isinstance(moment, AtStart) or not time < _until(setting) * (1.0 - SAME):
@@ -198,7 +198,7 @@ def _event_within(setting: ProblemContext) -> float | None:
 
 
 def _of_event(setting: ProblemContext, quantity: str, *, turns: bool) -> str:
-    """Return why an extreme value is at an event within the stretch; empty if it is not clear.
+    """Return why an extreme value is at an event within the interval; empty if no reason is known.
 
     `turns` says that the quantity increases until then, and never does afterwards.
     """
@@ -232,7 +232,7 @@ def _flies(mechanism: Mechanism, name: str) -> bool:
 
 
 def _of_rate(setting: ProblemContext, quantity: str, *, grows: bool, last: bool) -> str:
-    """Return why a quantity that changes in one sense is extreme at an end of a stretch; empty if it is not clear."""
+    """Return why a monotonic quantity is extreme at an end of the interval; empty if no reason is known."""
     query = setting.extreme
     assert query is not None
     end = "at the end" if last else "at the start"
@@ -248,7 +248,7 @@ def _of_rate(setting: ProblemContext, quantity: str, *, grows: bool, last: bool)
 
 
 def tell_reason(setting: ProblemContext, book: SolutionBuilder, goal: str) -> None:
-    """Write why the value at an end of a stretch, which is written already, is the extreme one.
+    """Write why the value found for an end of the interval is the extreme one.
 
     If the text gives that value, nothing else is needed.
     """

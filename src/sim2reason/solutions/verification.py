@@ -60,7 +60,7 @@ def named_in_text(setting: ProblemContext) -> dict[str, float]:
 
 
 def stated_by_question(setting: ProblemContext) -> Iterator[float]:
-    """Yield the numbers that a question states, of its moment or its result, also converted to radians.
+    """Yield each number that defines a question's moment or its given result, also converted from degrees to radians.
 
     Solutions choose names for them. The time of a moment is left out if the question asks for it.
     """

@@ -158,7 +158,7 @@ class _Naming:
         return any(q.members.get(part) == name for q in self._found)
 
     def _is_needed(self, name: str, quantity: NamedQuantity) -> bool:
-        """Return whether another quantity has this name in all its parts, at least as many as this one."""
+        """Return whether another quantity has the name in all its parts, in at least as many parts as this quantity."""
         least = [*quantity.members.values()].count(name)
         others = (q for q in self._found if q is not quantity and {*q.members.values()} == {name})
         return any(len(q.members) >= least for q in others)
@@ -187,7 +187,7 @@ def _count(solution: Solution, known: Collection[str]) -> int:
 
 
 def _direct(solution: Solution, place: int, known: Collection[str]) -> Solution | None:
-    """Return a solution in which one step takes its result from a single law; None if there is no such law."""
+    """Return a solution in which the step at index `place` computes its result from a single law; None if none does."""
     step = solution.steps[place]
     results = [relation for relation in step.relations if relation.role == "result"]
     if step.kind not in SOLVED or len(results) != 1 or step.gives != (results[0].left.latex(),):
@@ -208,7 +208,7 @@ def _direct(solution: Solution, place: int, known: Collection[str]) -> Solution 
 
 
 def _is_direct(step: Step, before: Sequence[Step]) -> bool:
-    """Return whether a step already takes its result from a single law."""
+    """Return whether a step already computes its result from a single law."""
     labels = {label for held in before if held.kind in LAWS for label, _ in DEFINED.findall(held.text)}
     used = cited_labels(step.text)
     return len(used) == 1 and used[0] in labels
@@ -239,7 +239,7 @@ UNCLEAR = "the names of its parts are not clear"
 def sequential_solutions(
     settings: Sequence[ProblemContext], solutions: Sequence[Solution], *, whole: bool = False
 ) -> list[Solution]:
-    """Return a solution of each part that uses earlier answers; `solutions` are those of the separate parts.
+    """Rewrite the solutions of the separate parts so that each part uses the answers of earlier parts.
 
     With `whole`, a solution also uses the intermediate results of earlier solutions. Names mean the same in all parts;
     if that is impossible, no part has an answer.

@@ -19,7 +19,7 @@ REFERENCES = EARLIER, "equations", "reference", "givens"
 def merge_into_one_text(
     settings: Sequence[ProblemContext], solutions: Sequence[Solution]
 ) -> tuple[list[Solution], list[Step]]:
-    """Return the solutions with names that mean the same in all, and all their steps except the givens.
+    """Merge solutions into one text: return them with consistent names, and their steps except the given numbers.
 
     If a name is ambiguous, the solutions have no answer, and there are no steps.
     """
@@ -64,6 +64,6 @@ def enter(part: Solution, book: SolutionBuilder) -> None:
 
 
 def _stated(part: Solution, givens: str) -> list[tuple[str, str]]:
-    """Return the numbers in the question, with their units, as givens."""
+    """Return name and value with unit of each number that the question states, from the list of given numbers."""
     equations = (formula.partition(" = ") for formula in givens.split("$")[1::2])
     return [(name, said) for name, _, said in equations if name in part.stated]

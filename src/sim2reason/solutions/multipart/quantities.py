@@ -29,7 +29,7 @@ class NamedQuantity:
     places: list[tuple[int, int]] = field(default_factory=list[tuple[int, int]])
 
     def has(self, other: "NamedQuantity") -> bool:
-        """Return whether another quantity has the same value and unit, as far as known, and is stated alike."""
+        """Return whether another quantity has equal value and unit, where known, and is likewise given or computed."""
         if self.stated != other.stated or (None not in (self.unit, other.unit) and self.unit != other.unit):
             return False
         if self.value is None or other.value is None:

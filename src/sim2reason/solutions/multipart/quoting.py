@@ -84,21 +84,21 @@ class _StatedParts:
         return [*given, *recalled, *quoted, *(step for step in rest if step.kind != EARLIER and step.text)]
 
     def _solved_again(self, step: Step) -> Step:
-        """Return a step that repeats the left side of an earlier equation, with a reference to that part."""
+        """Add *As in part (a)* to a step that solves the same equation as an earlier part; other steps unchanged."""
         first = self._parts.get(step.relations[0].latex()) if step.relations else None
         if first is None or not step.text.startswith(SO):
             return step
         return replace(step, text=f"{AS_IN_PART.format(first)}{step.text.removeprefix(SO)}")
 
     def _integrated(self, part: str, step: Step) -> Step:
-        """Return an integration reduced to its results if an earlier part has integrated the same problem."""
+        """Reduce the text of an integration to its results if an earlier part has integrated the same equations."""
         match = _INTEGRATED.fullmatch(step.text) if step.integration is not None else None
         if match is None or (first := self._problems.setdefault(match["problem"], part)) == part:
             return step
         return replace(step, text=f"The numerical integration of part ({first}) also gives {match['ends']}")
 
     def _is_said(self, step: Step, values: Container[str]) -> bool:
-        """Return whether an earlier part has the same step, for steps without results."""
+        """Return whether a step without results repeats the text of an earlier part."""
         results = any(name in values for name in step.gives)
         return not results and step.kind not in ("givens", EARLIER) and step.text in self._sentences
 
@@ -118,7 +118,7 @@ class _StatedParts:
         return replace(step, text=text, relations=tuple(r for r in step.relations if r.latex() in text))
 
     def _new(self, sentence: str) -> str:
-        """Return a sentence without the introductions that were made before; empty if none is left."""
+        """Return a sentence without the symbols that earlier parts introduced; empty if it is then empty."""
         return "" if sentence in self._sentences else shortened(sentence, lambda item: item not in self._sentences)
 
     def _quoted(self, dropped: Sequence[Step], left: Sequence[Step]) -> Iterator[Step]:
@@ -235,7 +235,7 @@ def _without(step: Step, equation: str) -> Step:
 
 
 def _tidied(steps: Sequence[Step]) -> tuple[Step, ...]:
-    """Return the steps that have a text, with the givens and introductions in use, and new labels."""
+    """Drop steps without text and unused given numbers and symbols, and number steps and equations anew."""
     left = [step for step in steps if step.text]
     rest = [step for step in left if step.kind not in ("givens", "names")]
     used = names_in_text(" ".join(step.text for step in rest)) | {*names_of(rest)}
@@ -246,7 +246,7 @@ def _tidied(steps: Sequence[Step]) -> tuple[Step, ...]:
 
 
 def _in_use(step: Step, used: frozenset[str]) -> Step:
-    """Return a step of givens or introductions reduced to the names in use; other steps unchanged."""
+    """Reduce a step that lists given numbers or introduces symbols to the names in use; other steps unchanged."""
     if step.kind == "givens":
         return reduce_givens(step, used)
     if step.kind != "names":

@@ -61,7 +61,7 @@ def recallable_names(solution: Solution, earlier: Sequence[tuple[str, Solution]]
 
 
 def kept_steps(solution: Solution, known: Collection[str], said: Container[str] = ()) -> list[Step]:
-    """Return the steps from known names to the goal, and those that verify assumptions, unless in `said`.
+    """Return the steps from known names to the goal, and the verifications whose texts are not in `said`.
 
     All steps are returned if none can be left out.
     """
@@ -95,7 +95,7 @@ def _result_names(solution: Solution) -> list[str]:
 
 
 def _tells(other: Solution, name: str, solution: Solution, *, whole: bool) -> bool:
-    """Return whether another solution has the same value as its answer, or with `whole` as any result."""
+    """Return whether another solution gives a name the same value, as its answer or, with `whole`, as any result."""
     if other.answer is None or name not in other.values:
         return False
     found = other.goal == name or (whole and any(name in step.gives and step.kind != EARLIER for step in other.steps))
@@ -126,7 +126,7 @@ def _without(step: Step, known: Collection[str], goal: str) -> Step:
 
 
 def _introductions(solution: Solution, kept: Sequence[Step], said: Container[str]) -> list[Step]:
-    """Return the steps, not in `said`, that introduce symbols of the kept steps."""
+    """Return the steps that introduce symbols of the kept steps, except those whose texts are in `said`."""
     symbols = with_bases((name for step in kept for name in step.symbols()), solution)
     found = (step for step in solution.steps if step.kind == "names" and step not in kept and step.text not in said)
     return [step for step in found if symbols & {*_NAMED.findall(step.text)}]
@@ -143,13 +143,13 @@ def with_bases(names: Iterable[str], solution: Solution) -> set[str]:
 
 
 def _introduced(solution: Solution) -> Iterator[str]:
-    """Yield the texts of all steps; introductions only if one of their names is used."""
+    """Yield the texts of all steps except those that only introduce symbols which no relation uses."""
     used = with_bases(names_of(solution.steps), solution)
     yield from (step.text for step in solution.steps if step.kind != "names" or used & {*introduced_names(step.text)})
 
 
 def _needed(solution: Solution, known: Collection[str], said: Container[str]) -> list[Step]:
-    """Return the steps that lead to the goal from the known names, and their reasons, unless in `said`.
+    """Return the steps from known names to the goal, and the reasons for these steps whose texts are not in `said`.
 
     The steps that exclude earlier collisions are kept with everything on which they depend.
     """
@@ -168,7 +168,7 @@ def _needed(solution: Solution, known: Collection[str], said: Container[str]) ->
 
 
 def _reasons(solution: Solution, kept: Collection[int], known: Collection[str], said: Container[str]) -> Iterator[Step]:
-    """Yield the steps, not in `said`, that give reasons for the kept steps."""
+    """Yield the steps that give reasons for the kept steps, except those whose texts are in `said`."""
     for step in solution.steps:
         needs = [held for need in step.needs if (held := solution.steps[need]).gives]
         apart = [held for held in needs if held.id not in kept]
@@ -188,7 +188,7 @@ def _is_known(needed: Step, step: Step, known: Collection[str]) -> bool:
 
 
 def reduce_givens(step: Step, used: Collection[str]) -> Step:
-    """Return the step of givens, reduced to the names in use."""
+    """Reduce the step that lists the given numbers to the names in use."""
     said = re.findall(r"\$[^$]*\$(?: \([a-z]+\))?", step.text)
     if len(said) != len(step.relations):
         return step

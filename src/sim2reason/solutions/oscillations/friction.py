@@ -68,7 +68,7 @@ def _tell_on_the_way(way: OneCoordinateModel, name: Symbol) -> None:
 
 
 def _end(way: OneCoordinateModel) -> Expression | None:
-    """Return the position, m, at which the motion in question ends; None if the question states none."""
+    """Return the position, m, at which the interval of the question ends; None if no position defines its end."""
     moment = way.query.moment
     if isinstance(moment, NaturalLength):
         return way.relaxed_place(moment.name)
@@ -100,7 +100,7 @@ def first_friction(way: LinearMotionModel, motion: LinearMotion) -> str:
 
 
 def swing_words(way: LinearMotionModel, held: HarmonicOscillation, number: int) -> list[str]:
-    """Return sentences about friction and motion in a half-oscillation; the first has `number` 0."""
+    """Return sentences about friction and motion in the half-oscillation `number`, counted from 0."""
     motion = held.motion
     assert isinstance(motion, LinearMotion)
     who, acts = way.mover_phrase(motion.free[0]), friction_words(way, motion)
@@ -139,7 +139,7 @@ class StaticFrictionChecks:
     # ---- of what moves
 
     def write_moves(self, motion: LinearMotion, number: int, said: str) -> bool:
-        """Write that static friction cannot hold the body at a position, with the consequence `said`.
+        """Write that static friction cannot hold the body at a position, and the clause `said` about its next motion.
 
         The position is the start or, if `number` is not zero, that turning point. Return whether the forces are known;
         otherwise the comparison is written at the end.
@@ -153,7 +153,7 @@ class StaticFrictionChecks:
         self._compare(motion, number, "here", said, moves=False)
 
     def hidden(self, motion: LinearMotion) -> bool:
-        """Return whether one of the compared forces depends on the unknown."""
+        """Return whether the net force without friction, or the greatest static friction, depends on the unknown."""
         return any(
             map(self._book.is_hidden, (without_friction(motion), motion.greatest_friction(motion.free[0]).factored()))
         )
@@ -214,7 +214,7 @@ class StaticFrictionChecks:
         return [(face, own) for face, own in sticks if own is not None and not motion.ratios[own]]
 
     def others_rest(self, motion: LinearMotion, places: Sequence[Expression], later: float) -> None:
-        """Write the greatest static friction that holds each resting body against its springs.
+        """Write that static friction holds each resting body against its springs while another body oscillates.
 
         The free coordinate has turned back at the `places`, m, and turns back next at the value `later`; springs pull
         hardest at turning points.

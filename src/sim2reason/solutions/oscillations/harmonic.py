@@ -153,7 +153,7 @@ class HarmonicOscillation:
 
     @cached_property
     def begun(self) -> Expression:
-        """Return the coefficient v₀/ω, m."""
+        """Return the coefficient v₀/ω of sin ωt in the displacement, m; zero if the motion begins at rest."""
         return self.first.expression() / self.angular_frequency if self.first else ZERO
 
     def speed_at(self, place: Expression) -> Expression:

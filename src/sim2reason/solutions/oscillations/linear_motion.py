@@ -40,7 +40,7 @@ def nonlinear_reason(mechanism: Mechanism) -> str:
 
 
 def min_free_coordinates(mechanism: Mechanism) -> int:
-    """Return the least number of free coordinates: all strings taut, and no contact slipping."""
+    """Return the number of free coordinates if all strings are taut and no contact slips, the least possible."""
     rough = [face for face in mechanism.faces if face.friction]
     return len(mechanism.coordinates) - len(mechanism.constraints) - len(rough)
 
@@ -107,7 +107,7 @@ class LinearMotion:
         return found
 
     def _free(self) -> list[int]:
-        """Return the free coordinates, and set `ratios` of all coordinates to them."""
+        """Return the indices of the free coordinates, and set `ratios`: the rate of each coordinate per free one."""
         size, matrix = len(self.mechanism.coordinates), self._matrix()
         order = [*dict.fromkeys(self._wanted), *(k for k in range(size) if k not in self._wanted)]
         pivots: dict[int, int] = {}
@@ -197,7 +197,7 @@ class LinearMotion:
         return total(of(n).scaled(part) for n, part in pairs if part)
 
     def steady(self, i: int) -> Polynomial:
-        """Return the forces along a free coordinate except those of springs."""
+        """Return the sum of all forces along a free coordinate except those of springs."""
         return self._sums[self.free.index(i)][0].without([f"S{n}" for n in self.laws.springs])
 
     def friction(self, i: int) -> Polynomial:
@@ -217,7 +217,7 @@ class LinearMotion:
         return found
 
     def load(self, i: int) -> Polynomial:
-        """Return Q, the net force along a free coordinate at its origin, by default the start."""
+        """Return Q, the net force along a free coordinate where it is zero, by default at the start."""
         pulls = [(n, self.extension_ratio(n, i)) for n in self.springs]
         found = self.steady(i) - total(self.laws.stiffness(n) * self.laws.strain(n).scaled(p) for n, p in pulls if p)
         return found - self.stiffness(i, i) * self.begin if self.begin else found

@@ -27,28 +27,28 @@ class LinearMotionModel(StraightMotion):
     """A motion model that expresses all quantities by the values and rates of the free coordinates."""
 
     def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
-        """Take a question; `greatest` is the quantity whose greatest value it asks for, if any."""
+        """Take the question and the solution builder; if a greatest value is asked for, its quantity is the target."""
         super().__init__(setting, book)
         self.greatest = greatest_target(setting)
         self.target = self.greatest or self.target
 
     @abstractmethod
     def place(self, i: int) -> Polynomial:
-        """Return the displacement of a free coordinate at the moment."""
+        """Return the displacement of the free coordinate with an index at the moment of the question."""
 
     @abstractmethod
     def speed(self, i: int) -> Polynomial:
-        """Return the rate of a free coordinate at the moment."""
+        """Return the rate of the free coordinate with an index at the moment of the question."""
 
     @abstractmethod
     def acceleration(self, i: int) -> Polynomial:
-        """Return the second time derivative of a free coordinate at the moment."""
+        """Return the second time derivative of the free coordinate with an index at the moment of the question."""
 
     # ---- the motion
 
     @cached_property
     def segment(self) -> Segment:
-        """Return the only segment up to the moment or greatest value; UnsolvedError if there are several."""
+        """Return the only segment of the motion up to the question's moment; UnsolvedError if there are several."""
         until = time_of_greatest(self.setting) if self.greatest else self.setting.time
         held = [s for s in self.setting.motion.segments if s.start < until or s.start == 0.0]
         if len(held) > 1:
@@ -224,7 +224,7 @@ class LinearMotionModel(StraightMotion):
 
     @cached_property
     def _pulled(self) -> Row | None:
-        """Return the law of a body on which only a tension and its weight act, for a question about the tension."""
+        """Return Newton's law of a body on which only the tension asked for and its weight act; None without one."""
         if self.target is None or self.goal is None or not self.goal.throughout:
             return None
         asked = self.goal.force(self.target, self.setting)
@@ -232,7 +232,7 @@ class LinearMotionModel(StraightMotion):
 
     @property
     def gaining(self) -> list[int]:
-        """Return the coordinates of the body whose law gives the tension."""
+        """Return the coordinates of the body whose Newton's law gives the tension asked for; empty if none does."""
         names = self._pulled.inertia.names() if self._pulled is not None else ()
         return sorted(int(name[1:]) for name in names if name[0] == "q" and name[1:].isdigit())
 
@@ -264,7 +264,7 @@ class LinearMotionModel(StraightMotion):
         return write_tension_work(self, self.motion.laws.springs, body)
 
     def clock(self) -> Symbol:
-        """Return the time of the moment; by default raise UnsolvedError."""
+        """Return the time of the moment of the question; by default raise UnsolvedError."""
         raise UnsolvedError("no way to what adds up over a time")
 
     def _from(self, row: Row, asked: str, kind: str, name: str) -> Symbol:

@@ -48,7 +48,7 @@ def length(m: Mechanism) -> float:
 
 
 def quantity_of(setting: ProblemContext) -> str:
-    """Return the quantity that is asked for, or whose greatest value is; empty for a time."""
+    """Return the quantity that is asked for, or whose greatest value is asked for; empty for a time."""
     target = greatest_target(setting) if isinstance(setting.query, StretchQuery) else setting.query.target
     return target.quantity if target is not None else ""
 
@@ -74,7 +74,7 @@ class SingleSpringBody:
         return self.book.add_step("length", said, name, vector_length(self.apart), METRES)
 
     def answer(self, way: Way, turned: Callable[[Expression], Expression]) -> Symbol:
-        """Write the answer and return its symbol; `turned` gives its formula the sign or component asked for."""
+        """Write the answer by the method in `way` and return its symbol; `turned` gives the formula its sign."""
         method, said = way
         along: Expression = getattr(self, method)()
         formula, quantity = turned(along), quantity_of(self.setting)
@@ -91,7 +91,7 @@ HALF = Number(0.5)
 
 @dataclass(frozen=True, slots=True)
 class Launch:
-    """A body launched across a spring, with its velocity and the writer of its conserved quantities.
+    """A body launched not along its spring: its initial velocity, and a function that writes energy and momentum.
 
     `kept` returns the energy, in J, and the angular momentum per unit of mass, in m²/s.
     """
@@ -102,7 +102,7 @@ class Launch:
 
 
 def passed_words(launch: Launch, step: StepBuilder) -> str:
-    """Return a sentence that the speed is greatest at the natural length, and why that is passed.
+    """Return sentences that the speed is greatest at the natural length of the spring, and why the spring reaches it.
 
     Raises:
         UnsolvedError: no argument shows that it is passed.

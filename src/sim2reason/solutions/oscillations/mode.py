@@ -11,7 +11,7 @@ UNNAMED = Symbol("q")
 
 @dataclass
 class Mode:
-    """A normal mode: its λ = ω², its shape, and its excitation by the initial state."""
+    """A normal mode: λ = ω² (ω: angular frequency), mode shape, and coefficients from the initial state."""
 
     number: int
     square: Expression  # λ; zero without a restoring force
@@ -24,7 +24,7 @@ class Mode:
 
 
 def _summed(modes: Sequence[Mode], i: int, t: Symbol, order: int) -> Expression:
-    """Return the displacement of a free coordinate as a sum of modes, or a time derivative of some order."""
+    """Return a free coordinate's displacement as a sum over modes, or its time derivative of the given `order`."""
     found: Expression = ZERO
     for mode in modes:
         inner = _free(mode, t, order) if mode.rate is None else _swung(mode, mode.rate, t, order)
@@ -33,7 +33,7 @@ def _summed(modes: Sequence[Mode], i: int, t: Symbol, order: int) -> Expression:
 
 
 def _free(mode: Mode, t: Symbol, order: int) -> Expression:
-    """Return c t + b t²/2, the course of a mode without a restoring force, or a derivative."""
+    """Return c t + b t²/2, a mode without a restoring force, or its time derivative of the given `order`."""
     if order == 0:
         return mode.swing * t + 0.5 * mode.rise * Power(t, 2)
     if order == 1:
@@ -42,7 +42,7 @@ def _free(mode: Mode, t: Symbol, order: int) -> Expression:
 
 
 def _swung(mode: Mode, rate: Symbol, t: Symbol, order: int) -> Expression:
-    """Return b (1 − cos ωt) + c sin ωt, the course of an oscillating mode, or a derivative."""
+    """Return b (1 − cos ωt) + c sin ωt, an oscillating mode, or its time derivative of the given `order`."""
     cosine, sine = Call("cos", rate * t), Call("sin", rate * t)
     rises = {0: ONE - cosine, 1: sine, 2: cosine, 3: -sine}[order]
     swings = {0: sine, 1: cosine, 2: -sine, 3: -cosine}[order]
@@ -71,7 +71,7 @@ def jerk(modes: Sequence[Mode], i: int, t: Symbol) -> Expression:
 
 
 def plain(modes: list[Mode]) -> list[Mode]:
-    """Return a single mode with one excitation scaled to size one, for times at which it vanishes; others as is."""
+    """Drop constant factors from a single mode that is a pure sine or 1 − cosine, to find its zeros; else unchanged."""
     if len(modes) != 1 or modes[0].rate is None or ZERO not in (modes[0].rise, modes[0].swing):
         return modes
     only = modes[0]

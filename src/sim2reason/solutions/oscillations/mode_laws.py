@@ -60,7 +60,7 @@ class ModeLaws:
 
     @property
     def zeros(self) -> int:
-        """Return the number of modes without a restoring force."""
+        """Return the number of modes without a restoring force, whose λ is zero."""
         return int((self.squares < ZERO_MODE_RTOL * self.squares[-1]).sum())
 
     # ---- frequencies
@@ -102,7 +102,7 @@ class ModeLaws:
 
     @cached_property
     def modes(self) -> list[Mode]:
-        """Return all modes, the slowest first, and write their λ."""
+        """Return all modes, that of lowest frequency first, and write their λ = ω²."""
         powers = self.powers[self.zeros :]
         if any(self.powers[: self.zeros]):
             raise UnsolvedError("a mode that only these numbers leave free")
@@ -133,7 +133,7 @@ class ModeLaws:
         return found
 
     def _implicit(self, mode: Mode, powers: Sequence[Polynomial]) -> Expression:
-        """Return a root as the solution of its equation, which is simpler to solve for the unknown."""
+        """Return λ as an implicit root of its quadratic equation, which is easier to solve for the unknown."""
         assert isinstance(mode.square, Symbol)
         return QuadraticRoot(self._vanishing(powers, mode.square), mode.square.name, float(self.squares[mode.number]))
 
@@ -163,7 +163,7 @@ class ModeLaws:
         return held
 
     def _named(self, number: int) -> Mode:
-        """Return a mode after writing the laws that determine its λ and its shape."""
+        """Write the laws that determine λ and the shape of the mode with an index, and return the mode."""
         numbers = self.shapes[:, number]
         first = int(np.argmax(np.abs(numbers)))
         mark = str(number + 1) if self.size - self.zeros > 1 else ""
@@ -172,7 +172,7 @@ class ModeLaws:
         return mode
 
     def tell_laws(self, mode: Mode) -> None:
-        """Write Newton's laws of a mode, one for each free coordinate; one fewer if λ is known to be zero."""
+        """Write Newton's law along each free coordinate for one mode; if λ is zero, without the redundant law."""
         numbers = self.shapes[:, mode.number] / self.shapes[mode.first, mode.number]
         unknown = [i for i in range(self.size) if i != mode.first]
         names = {i: self.book.fresh("r", self._mark(i, mode)) for i in unknown}
@@ -232,13 +232,13 @@ class ModeLaws:
 
     @staticmethod
     def _order(place: int, count: int) -> str:
-        """Return the rank of a root among several, in words."""
+        """Return the rank of a root among `count` in ascending order, in words, such as *second smallest*."""
         if count == PAIR:
             return ("smaller", "greater")[place]
         return "greatest" if place == count - 1 else ("smallest", "second smallest", "third smallest")[place]
 
     def _repeats(self, mode: Mode) -> bool:
-        """Return whether an earlier mode shows the characteristic equation already."""
+        """Return whether the text of an earlier mode already contains the characteristic equation."""
         return any(self.zeros <= number < mode.number for number in self.told) and mode.number in self.told
 
     def _mark(self, i: int, mode: Mode) -> str:

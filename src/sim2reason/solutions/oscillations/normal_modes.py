@@ -80,14 +80,14 @@ class NormalModes(ModeLaws):
     # ---- shapes
 
     def _counts(self, n: int, forms: Sequence[Form]) -> bool:
-        """Return whether an excited mode contributes to any of some linear combinations or their derivatives."""
+        """Return whether mode n contributes to a combination of displacements, or a derivative of one, in `forms`."""
         shape = self.shapes[:, n] / np.abs(self.shapes[:, n]).max()
         last = self._last(n)
         held = (parts for parts, order in forms if order <= last)
         return any(abs(float(parts @ shape)) > EXCITATION_RTOL * float(np.abs(parts).max()) for parts in held)
 
     def _last(self, n: int) -> float:
-        """Return the order of the highest derivative to which an excited mode contributes.
+        """Return the order of the highest time derivative of the displacements that is not zero in mode n.
 
         A mode without a restoring force has a constant velocity or a constant acceleration.
         """
@@ -96,12 +96,12 @@ class NormalModes(ModeLaws):
         return ACCELERATED if self._pushed(n) else ACCELERATED - 1
 
     def _pushed(self, n: int) -> bool:
-        """Return whether constant forces accelerate a mode from its initial position."""
+        """Return whether the net forces at the initial positions excite mode n."""
         shape = self.shapes[:, n]
         return abs(float(shape @ self.load)) > EXCITATION_RTOL * float(np.abs(shape * self.load).max())
 
     def shown(self, forms: Sequence[Form]) -> list[int]:
-        """Return the indices of the modes that `excited` returns, without writing anything."""
+        """Return the indices of excited modes that contribute to `forms`, without writing anything."""
         return [n for n in self._moving if self._counts(n, forms)]
 
     @cached_property
@@ -169,11 +169,11 @@ class NormalModes(ModeLaws):
 
     @property
     def common(self) -> bool:
-        """Return whether the common motion of all bodies is excited but left out."""
+        """Return whether the initial state excites the common motion of all bodies, but the text leaves it out."""
         return any(n < self.zeros for n in self._moving if n not in self.told)
 
     def _sums(self, found: Sequence[Mode]) -> str:
-        """Return a clause with the displacements as sums over modes; empty if omitted modes contribute to all."""
+        """Return a clause with the displacements to which only the given modes contribute, as sums over modes."""
         others = [n for n in self._moving if n not in self.told]
         hidden = np.abs(self.shapes[:, [n for n in others if n >= self.zeros]]).max(axis=1, initial=0.0)
         told: list[str] = []
@@ -241,7 +241,7 @@ class NormalModes(ModeLaws):
     # ---- what is excited
 
     def _along(self, mode: Mode, of: Sequence[Polynomial]) -> Expression:
-        """Return the sum over coordinates of the mode shape times a quantity."""
+        """Return the scalar product of a mode shape with a quantity that has one value per free coordinate."""
         found: Expression = ZERO
         for part, held in zip(mode.shape, of, strict=True):
             found = found + part * held.expression() if held else found

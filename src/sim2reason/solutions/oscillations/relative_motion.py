@@ -37,7 +37,7 @@ class MomentumWords:
 
     @classmethod
     def of(cls, setting: ProblemContext) -> Self:
-        """Return the sentences for the scene of a setting."""
+        """Return the sentences on conserved momentum for a scene: horizontal, along a track, or angular on a ring."""
         coordinates = setting.mechanism.coordinates
         if all(coordinate.kind == "hinge" for coordinate in coordinates):  # beads on a level ring
             return cls._angular()
@@ -125,7 +125,7 @@ class RelativeMotion:
         )
 
     def ratio(self, k: int, i: int) -> float:
-        """Return the rate of a coordinate relative to that of the shared or the relative coordinate."""
+        """Return the rate of coordinate k per rate of i: the relative coordinate, or the one common to both bodies."""
         return self.ratios[k].get(i, 0.0)
 
     @property
@@ -134,14 +134,14 @@ class RelativeMotion:
         return self.whole.springs
 
     def extension_ratio(self, number: int, i: int) -> float:
-        """Return the rate of a line's length per rate of a coordinate; zero for the shared coordinate."""
+        """Return the rate of a line's length per rate of a coordinate; zero for the motion common to both bodies."""
         return self.whole.extension_ratio(number, i) if i == self.free[0] else 0.0
 
     # ---- inertia
 
     @cached_property
     def masses(self) -> tuple[Polynomial, Polynomial, Polynomial]:
-        """Return the mass of the shared motion, the mixed term, and the mass of the relative motion."""
+        """Return the mass-matrix elements of the common motion of both bodies, the mixed one, and the relative one."""
         i, j, m = self.other, self.free[0], self.whole.mass
         both = m(i, j) + m(j, j).scaled(self.shared)
         shared = m(i, i) + m(i, j).scaled(2.0 * self.shared) + m(j, j).scaled(self.shared**2)

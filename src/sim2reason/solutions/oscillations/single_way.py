@@ -20,7 +20,7 @@ from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, SPEED
 
 
 def signed(held: Expression) -> Polynomial:
-    """Return a symbol, its negative, or zero as a polynomial."""
+    """Convert a formula that is a symbol, its negative, or zero to a polynomial."""
     return NIL if held == ZERO else Polynomial.of(-held).scaled(-1.0) if held.negative else Polynomial.of(held)
 
 
@@ -45,12 +45,12 @@ class OneCoordinateModel(LinearMotionModel):
         return f"{self.mover} is at rest"
 
     def fastest(self, where: str) -> str:
-        """Return the clause that the speed is greatest at a position, up to the value of the speed."""
+        """Return a clause such as *block A is fastest at the position x, where its speed is*, before the value."""
         return f"{self.mover} is fastest at {where}, where its speed is"
 
     @property
     def standing(self) -> str:
-        """Return the beginning of a sentence about a turning point."""
+        """Return the words such as *Block A turns back*, which begin a sentence about a turning point."""
         return f"{capitalized(self.mover)} turns back"
 
     @abstractmethod
@@ -73,7 +73,7 @@ class OneCoordinateModel(LinearMotionModel):
         return self.along("a")
 
     def share(self, k: int) -> tuple[Polynomial, Polynomial] | None:
-        """Return numerator and denominator of a coordinate's displacement per free one; None if it varies in time."""
+        """Return coordinate k's displacement per free coordinate, as numerator and denominator; None if it varies."""
         return Polynomial.of(self.motion.ratio(k, self.motion.free[0])), Polynomial.of(1.0)
 
     def moved_to(self, moment: Moved) -> Expression:
@@ -113,12 +113,12 @@ class TwoBodyModel(OneCoordinateModel):
         return "the relative velocity is zero"
 
     def fastest(self, where: str) -> str:
-        """Return the clause that the relative velocity is greatest at a position."""
+        """Return a clause that the relative velocity is greatest at the position `where`, before its value."""
         return f"the relative velocity is greatest at {where}, where it is"
 
     @property
     def standing(self) -> str:
-        """Return the beginning of a sentence about a turning point of the relative motion."""
+        """Return the words *The relative motion turns back*, which begin a sentence about a turning point."""
         return "The relative motion turns back"
 
     @property
@@ -131,7 +131,7 @@ class TwoBodyModel(OneCoordinateModel):
         return RelativeMotion(self.linear, self.book)
 
     def share(self, k: int) -> tuple[Polynomial, Polynomial] | None:
-        """Return numerator and denominator of a coordinate's displacement per relative displacement."""
+        """Return coordinate k's displacement per relative displacement of the bodies, as numerator and denominator."""
         held = self._relative
         if {*held.ratios[k]} == {*held.free}:
             return super().share(k)
@@ -143,7 +143,7 @@ class TwoBodyModel(OneCoordinateModel):
         return (found, shared) if found.value(held.givens) > 0.0 else (found.scaled(-1.0), shared.scaled(-1.0))
 
     def moved_to(self, moment: Moved) -> Expression:
-        """Return the relative displacement when a body has moved a stated distance, written if momentum gives it."""
+        """Return the relative displacement at which a body has moved a stated distance; written if momentum is used."""
         formula = super().moved_to(moment)
         if {*self._relative.ratios[self.moving([moment.name])[0]]} == {*self._relative.free}:
             return formula
@@ -151,7 +151,7 @@ class TwoBodyModel(OneCoordinateModel):
         return self.book.add_step("momentum", said, self.name, formula, METRES)
 
     def first(self, i: int) -> Polynomial:
-        """Return the initial rate of the relative motion, or of the shared motion."""
+        """Return the initial rate of a coordinate: of the relative motion, or of the motion common to both bodies."""
         held = self._relative
         mine = self.first_speeds.get(i, NIL)
         if i == held.other:
@@ -178,14 +178,14 @@ class TwoBodyModel(OneCoordinateModel):
 
     @property
     def kept(self) -> Polynomial:
-        """Return the conserved momentum."""
+        """Return the conserved momentum of the two bodies, from the initial rates."""
         held = self._relative
         return held.momentum({i: self.first(i) for i in (held.other, *held.free)})
 
     # ---- what both share
 
     def _balanced(self, kind: str, unit: str, total: Polynomial, said: str) -> Polynomial:
-        """Write the shared displacement, velocity or acceleration from the momentum, and return it."""
+        """Write a displacement, velocity or acceleration common to both bodies, from the momentum, and return it."""
         if kind in self._told:
             return self._told[kind]
         shared, both, _ = self._relative.masses
@@ -208,7 +208,7 @@ class TwoBodyModel(OneCoordinateModel):
         return self.setting.display_name(self.mechanism.coordinates[self._relative.other].body)
 
     def place(self, i: int) -> Polynomial:
-        """Return the displacement of a coordinate, m: the relative one, or the shared one from momentum."""
+        """Return the displacement of a coordinate, m: the relative one, or that of both bodies, from momentum."""
         if i != self._relative.other:
             return self.along("s")
         total = self.kept
@@ -221,7 +221,7 @@ class TwoBodyModel(OneCoordinateModel):
         return self._balanced("s", METRES, total, said)
 
     def speed(self, i: int) -> Polynomial:
-        """Return the velocity of a coordinate, m/s: the relative one, or the shared one from momentum."""
+        """Return the velocity of a coordinate, m/s: the relative one, or that common to both bodies, from momentum."""
         if i != self._relative.other:
             return self.along("v")
         if not self.kept and not self.along("v"):
@@ -229,7 +229,7 @@ class TwoBodyModel(OneCoordinateModel):
         return self._balanced("v", SPEED, self.kept, f"{self._relative.words.conserved}; with the velocity")
 
     def acceleration(self, i: int) -> Polynomial:
-        """Return the acceleration of a coordinate, m/s²: the relative one, or the shared one."""
+        """Return the acceleration of a coordinate, m/s²: the relative one, or that common to both bodies."""
         if i != self._relative.other:
             return self.along("a")
         said = f"{self._relative.words.unaccelerated}; with the acceleration"

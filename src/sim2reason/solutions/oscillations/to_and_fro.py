@@ -75,7 +75,7 @@ def told_first_rest(way: LinearMotionModel, held: HarmonicOscillation, span: flo
 def tell_beyond(
     way: LinearMotionModel, held: HarmonicOscillation, turning: Expression, place: Expression, *, later: bool
 ) -> None:
-    """Write that a body would come to rest only beyond a position, so that friction stays constant.
+    """Write that a body would come to rest only beyond the position `place`, so that friction is constant until there.
 
     In symbols, this is assumed. With `later`, the body has come to rest before.
     """
@@ -96,7 +96,7 @@ def tell_beyond(
 
 
 def _tell_sign(way: LinearMotionModel, rest: Expression, sign: str, reached: tuple[Expression, bool]) -> None:
-    """Write that the net force is zero on the assumed side, as the phase `reached` requires."""
+    """Write the verification that the net force is zero on the assumed side of the start, by the phase at rest."""
     step, (phase, early), right = way.book.begin_step("verify"), reached, Number(0.5) * PI
     greater, less = (ZERO, rest) if way.book.value(rest) < 0.0 else (rest, ZERO)
     record_inequality(way.book, step, greater, less)
@@ -109,7 +109,7 @@ def _tell_sign(way: LinearMotionModel, rest: Expression, sign: str, reached: tup
 def tell_rest_only_later(
     book: SolutionBuilder, formula: Expression, left: Symbol, half: Symbol | None, *, again: bool
 ) -> None:
-    """Write that a half-oscillation, by its `formula` or symbol `half`, takes longer than a time `left`."""
+    """Write that a half-oscillation, of duration `formula` or symbol `half`, takes longer than the time `left`."""
     if book.in_symbols:
         return
     if book.is_hidden(formula) or book.is_hidden(left):
@@ -131,7 +131,7 @@ def tell_rest_only_later(
 
 @dataclass(frozen=True)
 class _HangingBody:
-    """A body that a string holds against its weight, with its coordinate, line, mass and free acceleration."""
+    """A body that hangs on a string: its coordinate, string, mass, and acceleration without the string."""
 
     k: int
     line: int
@@ -233,7 +233,7 @@ class FrictionTravel(BackAndForthTravel):
     """Half-oscillations with kinetic friction of constant magnitude."""
 
     def force(self, kind: str, name: str) -> Polynomial:
-        """Return the kinetic friction µN, whose work is taken along the whole path."""
+        """Return the kinetic friction µN on a body, for its work along the whole path; zero for other forces."""
         if kind != "f":
             return super().force(kind, name)
         newton = self.way.newton

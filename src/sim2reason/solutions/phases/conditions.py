@@ -70,7 +70,7 @@ def _row(kind: str, said: str, *, force: bool) -> Callable[[PhaseEquations, Even
 
 
 def _spare(equations: PhaseEquations, row: int) -> Polynomial:
-    """Return the slack of a string: its initial length less its current length, m."""
+    """Return the slack of a string, m: its initial length minus its current length."""
     mechanisms = equations.lexicon.mechanism, equations.lexicon.twin
     starts = [{line.name: _length_at_start(m, line.name) for line in m.constraints} for m in mechanisms]
     here, there = (a.rows(begun)[row].value for a, begun in zip(equations.motion.assemblies, starts, strict=True))
@@ -141,7 +141,7 @@ EVENTS: Mapping[str, Callable[[PhaseEquations, Event], tuple[Expression, str]]] 
 
 
 def moment_conditions(equations: PhaseEquations, moment: Moment | None) -> list[Expression]:
-    """Return formulas whose zero is the moment of a question, the simplest first; its numbers become givens.
+    """Return formulas that vanish at the moment of a question, the simplest first, and record its numbers as given.
 
     Raises:
         UnsolvedError: no formula is known for this moment.
@@ -170,7 +170,7 @@ def _still(equations: PhaseEquations, moment: Stopped) -> list[Expression]:
 
 
 def _vertical(equations: PhaseEquations, moment: HighestPoint | LowestPoint) -> list[Expression]:
-    """Return the vertical velocity; for rotation about one axle, preceded by its angle and angular velocity."""
+    """Return formulas that may vanish at a highest or lowest point: angle or rate of rotation, vertical velocity."""
     names = equations.names
     velocity = equations.kinematic_vector("velocity", moment.name)[2]
     turning = [k for k, rate in enumerate(names.rates) if rate.name in velocity.names()]
@@ -245,7 +245,7 @@ def given_symbol(equations: PhaseEquations, base: str, value: float, unit: str) 
 
 
 def signed(parts: tuple[Polynomial, ...]) -> Expression:
-    """Return the only component of a vector that has a single one, otherwise its magnitude."""
+    """Return the component of a vector with a single nonzero component, with its sign; else the magnitude."""
     kept = [part for part in parts if part]
     return kept[0].factored() if len(kept) == 1 else vector_magnitude(parts)
 
@@ -262,7 +262,7 @@ def vector_magnitude(parts: tuple[Polynomial, ...]) -> Expression:
 
 
 def locate_condition(equations: PhaseEquations, formulas: Sequence[Expression], begin: float, end: float) -> Condition:
-    """Return the condition of the first formula that is zero at the end of a phase, with direction and count.
+    """Return the first formula that vanishes at the end of a phase, with the direction and number of its sign change.
 
     Raises:
         UnsolvedError: none of the formulas has a zero there in the motion of the engine.

@@ -36,7 +36,7 @@ COUNTED = (
 
 @dataclass(frozen=True, slots=True)
 class _Choice:
-    """A chosen coordinate: its letter, origin, sense, description and subscripts."""
+    """A coordinate as the text uses it: letter, origin, positive sense (1 or -1), description and subscripts."""
 
     letter: str
     origin: Polynomial
@@ -117,7 +117,7 @@ def _dotted(symbol: Symbol, dots: str = r"\dot") -> str:
 
 
 def _without_phase(name: str) -> str:
-    """Return a name without the last part of its subscript, the number of a phase."""
+    """Return a name without the phase number, the last part of its subscript."""
     base, mark = split_name(name)
     return with_subscript(base, ",".join(mark.split(",")[:-1]))
 
@@ -170,7 +170,7 @@ def _moved(setting: ProblemContext, coordinate: Coordinate, way: tuple[float, fl
 
 
 def _given_place(lexicon: Lexicon, k: int, sense: float) -> Polynomial | None:
-    """Return the initial coordinate along the body's axis if the text gives it, or if it is zero.
+    """Return the initial value of coordinate k as a position if the text states it or it is zero; None otherwise.
 
     The text may count positions from another origin than the mechanism: then the initial coordinate is one of its
     numbers, with which the fixed points of springs have simple coordinates as well.

@@ -34,7 +34,7 @@ class EndState(StraightMotion):
 
     @property
     def newton(self) -> Newton:
-        """Return the laws of the start, for masses and gravity alone."""
+        """Return Newton's laws of the first segment, used only for masses and gravity."""
         return Newton(self.setting.lexicon, self.setting.motion.segments[0])
 
     def mass(self, body: str) -> Polynomial:
@@ -103,12 +103,12 @@ class EndState(StraightMotion):
     # ---- rotation
 
     def rim(self, kind: str, body: str) -> Polynomial:
-        """Return the angle, angular velocity or angular acceleration of a body, for a rim of radius one."""
+        """Return the displacement, velocity or acceleration of a rim of radius 1: those of the angle of rotation."""
         turns = bool(initial_frames(self.mechanism)[body].hinges)
         return self.rate(kind, self._equations.hinge(body)) if turns else NIL
 
     def radius(self, body: str) -> Polynomial:
-        """Return the rim radius of one that `rim` assumes."""
+        """Return 1, so that quantities of the rim are those of the angle of rotation."""
         del body
         return Polynomial.of(1.0)
 
@@ -136,7 +136,7 @@ class EndState(StraightMotion):
         return self._equations.law(line, what)
 
     def growth(self, kind: str, line: str) -> Polynomial:
-        """Return the rate of a line's length; its growth is zero, since lengths are those at the end."""
+        """Return the rate of a line's length for the kind ``v``; zero for ``s``, since lengths are those at the end."""
         return self._equations.length(line, "rate") if kind == "v" else NIL
 
 
@@ -224,7 +224,7 @@ VALUES: Mapping[str, Callable[[PhaseEquations, Target], Expression]] = {
 
 
 def write_quantity(setting: ProblemContext, book: SolutionBuilder, end: PhaseEquations) -> Symbol:
-    """Write the quantity asked for from the last state, and return its symbol.
+    """Write the quantity asked for from the state at the end of the last phase, and return its symbol.
 
     Raises:
         UnsolvedError: the question asks for no quantity, or it has no formula.

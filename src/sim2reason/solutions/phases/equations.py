@@ -95,7 +95,7 @@ class PhaseEquations:
 
     @cached_property
     def steady(self) -> bool:
-        """Return whether accelerations and forces are constant: the equations contain neither coordinates nor time."""
+        """Return whether accelerations and forces are constant: no equation has coordinates, their rates or time."""
         changing = {s.name for s in (*self.names.places, *self.names.rates, self.names.time)}
         names = (name for law in self.laws for side in (law.left, law.right) for name in side.symbols())
         return changing.isdisjoint(names)
@@ -119,7 +119,7 @@ class PhaseEquations:
         return self.setting.is_given(name) and self.book.values.get(name, 0.0) != 0.0
 
     def _contact(self, face: int, side: int, loads: list[Polynomial]) -> list[tuple[Expression, Expression]]:
-        """Add the friction of a rough face to the loads, and return the equations that determine its forces."""
+        """Add the friction of a rough contact to the forces along coordinates; return the equations for its forces."""
         slips = {self.mechanism.number[name]: place for place, (name, _) in enumerate(self.mechanism.faces[face].slip)}
         parts = {k: self._slip(face, place) for k, place in slips.items()}
         if side == 0:

@@ -112,7 +112,7 @@ def quantity_of(functional: str) -> str:
 
 
 def rate_formulas(equations: PhaseEquations, functional: str, name: str) -> list[Expression]:
-    """Return formulas that vanish at the extreme value of a functional, the simplest first.
+    """Return formulas that vanish at the instant of a functional's extreme value, the simplest first.
 
     Raises:
         UnsolvedError: no formula is known for its quantity.
@@ -192,7 +192,7 @@ ORDINALS = ("", "first", "second", "third", "fourth", "fifth", "sixth", "seventh
 def tell_problem(
     book: SolutionBuilder, step: StepBuilder, integration: Integration, *, first: bool, letter: str
 ) -> None:
-    """Write the equations and initial values of a phase; roots that occur several times get a symbol."""
+    """Write the equations and initial values of a phase; repeated square roots get symbols of their own."""
     sides = [side for law in integration.equations for side in (law.left, law.right)]
     count = Counter(root for side in sides for root in _roots(side))
     named = {root: book.fresh(letter) for root, times in count.items() if times > 1}

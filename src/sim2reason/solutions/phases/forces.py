@@ -21,7 +21,7 @@ class ForceSymbols:
     """The symbols of the forces used so far, with their descriptions."""
 
     def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
-        """Start without symbols."""
+        """Take the problem and the solution builder; no force has a symbol yet."""
         self._setting, self._book = setting, book
         self._symbols: dict[str, Symbol] = {}
         self._untold: list[str] = []
@@ -103,7 +103,7 @@ class Jump:
     """The relations between the velocities just before and just after an event."""
 
     def __init__(self, before: PhaseEquations, after: Sequence[Symbol], events: Sequence[Event]) -> None:
-        """Take the equations `before` the event at its instant, and the symbols of the rates `name_after_impact` it."""
+        """Take the equations just `before` the event, the symbols of the rates just `after` it, and its events."""
         self._before, self._after, self._events = before, after, events
 
     def relations(self, rows: Sequence[int], impulses: Sequence[Symbol]) -> list[Relation]:
@@ -201,7 +201,7 @@ def _fresh(book: SolutionBuilder, rate: Symbol, value: float) -> Symbol:
 
 
 def _taut(segment: Segment, following: Segment, row: int) -> bool:
-    """Return whether a constraint is active during the event, that is, before or after it."""
+    """Return whether a constraint is active during an event, because it is active just before or just after it."""
     after = (
         row < len(following.kinds) and following.kinds[row] == segment.kinds[row] and following.found.mode.acting[row]
     )

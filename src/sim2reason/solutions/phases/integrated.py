@@ -50,7 +50,7 @@ INTRODUCTION = "The equations of motion are integrated numerically."
 
 
 def _excess(inner: PhaseEquations, target: Target, given: StatedResult) -> Expression:
-    """Return by how much a quantity exceeds a stated value, which becomes a given."""
+    """Return the formula of a quantity minus the value that the question states for it, recorded as a given number."""
     unit = unit_of_quantity(target.quantity)
     value = radians(given.value) if unit == DEGREES else given.value
     return formula_of(inner, target) - given_symbol(inner, "c", value, unit)
@@ -159,7 +159,7 @@ class IntegratedPhases:
         step.close()
 
     def _handed_on(self, outer: PhaseEquations, stretch: PhaseInterval) -> PhaseEquations:
-        """Write the velocity changes at the event that ends a phase, unless the moment is just before it.
+        """Write the velocity changes at the event that ends a phase, unless the question is about the instant before.
 
         Return the equations in the symbols of the instant of the question, if it is this one.
         """
@@ -179,7 +179,7 @@ class IntegratedPhases:
         return PhaseEquations(self.setting, self.book, stretch.segment, names, outer.forces)
 
     def _inner(self, segment: Segment) -> PhaseEquations:
-        """Return the equations of a segment, in a copy of the builder with the values in its middle."""
+        """Return the equations of a segment, whose symbols have the values in the middle of the segment."""
         draft = self.book.copy()
         found = PhaseEquations(self.setting, draft, segment, self.names, self._forces.of(segment))
         for name, values in found.sampled(amid(self.setting, segment).times).items():
@@ -231,7 +231,7 @@ class IntegratedPhases:
         time: float,
         happens: str,
     ) -> None:
-        """Write the initial-value problem of a phase; its results are added at the end."""
+        """Write the initial-value problem of a phase; the text of its results follows when all phases are written."""
         own, (names, forces) = self.names, end
         inside = (own.time, *own.places, *own.rates, *own.accelerations, *(inner.forces[key] for key in forces))
         outside = (names.time, *names.places, *names.rates, *names.accelerations, *forces.values())
@@ -301,7 +301,7 @@ class IntegratedPhases:
     # ---- the answer
 
     def _answer(self, end: PhaseEquations) -> str:
-        """Write the answer from the last state, and return its symbol."""
+        """Write the answer from the state at the end of the last phase, and return its symbol."""
         setting, query = self.setting, self.setting.query
         if self._sum is not None:
             found = self._sum

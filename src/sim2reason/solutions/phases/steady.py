@@ -38,7 +38,7 @@ def laws_text(relations: Sequence[Relation], values: Mapping[str, float]) -> str
 
 
 def _told(found: Relation, value: float) -> str:
-    """Return a name with its value and its formula, in LaTeX."""
+    """Return a result in LaTeX as name = formula = value; without the formula if it is only a number."""
     if isinstance(found.right, Number):
         return f"${_name(found)} = {with_unit(value, found.unit)}$"
     return found.latex(value)
@@ -52,7 +52,7 @@ def state_text(relations: Sequence[Relation], values: Mapping[str, float]) -> st
 
 
 def prune_steps(steps: Sequence[Step], goal: str, values: Mapping[str, float]) -> list[Step]:
-    """Return the steps without the parts on which the goal does not depend; step numbers are unchanged."""
+    """Remove from steps the laws and final values on which the goal does not depend; step numbers are unchanged."""
     used, found = {goal}, list[Step]()
     for step in reversed(steps):
         kept = step
@@ -149,7 +149,7 @@ def _sticking(inner: PhaseEquations, face: int, who: str, forces: Mapping[str, S
 
 
 def with_used_contacts(steps: Sequence[Step]) -> list[Step]:
-    """Return steps without the text of contacts whose forces the following laws do not contain."""
+    """Empty the text of steps about contacts whose forces do not occur in the next step with laws."""
     found: list[Step] = []
     for number, step in enumerate(steps):
         if step.kind == CONTACT:

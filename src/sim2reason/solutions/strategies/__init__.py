@@ -68,13 +68,13 @@ def strategy(cls: type[Strategy]) -> type[Strategy]:
 
 
 def applicable_strategies(mechanism: Mechanism) -> list[Strategy]:
-    """Return the strategies that may apply to a mechanism, the cheapest first."""
+    """Return the strategies that may apply to a mechanism, those of lowest cost first."""
     fit = (held for held in STRATEGIES.values() if not held.unfit(mechanism))
     return mechanism.memoize("fitting strategies", lambda: sorted(fit, key=lambda held: held.cost))
 
 
 def strategies_for_kind(kind: str, mechanism: Mechanism, *, derived: bool = False) -> list[Strategy]:
-    """Return the strategies that may answer a kind of question about a mechanism, the cheapest first.
+    """Return the strategies that may answer a kind of question about a mechanism, those of lowest cost first.
 
     With `derived`, only those that lead to formulas.
     """
@@ -83,7 +83,7 @@ def strategies_for_kind(kind: str, mechanism: Mechanism, *, derived: bool = Fals
 
 
 def deriving_strategies(kind: str, mechanism: Mechanism) -> list[Strategy]:
-    """Return the strategies, not nested, that may derive a formula for a kind of question."""
+    """Return the strategies that may derive a formula for a kind of question without calling other strategies."""
     return mechanism.memoize(
         ("deriving strategies", kind),
         lambda: [held for held in strategies_for_kind(kind, mechanism, derived=True) if not held.nested],
@@ -101,7 +101,7 @@ def varying_acceleration(mechanism: Mechanism) -> str:
 
 
 def missing_goal(setting: ProblemContext, moments: tuple[type[Moment], ...]) -> str:
-    """Return why no goal fits a query: its moment is not one of `moments`, or its quantity has none; else empty."""
+    """Return why a query is unsupported: its moment is not among `moments`, or its quantity is no goal; else empty."""
     if not isinstance(setting.query.moment, moments):
         return f"no way to the moment {type(setting.query.moment).__name__}"
     target = setting.target

@@ -81,7 +81,7 @@ class _Turning(AxleForces):
 
     @cached_property
     def piece(self) -> Piece:
-        """Return the piece of the rigid body that is the subject of the question."""
+        """Return the body on the axle that is the subject of the question, with its mass and position."""
         return self.arm.piece(self.setting.query.subject)
 
     @property
@@ -94,7 +94,7 @@ class _Turning(AxleForces):
 
     @cached_property
     def natural(self) -> Symbol:
-        """Write the angular frequency of small oscillations, ω₀² = S g/I, and return its symbol."""
+        """Write the angular frequency of small oscillations, √(S g/I) with S = Σ m r, and return its symbol."""
         moment = self.arm.moment
         size = moment if self.falls else -moment
         formula = Root(size * self.gravity / self.arm.inertia)
@@ -107,7 +107,7 @@ class _Turning(AxleForces):
 
     @property
     def falls(self) -> bool:  # type: ignore[override]
-        """Return whether the common centre of mass is on the side of the first piece."""
+        """Return whether the common centre of mass is on the same side of the axle as the first body."""
         return self.book.value(self.arm.moment) > 0.0
 
     @property
@@ -153,7 +153,7 @@ class _Turning(AxleForces):
 
     @property
     def _swinging(self) -> bool:
-        """Return whether conservation of energy gives the angular speed."""
+        """Return whether the angular speed follows from conservation of energy: neither zero nor that at the start."""
         return not self.still and not isinstance(self.setting.query.moment, AtStart)
 
     def _energy(self, there: Expression) -> Expression:
@@ -177,7 +177,7 @@ class _Turning(AxleForces):
 
     @property
     def ends(self) -> Ends:
-        """Return d·Sg/I, the initial angle, and Iω₀²/2Sg, which give the accelerations at both ends of a swing."""
+        """Return d·Sg/I, the initial angle and Iω₀²/2Sg (S = Σ m r), for the accelerations at both ends of a swing."""
         moment, inertia, rate = self.arm.moment, self.arm.inertia, self.launch
         torque = (moment if self.falls else -moment) * self.gravity
         excess = inertia * Power(rate, 2) / (2.0 * torque) if rate != ZERO else ZERO

@@ -124,11 +124,11 @@ class _Asked(CarriageLaws):
 
     @property
     def _straight(self) -> bool:
-        """Return whether the momentum alone gives the velocity of a single body: at the lowest point."""
+        """Return whether momentum alone gives the velocity of a single swinging body, as at its lowest point."""
         return self.lone and self.sine == ZERO and self.driving_force == ZERO and ZERO not in (self.rate, self.speed)
 
     def said(self, quantity: str) -> str:
-        """Return the words before the formula of a quantity, with the consequence of conservation of momentum."""
+        """Return the words before the formula of a quantity, such as *By conservation of momentum, the velocity is*."""
         lead = f"By conservation of momentum, {self.setting.display_name(self.subject)} has the velocity "
         if (
             self._rides

@@ -51,7 +51,7 @@ class CentralSpring(Strategy):
         return "" if moves and single_spring_law(mechanism) else "no lone body is launched on a single spring"
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return the kinds about the natural length; an extreme length is the root of a quartic equation."""
+        """Return the question kind of a named moment, for the natural length; extreme lengths have no short formula."""
         del mechanism
         return frozenset({"event"})
 

@@ -35,7 +35,7 @@ class Comparison(Strategy):
     nested = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return the comparisons, if some strategy has a formula for the compared question."""
+        """Return the kind ``comparison`` if some strategy has a formula for the compared question, else nothing."""
         return self.kinds if any(deriving_strategies(kind, mechanism) for kind in INNER) else frozenset()
 
     def refusal(self, setting: ProblemContext) -> str:
@@ -47,7 +47,7 @@ class Comparison(Strategy):
         return "" if offered else f"no formula for the kind {inner.query.kind}"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the formula, its value with the changed parameter, and the ratio or difference."""
+        """Write the formula of the answer, its value with the changed parameter, and their ratio or difference."""
         query = setting.query
         assert isinstance(query, ComparisonQuery)
         symbol, inner = lone_symbol(setting, query.path), inner_setting(setting)
@@ -65,7 +65,7 @@ class Comparison(Strategy):
 
 @strategy
 class TwoCases(Strategy):
-    """The strategy that solves both cases one after the other and compares their answers."""
+    """The strategy that solves the question for two values of a parameter in turn and compares the answers."""
 
     name = "comparison of two cases"
     cost = 2.0
@@ -73,7 +73,7 @@ class TwoCases(Strategy):
     nested = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return no kinds, since both cases would define the numbers of the question."""
+        """Return no question kinds, since two separately solved cases give no single formula."""
         del mechanism
         return frozenset()
 
@@ -84,7 +84,7 @@ class TwoCases(Strategy):
         return "" if setting.query.changed(setting.study) is not None else "there is no motion with the other value"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the solutions for the given and for the changed parameter, and the ratio or difference."""
+        """Write the solutions for the given and the changed parameter, and the ratio or difference of the answers."""
         query = setting.query
         assert isinstance(query, ComparisonQuery)
         changed, symbol, inner = query.changed(setting.study), lone_symbol(setting, query.path), inner_setting(setting)
@@ -118,10 +118,10 @@ def compared(book: SolutionBuilder, query: ComparisonQuery, before: str, after: 
 
 
 def _deriving(inner: ProblemContext) -> Sequence[Strategy]:
-    """Return the strategies that may derive a formula for the inner question."""
+    """Return the strategies that may derive a formula for the question that is compared."""
     return deriving_strategies(inner.query.kind, inner.mechanism)
 
 
 def _closed(inner: ProblemContext) -> Sequence[Strategy]:
-    """Return the strategies that answer the inner question without integration, the cheapest first."""
+    """Return the strategies that answer the compared question without integration, those of lowest cost first."""
     return [held for held in closed_form_strategies(inner.query.kind, inner.mechanism) if not held.nested]

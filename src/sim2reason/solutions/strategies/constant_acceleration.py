@@ -61,7 +61,7 @@ class ConstantAcceleration(Strategy):
 
 
 class _Staged(StraightMotion):
-    """Stages of constant accelerations; `spared` has the coordinates whose accelerations are not needed, by stage."""
+    """A motion in stages of constant acceleration; `spared` has, by stage, coordinates whose acceleration is unused."""
 
     spared: Sequence[AbstractSet[int]] = ()
 
@@ -120,7 +120,7 @@ class _Staged(StraightMotion):
 
     @cached_property
     def _force(self) -> tuple[str, str]:
-        """Return the force that is asked for and the unknown that gives it: for sliding friction the normal force."""
+        """Return the names of the force asked for and of the one computed: for sliding friction the normal force."""
         return self._force_in(self.segments[-1])
 
     def _force_in(self, segment: Segment) -> tuple[str, str]:
@@ -133,7 +133,7 @@ class _Staged(StraightMotion):
         return asked, f"N{asked[1:]}" if slides else asked
 
     def _goal_of(self, segment: Segment, *, last: bool) -> list[str]:
-        """Return the force that a stage must give, as a list; empty if none is needed."""
+        """Return, as a list, the force that a stage must compute for the answer; empty if none is needed."""
         found = self._force_in(segment)[1] if last or (self.goal is not None and self.goal.throughout) else ""
         return [found] if found else []
 
@@ -141,7 +141,7 @@ class _Staged(StraightMotion):
 
     @cached_property
     def wanted(self) -> list[int]:
-        """Return the coordinates whose motion is needed."""
+        """Return the coordinates whose motion the quantity or the moment of the question depends on."""
         moment = self.query.moment
         timed = self.uses in ("v", "s")
         bodies = [moment.name] if timed and isinstance(moment, Moved | Stopped) else []
@@ -154,7 +154,7 @@ class _Staged(StraightMotion):
 
     @cached_property
     def segments(self) -> list[Segment]:
-        """Return the segments that differ in relevant accelerations or forces; only the last if none does."""
+        """Return the segments in which relevant accelerations or forces differ; the last alone if no motion matters."""
         all_of_them = [s for s in self.setting.motion.segments if s.start < self.setting.time or s.start == 0.0]
         if self.uses not in ("v", "s"):
             return all_of_them[-1:]
@@ -166,7 +166,7 @@ class _Staged(StraightMotion):
         return found
 
     def _pulls(self, segment: Segment) -> tuple[str, float]:
-        """Return the force that is integrated over the motion, and its magnitude in a segment."""
+        """Return the force whose work or impulse is asked for, and its magnitude in a segment; "" and 0 for others."""
         if self.goal is None or not self.goal.throughout:
             return "", 0.0
         name = self._force_in(segment)[1]
@@ -202,7 +202,7 @@ class _Staged(StraightMotion):
         return found
 
     def _enough(self, stage: Stage) -> list[int]:
-        """Return the coordinates that the last stage needs."""
+        """Return the coordinates whose motion in the last stage gives the answer and the end of the stage."""
         moment = self.query.moment
         bodies = list(self.goal.bodies(self.target)) if self.goal is not None and self.target is not None else []
         timed = self.uses in ("v", "s") and isinstance(moment, Moved | Stopped)
@@ -216,11 +216,11 @@ class _Staged(StraightMotion):
         return [*found, *(k for name in lines for k in self.stretching(name))]
 
     def own(self, body: str) -> list[int]:
-        """Return the coordinates of a body, without those of a carrier whose motion is counted separately."""
+        """Return the coordinates of a body's motion in the last stage, without those of a carrier that it follows."""
         return self.stages[-1].dynamics.sufficient_coordinates(self.moving([body]))
 
     def _end(self, before: list[Stage], places: Mapping[int, Polynomial]) -> End:
-        """Return the end of the last stage, as stated by the question."""
+        """Return the end condition of the last stage, by the moment of the question."""
         moment = self.query.moment
         if isinstance(moment, AtTime):
             return self._at_time(moment, before)
@@ -241,7 +241,7 @@ class _Staged(StraightMotion):
         return End()
 
     def _slips_no_more(self, body: str, segment: Segment) -> End:
-        """Return the end of a stage at which a body stops slipping on its face."""
+        """Return the end condition of a stage at which a body stops slipping on the surface below it."""
         slips = self._slipping(body)
         if len(slips) == 1:
             carried = Dynamics(self.setting, self.book, segment).carried
@@ -255,7 +255,7 @@ class _Staged(StraightMotion):
         return End(None, slips[0], None, what, Newton(self.setting.lexicon, self.segments[0]).slip(face))
 
     def _stops(self, body: str) -> str:
-        """Return a clause that a body stops sliding."""
+        """Return a clause such as *Block A comes to rest when* or *Block A stops sliding on plank B when*."""
         carrier = self.mechanism.body[body].parent
         what = f"stops sliding on {self.setting.display_name(carrier)}" if carrier else "comes to rest"
         return f"{capitalized(self.setting.display_name(body))} {what} when"
@@ -279,7 +279,7 @@ class _Staged(StraightMotion):
         return self.book.add_step("time", "The total time is", self.book.fresh("t"), formula, SECONDS)
 
     def _stopping(self, now: Segment, after: Segment) -> End:
-        """Return the end of a stage: the contact that stops slipping between two segments."""
+        """Return the end condition of a stage: the slip velocity that becomes zero between two segments."""
         faces = [face for face in self.mechanism.faces if face.friction > 0.0]
         for face, side, later in zip(faces, now.found.mode.rubbing, after.found.mode.rubbing, strict=True):
             if side and later != side:
@@ -288,7 +288,7 @@ class _Staged(StraightMotion):
         raise UnsolvedError("something changes on the way that is neither sliding nor sticking")
 
     def _turned(self, stop: End, body: str) -> End:
-        """Return the end of a stage after which a body slips the other way."""
+        """Return the end condition `stop`, worded for a body that then slips in the opposite direction."""
         who, carrier = self.setting.display_name(body), self.mechanism.body[body].parent
         relative = f" relative to {self.setting.display_name(carrier)}" if carrier else ""
         what = f"{capitalized(who)} is momentarily at rest{relative}"

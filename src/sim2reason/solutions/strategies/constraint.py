@@ -55,13 +55,13 @@ class _Proportions(StraightMotion):
     """Displacements that constraints without forces relate to each other."""
 
     def size(self, k: int) -> Expression:
-        """Return the distance that a coordinate covers, m; from rest nothing turns back."""
+        """Return the distance that a coordinate covers, m: the size of its displacement, as nothing turns back."""
         held = self.rate("s", k).expression()
         return held if self.book.value(held) >= 0.0 else -held
 
     @cached_property
     def loaded(self) -> WrittenDynamics:
-        """Return Newton's laws, which give the force that is integrated over the motion."""
+        """Return Newton's laws of the first segment, which give a force whose work or impulse is asked for."""
         return WrittenDynamics(self.setting, self.book, self.setting.motion.segments[0])
 
     def write(self) -> str:
@@ -120,7 +120,7 @@ class _Course:
 
     @property
     def dynamics(self) -> Dynamics:
-        """Return the constraints on displacements."""
+        """Return Newton's laws, of which only the constraints on displacements are used."""
         return self.way.dynamics
 
     @property

@@ -117,7 +117,7 @@ class EnergyModel(OneCoordinateModel):
 
     @property
     def _is_all(self) -> bool:
-        """Return whether work alone gives the answer: the kinetic energy of the only moving body."""
+        """Return whether the question asks for the kinetic energy of the only moving body, which work alone gives."""
         assert self.target is not None
         timed = isinstance(self.query.moment, AtTime | AtStart) and not self.greatest
         moved = {self.mechanism.coordinates[k].body for k, parts in self.motion.ratios.items() if parts}
@@ -134,7 +134,7 @@ class EnergyModel(OneCoordinateModel):
 
     @cached_property
     def _mass(self) -> Expression:
-        """Return the effective mass, in kg, of all bodies that move with x."""
+        """Return the effective mass, kg, of all bodies that move with the free coordinate x."""
         return self.motion.mass(self._i, self._i).factored()
 
     @cached_property
@@ -164,7 +164,7 @@ class EnergyModel(OneCoordinateModel):
 
     @cached_property
     def _place(self) -> Expression:
-        """Write x at the moment, m, and return it."""
+        """Write the free coordinate x at the moment of the question, m, and return it."""
         moment = self.query.moment
         if self._turns:
             if self.greatest and self.motion.springs:
@@ -218,7 +218,7 @@ class EnergyModel(OneCoordinateModel):
 
     @cached_property
     def _speed(self) -> Expression:
-        """Write the rate of x at the moment, m/s, and return it."""
+        """Write the rate of the free coordinate x at the moment of the question, m/s, and return it."""
         if self._turns:
             return ZERO
         if isinstance(self.query.moment, AtStart):
@@ -249,7 +249,7 @@ class EnergyModel(OneCoordinateModel):
 
     @cached_property
     def _rise(self) -> Symbol:
-        """Write the acceleration of x from the power of the forces, and return its symbol."""
+        """Write the acceleration of the free coordinate x from the net force along it, and return its symbol."""
         place: Expression = ZERO
         if self.motion.springs and not isinstance(self.query.moment, AtStart):
             if isinstance(self.query.moment, AtTime) and not self.greatest:

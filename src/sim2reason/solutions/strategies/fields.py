@@ -204,11 +204,11 @@ class _InFields(StraightMotion):
 
     @property
     def _turn(self) -> FieldTurn | None:
-        """Return the moment if it is a stated turn of the velocity, else None."""
+        """Return the moment of the question if a turn of the velocity through an angle defines it; else None."""
         return self.moment.turn if isinstance(self.query.moment, TURNED) else None
 
     def vector(self, kind: str, body: str) -> Components:
-        """Return a vector as its magnitude alone, if that suffices and needs no components, else by component."""
+        """Return a vector by component, or its magnitude alone if that is asked for and has a short formula."""
         asked = self.target is not None and self.target.sense is None and self.query.kind != "sum"
         if asked and not isinstance(self.query.moment, AtStart):
             sizes = {"v": lambda: self.moment.speed, "a": lambda: self.moment.pull, "s": self._chord}

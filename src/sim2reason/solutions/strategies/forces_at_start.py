@@ -34,7 +34,7 @@ class ForcesAtStart(Strategy):
         return "" if free else "every body is led, or pushed by something"
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return the kinds with formulas; none if springs or attractions change direction."""
+        """Return the question kinds with formulas; none if springs or attractions of the mechanism change direction."""
         return frozenset[str]() if nonlinear_reason(mechanism) else self.kinds
 
     def refusal(self, setting: ProblemContext) -> str:
@@ -116,7 +116,7 @@ class _AtStart(StraightMotion):
         return {k: (a.axis, b.axis) for k, (a, b) in enumerate(pairs) if a.body == self._body}
 
     def _apart(self, ends: list[tuple[Vector, Vector]]) -> dict[int, Polynomial]:
-        """Return the components from one end to the other; `ends` are in the mechanism and in its twin."""
+        """Return the vector between two points by coordinate; `ends` has both, in the mechanism and in its twin."""
         found: dict[int, Polynomial] = {}
         for k, axes in self._axes.items():
             values = [float(dot(minus(b, a), axis)) for (a, b), axis in zip(ends, axes, strict=True)]
@@ -177,7 +177,7 @@ class _AtStart(StraightMotion):
         return lexicon.of(lambda m: -m.gravity[2]) * lexicon.of(lambda m: -m.coordinates[k].axis[2])
 
     def _springs(self) -> list[tuple[Expression, dict[int, Polynomial], Expression, bool]]:
-        """Write the force of each spring; return force, direction to its other end, length, and False."""
+        """Write the force of each spring; return it, the vector to the other end, its length, and False (a force)."""
         m, lexicon = self.mechanism, self.setting.lexicon
         found: list[tuple[Expression, dict[int, Polynomial], Expression, bool]] = []
         for line in _held(m, self._body):
@@ -226,7 +226,7 @@ class _AtStart(StraightMotion):
         return name
 
     def _attractions(self) -> list[tuple[Expression, dict[int, Polynomial], Expression, bool]]:
-        """Write the acceleration due to each attracting body; return it, direction, distance, and True."""
+        """Write the acceleration by each attraction; return it, the vector to that body, its length, and True."""
         m, lexicon = self.mechanism, self.setting.lexicon
         found: list[tuple[Expression, dict[int, Polynomial], Expression, bool]] = []
         pulls = [pull for pull in m.attractions if self._body in (pull.a, pull.b)]

@@ -49,7 +49,7 @@ class HalfSwings(Strategy):
         )
 
     def refusal(self, setting: ProblemContext) -> str:
-        """Return why the oscillation strategy does not apply to a question; empty if it does."""
+        """Return why the strategy does not apply to a question about an oscillation; empty if it does."""
         return STRATEGIES["oscillation"].refusal(setting)
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
@@ -95,7 +95,7 @@ class _Swinging(Oscillating):
         return LinearMotion(self.setting, segment, self.linear.free).counted_from(begin, at)
 
     def _swing(self, segment: Segment, name: Symbol, before: HarmonicOscillation | None) -> HarmonicOscillation:
-        """Return one half-oscillation, with positions counted from `begin`."""
+        """Return one half-oscillation, with positions counted from the turning point at which it begins."""
         motion = self._motion(segment, self.begin)
         if len(motion.free) != 1:
             raise UnsolvedError("there are several modes")
@@ -125,7 +125,7 @@ class _Swinging(Oscillating):
         raise UnsolvedError("it never moves")
 
     def _begins(self, held: HarmonicOscillation, number: int) -> None:
-        """Write why a half-oscillation begins, and that friction is constant until it ends."""
+        """Write why the body moves in a half-oscillation, and that friction is constant until it next comes to rest."""
         motion = held.motion
         assert isinstance(motion, LinearMotion)
         resting = [motion.mechanism.faces[face].subject for face, _ in self._checks.resting(motion)]
@@ -145,7 +145,7 @@ class _Swinging(Oscillating):
         self._say(*swing_words(self, held, number))
 
     def _assume(self, said: str) -> None:
-        """Write the assumptions that are verified only at the end: the first direction and later restarts."""
+        """Write what is assumed and verified later: the clause `said`, and motion back at each turning point."""
         if self.book.in_symbols:
             return
         if len(self._segments) > 1 and self._checks.hidden(self._motion(self._segments[-1], ZERO)):
@@ -193,7 +193,7 @@ class _Swinging(Oscillating):
 
     @property
     def _begun(self) -> Expression:
-        """Return the total duration of the half-oscillations in `_times`, and write those not yet written."""
+        """Return the total duration of the earlier half-oscillations, and write those durations that are missing."""
         for held, span in self._times[len(self._lasting) :]:
             self._lasting.append(self._lasts(held, span))
         return total(map(Polynomial.of, self._lasting)).expression()
@@ -202,7 +202,7 @@ class _Swinging(Oscillating):
         return self.book.fresh("t", str(len({held.name for held in self._lasting}) + 1))
 
     def _lasts(self, held: HarmonicOscillation, span: float) -> Symbol:
-        """Write the duration of a half-oscillation, s, once for all that begin at rest; return its symbol."""
+        """Write the duration of a half-oscillation, s, only once for those that begin at rest; return its symbol."""
         whole = held.begun == ZERO
         if whole and self._half is not None:
             return self._half
@@ -245,7 +245,7 @@ class _Swinging(Oscillating):
         return self.book.add_step("time", said, self.book.fresh("t"), whole, SECONDS)
 
     def _equal_times(self, *more: Symbol) -> str:
-        """Return the beginning of a sentence that several half-oscillations take equal times, or nothing."""
+        """Return a clause such as *both half oscillations take the same time, so*; empty for a single one."""
         goes_on, number = more != (self._half,), sum(held == self._half for held in (*self._lasting, *more))
         every = "both" if number == 2 else f"all {number}"
         every = f"the first {'two' if number == 2 else number}" if goes_on else every
@@ -253,7 +253,7 @@ class _Swinging(Oscillating):
 
     @property
     def standing(self) -> str:
-        """Return the beginning of a sentence about the end of a half-oscillation, where friction may hold it."""
+        """Return words such as *The block next comes to rest*, which begin a sentence on a half-oscillation's end."""
         return f"{capitalized(self.mover)} {'next' if self._times else 'first'} comes to rest"
 
     # ---- what is verified

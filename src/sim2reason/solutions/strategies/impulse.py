@@ -54,7 +54,7 @@ class Impulse(Strategy):
         return varying_acceleration(mechanism)
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return the kinds with formulas; none if discs collide obliquely, which takes roots and components."""
+        """Return the question kinds with formulas; none if discs collide obliquely, which has no short formulas."""
         oblique = any(meeting.normal is None for meeting in mechanism.meetings)
         return frozenset[str]() if oblique else self.kinds
 
@@ -130,7 +130,7 @@ class _Struck(StraightMotion):
 
     @cached_property
     def _flying(self) -> set[str]:
-        """Return the bodies whose flight at the moment was verified in the text."""
+        """Return the set of bodies of which the text already verifies that they are still in the air at the moment."""
         return set()
 
     # ---- the moment
@@ -170,7 +170,7 @@ class _Struck(StraightMotion):
         raise UnsolvedError("there is no such moment in flight")
 
     def number(self, body: str) -> int:
-        """Return the index of a body's flight at the moment, just before or after an impact as stated."""
+        """Return the index of a body's flight at the moment; at an impact, that before or after it, as asked for."""
         if self.impact is None:
             return self.flights.count(body, None)
         moment = self.query.moment
@@ -277,7 +277,7 @@ class _Struck(StraightMotion):
         return self.flights.time_since_start(self.flights.begins(leg), name)
 
     def _flown(self, speed: Polynomial, way: tuple[Polynomial, Polynomial], k: int, said: str, leg: Flight) -> Symbol:
-        """Write the time at which a body reaches a target; `way` is the remaining displacement and the target."""
+        """Write the time at which a coordinate reaches a target; `way` has start minus target, and the target."""
         (gap, target), a = way, self.flights.acceleration(k)
         parts: tuple[Polynomial, Polynomial, Polynomial] | None = None
         step, name = self.book.begin_step("time"), self.book.fresh("t")

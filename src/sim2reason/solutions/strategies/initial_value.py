@@ -17,7 +17,7 @@ QUANTITIES = frozenset({"velocity", "kinetic energy"})
 
 @strategy
 class InitialValue(Strategy):
-    """A speed or a kinetic energy that follows from the initial velocities that the text gives."""
+    """The strategy for an extreme speed or kinetic energy that is the value at the start, from given velocities."""
 
     name = "initial value"
     cost = 0.5
@@ -25,19 +25,19 @@ class InitialValue(Strategy):
     kinds = frozenset({"start"})
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return no kinds, since only people ask for it."""
+        """Return no question kinds, since generated questions never ask for the value at the start."""
         del mechanism
         return frozenset()
 
     def refusal(self, setting: ProblemContext) -> str:
-        """Return why it does not apply: questions about a moment do not ask for what the text gives."""
+        """Return why the strategy does not apply to a question: no extreme speed or energy at the start; else empty."""
         target = setting.target
         if setting.extreme is None or not isinstance(setting.query.moment, AtStart) or target is None:
             return "it is about no extreme value at the start"
         return "" if target.quantity in QUANTITIES else f"no way to the quantity {target.quantity}"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Return the value by the components of the initial velocity."""
+        """Write the speed or kinetic energy at the start from the components of the velocity; return its symbol."""
         way = _AtStart(setting, book)
         assert way.target is not None
         return GOALS[way.target.quantity].write(way.target, way).name
@@ -56,7 +56,7 @@ class _AtStart(StraightMotion):
         return Newton(self.setting.lexicon, self.setting.motion.segments[0])
 
     def force(self, kind: str, name: str) -> Symbol:
-        """Return no force: it needs the accelerations."""
+        """Raise UnsolvedError, since a force would need the accelerations."""
         raise UnsolvedError(f"no {kind} of {name}")
 
     def rate(self, kind: str, k: int) -> Polynomial:

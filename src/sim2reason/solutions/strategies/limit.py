@@ -21,7 +21,7 @@ class Limit(Strategy):
     nested = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return the limits, if some strategy has a formula for the inner question."""
+        """Return the kind ``limit`` if some strategy has a formula for the question without the limit, else nothing."""
         return self.kinds if any(deriving_strategies(kind, mechanism) for kind in LimitKind.inner) else frozenset()
 
     def refusal(self, setting: ProblemContext) -> str:

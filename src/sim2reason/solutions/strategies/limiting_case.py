@@ -65,13 +65,13 @@ class LimitingCase(Strategy):
         return write(replace(setting, scene=setting.scene.having(path, value)), query, book)
 
     def _balanced(self, setting: ProblemContext, query: ThresholdQuery, book: SolutionBuilder) -> str:
-        """Write the laws without the terms that vanish at the threshold."""
+        """Write Newton's laws without the acceleration that is zero at the threshold; return the threshold's symbol."""
         assert query.outcome is not None
         balance = LimitingBalance(setting, book, _moving(setting, query), query.outcome.name)
         return balance.write(slides=isinstance(query.outcome, Slides))
 
     def _accelerated(self, setting: ProblemContext, query: ThresholdQuery, book: SolutionBuilder) -> str:
-        """Write the laws as if it moved, their acceleration, and that this is zero."""
+        """Write the acceleration of a body that just moves, and that it is zero at the threshold; return its symbol."""
         assert query.outcome is not None
         dynamics, name = LimitingDynamics(setting, book, _moving(setting, query)), query.outcome.name
         goals = _rate(dynamics, name, slides=isinstance(query.outcome, Slides))
@@ -91,7 +91,7 @@ class LimitingCase(Strategy):
 
 
 def _moving(setting: ProblemContext, query: ThresholdQuery) -> Segment:
-    """Return the initial segment of a motion next to the threshold, on the side on which it occurs."""
+    """Return the initial segment of the motion for a parameter just beyond the threshold, where the body moves."""
     trial, limit = query.trial(setting.study), float(setting.scene.value(query.parameter))
     for side in (1.0 + THRESHOLD_OFFSET, 1.0 - THRESHOLD_OFFSET):
         if trial(limit * side):
@@ -101,7 +101,7 @@ def _moving(setting: ProblemContext, query: ThresholdQuery) -> Segment:
 
 
 def _rate(dynamics: WrittenDynamics, name: str, *, slides: bool) -> dict[int, Polynomial]:
-    """Return the combination of accelerations that is zero, by coordinate: of a slip, or of a body on its line."""
+    """Return weights, by coordinate, of the accelerations whose sum is that of the slip, or of a body on its line."""
     if slides:
         face = next(n for n, held in enumerate(dynamics.mechanism.faces) if held.subject == name)
         found = dynamics.newton.slip(face)

@@ -33,7 +33,7 @@ class LimitingSwing(Strategy):
     kinds = frozenset({"threshold"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return the reason that no body swings about a fixed point or axle by itself; empty if one does."""
+        """Return the reason that no body swings alone about a fixed point or axle; empty if one does."""
         swings = pivot(mechanism) is not None or lone_axle(mechanism)
         return "" if swings else "nothing swings about a fixed point by itself"
 
@@ -45,7 +45,7 @@ class LimitingSwing(Strategy):
         return "" if setting.sought is not None else "there is no such value"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the energy in excess, which is zero at the threshold, and return the symbol of the threshold."""
+        """Write the energy left at the critical point, zero at the threshold, and return the threshold's symbol."""
         left = _of_body(setting, book) if pivot(setting.mechanism) is not None else _of_axle(setting, book)
         step = book.begin_step("limit")
         step.add_text(f"In the limiting case, {step.law(left, ZERO)}.")
@@ -72,7 +72,7 @@ def _of_axle(setting: ProblemContext, book: SolutionBuilder) -> Symbol:
 
 
 def _varied(setting: ProblemContext, book: SolutionBuilder) -> str:
-    """Return the symbol of the parameter with the threshold, whether that is given or asked for."""
+    """Return the symbol of the parameter whose threshold the question is about, whether it is given or asked for."""
     assert isinstance(setting.query, ThresholdQuery)
     given = setting.given(setting.query.parameter)
     return given.symbol if given is not None else book.sought
@@ -89,7 +89,7 @@ def _grows(book: SolutionBuilder, name: Symbol, varied: str) -> bool:
 
 
 def _of_body(setting: ProblemContext, book: SolutionBuilder) -> Symbol:
-    """Write v² of a small body at the top, or less its value for a slack string, and return its symbol."""
+    """Write v² of a small body where it would turn or its string go slack, minus the critical value; return it."""
     lexicon, query = setting.lexicon, setting.query
     length, angle, launch = (lexicon.of(lambda m, n=n: geometry(m)[n]).expression() for n in range(3))
     gravity = lexicon.of(lambda m: -m.gravity[2]).expression()

@@ -49,7 +49,7 @@ class SeveralModes(Strategy):
         return no_oscillation_reason(mechanism)
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return the periods of at most two modes, since amplitudes need more than one quadratic equation."""
+        """Return the kind ``period`` for at most two modes; amplitudes have no short formula."""
         return frozenset({"period"} if min_free_coordinates(mechanism) <= PAIR else ())
 
     def refusal(self, setting: ProblemContext) -> str:
@@ -84,7 +84,7 @@ class _Modal(LinearMotionModel):
 
     @cached_property
     def _forms(self) -> list[Form]:
-        """Return the linear combinations of displacements, or derivatives, that the moment and the answer need."""
+        """Return the weighted sums of displacements, or derivatives, on which the moment and the answer depend."""
         found = self._sought
         if self.target is not None and self.goal is not None:
             lines = self.goal.lines(self.target)
@@ -94,7 +94,7 @@ class _Modal(LinearMotionModel):
 
     @property
     def _sought(self) -> list[tuple[int, dict[int, float]]]:
-        """Return derivative order and weights by coordinate of the sum that vanishes at the moment."""
+        """Return, as a list, derivative order and weights by coordinate of the sum that vanishes at the moment."""
         if isinstance(self.query.moment, AtTime) and not self.greatest:
             return []
         _, parts, law = self._condition
@@ -162,7 +162,7 @@ class _Modal(LinearMotionModel):
 
     @cached_property
     def _goes_on(self) -> Expression:
-        """Return the constant term of the condition, m: an initial strain or a distance."""
+        """Return the constant term, m, in the equation for the time: an initial extension, a distance, or zero."""
         moment = self.query.moment
         if self.greatest:
             return ZERO
@@ -185,7 +185,7 @@ class _Modal(LinearMotionModel):
 
     @cached_property
     def _condition(self) -> tuple[str, dict[int, float], Law]:
-        """Return the condition for the moment in words, its weights by coordinate, and the derivative it uses."""
+        """Return what defines the moment: event in words, weights by coordinate, and function of time to be summed."""
         moment = self.query.moment
         if self.greatest:
             return self._extreme()
@@ -208,7 +208,7 @@ class _Modal(LinearMotionModel):
         return {i: part for i in self.motion.free if (part := self.motion.extension_ratio(number, i))}
 
     def _extreme(self) -> tuple[str, dict[int, float], Law]:
-        """Return the condition at a greatest value: the next derivative of the quantity is zero."""
+        """Return what defines a greatest value: words, weights by coordinate, derivative whose sum is zero there."""
         assert self.target is not None
         assert self.goal is not None
         if self.goal.uses not in ORDERS:

@@ -39,7 +39,7 @@ class Optimum(Strategy):
     nested = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return the optima, if some strategy has a formula for the optimised question."""
+        """Return the kinds of optima if some strategy has a formula for the quantity to be optimised, else nothing."""
         return self.kinds if any(deriving_strategies(kind, mechanism) for kind in OptimumKind.inner) else frozenset()
 
     def refusal(self, setting: ProblemContext) -> str:
@@ -97,7 +97,7 @@ def _stationary(book: SolutionBuilder, query: OptimumQuery, goal: str, whole: Ex
 
 
 def _core(held: Expression, symbol: str) -> tuple[Expression, bool]:
-    """Return the part of a positive formula that decides its growth, and whether the formula falls with it."""
+    """Return the part of a positive formula with the same extrema in a symbol, and whether maxima become minima."""
     match held:
         case Root():
             return _core(held.inside, symbol)

@@ -81,7 +81,7 @@ class _OnOrbit(StraightMotion):
     """The quantities of bodies on orbits."""
 
     def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
-        """Start without orbits and positions."""
+        """Take the problem and the solution builder; no orbit or position is written yet."""
         super().__init__(setting, book)
         self._orbits: dict[str, KeplerOrbit] = {}
         self._places: dict[str, OrbitPlace] = {}

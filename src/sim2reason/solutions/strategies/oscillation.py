@@ -79,7 +79,7 @@ def no_oscillation_reason(mechanism: Mechanism) -> str:
 
 
 class Oscillating(OneCoordinateModel):
-    """A motion model of one free coordinate, counted from `begin` at `started` s after `turned` turning points."""
+    """A motion model of one oscillating coordinate, counted from the position `begin` at the time `started`, s."""
 
     begin: Expression = ZERO
     started = 0.0
@@ -87,7 +87,7 @@ class Oscillating(OneCoordinateModel):
 
     @property
     def name(self) -> Symbol:
-        """Return the symbol of the free coordinate, counted from `begin`."""
+        """Return the symbol of the free coordinate, counted from the position `begin`."""
         return self.harmonic.name
 
     @cached_property
@@ -142,15 +142,15 @@ class Oscillating(OneCoordinateModel):
 
     @property
     def since_begun(self) -> float:
-        """Return the time of the moment since the displacement was `begin`, s."""
+        """Return the time, s, from the instant at the position `begin` to the moment of the question."""
         return self._when - self.started
 
     def since(self, time: Symbol) -> Symbol:
-        """Return a time counted from `begin`, from the time since the start; by default the same."""
+        """Convert a time since the start to the time since the instant at the position `begin`; by default the same."""
         return time
 
     def until(self, time: Symbol) -> Symbol:
-        """Return the time since the start, from a time counted from `begin`; by default the same."""
+        """Convert a time since the instant at the position `begin` to the time since the start; by default the same."""
         return time
 
     @cached_property
@@ -170,7 +170,7 @@ class Oscillating(OneCoordinateModel):
         return self.until(self.time_since())
 
     def time_since(self) -> Symbol:
-        """Write the time of the moment counted from `begin`, s, and return its symbol."""
+        """Write the time, s, from the instant at the position `begin` to the moment, and return its symbol."""
         held, angle, place = self.harmonic, self._angle, self._place
         rate, turns = held.angular_frequency, held.is_turning_point(self.since_begun)
         _ = self._first_move if turns else None
@@ -188,7 +188,7 @@ class Oscillating(OneCoordinateModel):
         tell_first_move(self, self.motion)
 
     def time_name(self) -> Symbol:
-        """Return a symbol for the time counted from `begin`."""
+        """Return a new symbol for the time since the instant at the position `begin`."""
         return self.book.fresh("t")
 
     def _reached(self, *, turns: bool) -> str:
@@ -208,7 +208,7 @@ class Oscillating(OneCoordinateModel):
 
     @cached_property
     def _place(self) -> Expression:
-        """Write the displacement at the moment counted from `begin`, m, and return it."""
+        """Write the displacement from the position `begin` at the moment, m, and return it."""
         held, moment = self.harmonic, self.query.moment
         if self._timed:
             formula = held.displacement_at_phase(self._angle)
@@ -227,7 +227,7 @@ class Oscillating(OneCoordinateModel):
         return held.equilibrium
 
     def _relaxed(self, spring: str) -> Expression:
-        """Write the displacement at which a spring has its natural length, m, and return it."""
+        """Write the displacement from `begin` at which a spring has its natural length, m, and return it."""
         formula = self.relaxed_place(spring) - self.begin
         if formula == ZERO:
             return ZERO

@@ -20,7 +20,7 @@ class PhaseByPhase(Strategy):
         return varying_acceleration(mechanism)
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return no kinds, since the equations of phases are in numbers."""
+        """Return no question kinds, since no single formula results from several phases."""
         del mechanism
         return frozenset()
 
@@ -31,7 +31,7 @@ class PhaseByPhase(Strategy):
         return "" if setting.answer is not None else "there is no answer"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the phases in order and the answer, and return its symbol; UnsolvedError after other steps."""
+        """Write the phases in order and the answer, and return its symbol; UnsolvedError if `book` is not empty."""
         if book.steps:
             raise UnsolvedError("phases begin a solution")
         return IntegratedPhases(setting, book, integrates=False).write()

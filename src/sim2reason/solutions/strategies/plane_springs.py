@@ -49,7 +49,7 @@ class PlaneSprings(Strategy):
         return "" if _held_in_a_plane(mechanism) else "no lone body is held by springs in a plane"
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return no kinds, since the equilibrium has no closed form."""
+        """Return no question kinds, since the equilibrium has no closed form."""
         del mechanism
         return frozenset()
 

@@ -1,4 +1,4 @@
-"""Value reached: the moment at which a quantity has a stated value, then what is asked about that moment."""
+"""Value reached: the place or time at which a quantity has a stated value, then the quantity asked for this moment."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -29,7 +29,7 @@ _SENTENCES = re.compile(r"(?<=[.]) (?=[A-Z])")
 
 @strategy
 class ValueReached(Strategy):
-    """Finds where or when a quantity has the stated value, then solves the question about that moment."""
+    """The strategy that finds the moment at which a quantity has a stated value, then answers for it."""
 
     name = "value reached"
     cost = 1.0
@@ -39,7 +39,7 @@ class ValueReached(Strategy):
     finished = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return no kinds, since the text has its own numbers."""
+        """Return no question kinds, since the answer is not written as a single formula."""
         del mechanism
         return frozenset()
 
@@ -55,7 +55,7 @@ class ValueReached(Strategy):
         return ""
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the way to the moment and on from there, by the first number of the moment that leads to the answer."""
+        """Write the distance, angle or time of the moment, then the answer from it, by the first of them that works."""
         reasons: list[str] = []
         for moment, value in instants(setting):
             parts = [*_parts(setting, moment, value)]
@@ -77,7 +77,7 @@ class ValueReached(Strategy):
 
 
 def _parts(setting: ProblemContext, moment: Moment, value: float) -> Iterator[ProblemContext]:
-    """Yield the question about the number of a moment, then that about the quantity at this moment."""
+    """Yield the question for the distance, angle or time of the moment, then that for the quantity at this moment."""
     reached = setting.query.moment
     assert isinstance(reached, Reached)
     query, which = Query(moment.kind, reached.target, moment), reached.number
@@ -87,7 +87,7 @@ def _parts(setting: ProblemContext, moment: Moment, value: float) -> Iterator[Pr
 
 
 def _with_found(part: Solution, moment: Moment, value: float) -> Solution:
-    """Return a solution in which the number of a moment is no given, but a result from elsewhere."""
+    """Return a solution in which the number of the moment is an earlier result instead of a given number."""
     unit = number_unit(moment)
     counted = radians(value) if unit == DEGREES else value
     name = next((n for n in part.stated if isclose(part.values[n], counted, rel_tol=RELATION_RTOL)), "")
@@ -101,7 +101,7 @@ def _with_found(part: Solution, moment: Moment, value: float) -> Solution:
 
 
 def _after_givens(steps: list[Step], found: Step) -> Iterator[Step]:
-    """Yield steps with one more after the givens; steps that take its name need it."""
+    """Yield steps with the step `found` inserted after the given numbers; steps that use its name depend on it."""
     (name,) = found.gives
     first = [step for step in steps if step.kind == "givens"]
     rest = [step for step in steps if step.kind != "givens"]
@@ -114,7 +114,7 @@ def _after_givens(steps: list[Step], found: Step) -> Iterator[Step]:
 
 
 def _with_stated_result(steps: Sequence[Step], parts: Sequence[Solution]) -> tuple[list[Step], str]:
-    """Return steps that take the stated value of a quantity where they would find it again, and the goal's name.
+    """Replace repeated computations of a quantity by its stated value; return the steps and the name of the goal.
 
     What the answer does not rest on is left out: a kinetic energy follows from a stated speed alone.
     """
@@ -134,7 +134,7 @@ def _with_stated_result(steps: Sequence[Step], parts: Sequence[Solution]) -> tup
 
 
 def _with_found_values(steps: Sequence[Step], first: Solution) -> list[Step]:
-    """Return steps with the values of names that were written before the moment was known and are used after it."""
+    """Insert a step with the values, at the found moment, of names that were defined before it was known."""
     place = max((n for n, step in enumerate(steps) if first.goal in step.gives), default=len(steps))
     formulas = {r.left.latex(): r for step in steps[:place] for r in step.relations if r.left.latex() in step.gives}
     found = {name for step in steps[:place] if step.kind == SOLVE_KIND for name in step.gives} | {*first.stated}
@@ -154,14 +154,14 @@ def _with_found_values(steps: Sequence[Step], first: Solution) -> list[Step]:
 
 
 def _without(step: Step, name: str) -> Step:
-    """Return a step without the sentences and checks about a name that is not told."""
+    """Return a step without the sentences and verifications about a name that the text no longer contains."""
     said = (sentence for sentence in _SENTENCES.split(step.text) if name not in names_in_text(sentence))
     checks = (r for r in step.relations if r.role not in CHECKS or name not in r.symbols())
     return replace(step, text=" ".join(said), relations=tuple(checks))
 
 
 def _without_repeated(steps: Sequence[Step]) -> list[Step]:
-    """Return steps without those that verify again what an earlier one does, in other words."""
+    """Remove the steps that only verify relations which an earlier step verifies in other words."""
     said: list[tuple[Relation, ...]] = []
     kept: list[Step] = []
     for step in steps:
@@ -173,7 +173,7 @@ def _without_repeated(steps: Sequence[Step]) -> list[Step]:
 
 
 def _needed(goal: str, steps: Sequence[Step], stated: AbstractSet[str]) -> list[Step]:
-    """Return the steps that lead to a name, and those that verify something of them.
+    """Return the steps on which a name depends, and the steps that verify assumptions of these.
 
     What leads to a stated name is needed only if something is found from that name.
     """

@@ -163,7 +163,7 @@ class _Burning(Burning):
         return self._fallen(name, distance, (fast + root if falls else fast - root) / g, which)
 
     def _fallen(self, name: Symbol, distance: Symbol, formula: Expression, which: str) -> Symbol:
-        """Write the time of free flight to a distance and return its symbol."""
+        """Write the time since burnout at which the rocket has covered a distance, and return its symbol."""
         step = self.book.begin_step("time")
         law = step.law(distance, self._thrown(name))
         step.add_text(f"With its engine off {self.name} moves under gravity alone and has covered")
@@ -238,7 +238,7 @@ class _Burning(Burning):
         return self._burnt(self.rising, "v", mark), self._gone(self.rising, mark)
 
     def _burnt(self, risen: Expression, base: str, mark: str, before: str = "") -> Symbol:
-        """Write the speed reached by burning for a time of rising; return its symbol."""
+        """Write the speed after an ascent of duration `risen` with the engine on; return its symbol."""
         left = self.dry if self.out else self.left
         formula = self.exhaust * Call("ln", ratio(self.full, left))
         if self.gravity:
@@ -248,7 +248,7 @@ class _Burning(Burning):
         return self.book.add_step("velocity", said, self.book.fresh(base, mark), formula, SPEED)
 
     def _gone(self, risen: Expression, mark: str) -> Symbol:
-        """Write the distance covered under power in a time of rising; return its symbol."""
+        """Write the distance covered in an ascent of duration `risen` with the engine on; return its symbol."""
         left = self.dry if self.out else self.left
         path, by_then = self._path(left, risen), " by burnout" if mark else ""
         said = f"{self.course}. {self.integrated(left, risen)} So the distance covered{by_then} is"
@@ -289,7 +289,7 @@ class _Burning(Burning):
 
     @property
     def _now(self) -> Expression:
-        """Return the time since lift-off of the moment, s, up to burnout."""
+        """Return the time from lift-off to the moment of the question, at most to burnout, s."""
         return self.rising if isinstance(self.query.moment, BurnedOut) else self._risen(self.time)
 
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:
@@ -300,7 +300,7 @@ class _Burning(Burning):
 
 
 def _tops(setting: ProblemContext) -> bool:
-    """Return whether the greatest displacement or height is asked for, and the highest point has been passed."""
+    """Return whether a greatest displacement or height is asked for, of a rocket that falls again at the end."""
     query = setting.query
     asked = isinstance(query, StretchQuery) and query.functional in ("greatest displacement", "greatest height")
     return asked and float(setting.motion.state(np.array([setting.time])).v[0, 0]) < 0.0

@@ -60,12 +60,12 @@ class SlackSwing(Strategy):
         return "" if happened & {"slack", "taut"} else "the string stays taut"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write each phase and the answer, and return its symbol."""
+        """Write each phase of the motion, on the circle or in free flight, and the answer; return its symbol."""
         return _Slack(setting, book).write().name
 
 
 class _Slack:
-    """The quantities of a bob in the last of its phases."""
+    """The quantities of a bob in the last phase of its motion, which contains the moment of the question."""
 
     def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
         """Take a question, without writing anything."""
@@ -82,7 +82,7 @@ class _Slack:
 
     @property
     def _passed(self) -> list[Event]:
-        """Return the changes between slack and taut before the phase of the moment."""
+        """Return the events at which the string goes slack or taut before the phase that contains the moment."""
         moment, end = self.setting.query.moment, self.setting.time
         if isinstance(moment, WentTaut) and moment.after and self.quantity not in ("", LOSS):
             return self.chain.changes
@@ -130,7 +130,7 @@ class _Slack:
         return found
 
     def _later(self, span: Symbol) -> None:
-        """Write the beginning of the next phase, a time after that of the current one."""
+        """Write the start time of the next phase: that of the current one plus its duration `span`."""
         if self.since == ZERO:
             self.since = span
             return
@@ -212,7 +212,7 @@ class _Slack:
 
     @property
     def _later_slower(self) -> str:
-        """Return the reason why the speed is never greater after the string has gone slack."""
+        """Return a sentence why the speed is never greater after the string has gone slack; empty if it stays taut."""
         kinds = {event.kind for event in self.chain.changes}
         jerk = ", and it loses energy when the string becomes taut again" if "taut" in kinds else ""
         return f"With the string slack, {self.chain.who} is above this point and so slower{jerk}." if kinds else ""

@@ -51,7 +51,7 @@ class _AtRest(LinearMotionModel):
     """A motion model in which nothing is accelerated."""
 
     def balance(self) -> None:
-        """Write that nothing moves; raise UnsolvedError if a body moves or has no restoring force."""
+        """Write that nothing moves at the start; UnsolvedError if a body moves, or an equilibrium has no spring."""
         free = self.motion.free
         if isinstance(self.query.moment, AtStart):
             if free or any(c.speed for c in self.mechanism.coordinates):

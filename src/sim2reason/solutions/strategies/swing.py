@@ -69,7 +69,7 @@ class _Angular(SwingState):
         return added(weight, bend)
 
     def _tell_taut(self) -> None:
-        """Write that the string stays taut at the greatest speed: below the fixed point, or all the way round."""
+        """Write why the string never goes slack: the body stays below the fixed point, or is fast enough at the top."""
         book, step, length = self.book, self.book.begin_step("verify"), multiplied(self.gravity, self.length)
         low, high = multiplied(Number(2.0), length), multiplied(Number(5.0), length)
         if book.value(self.squared) < book.value(low):

@@ -100,7 +100,7 @@ class _Tumbling:
 
     @cached_property
     def about(self) -> Symbol:
-        """Write the moment of inertia about an edge and return its symbol."""
+        """Write the moment of inertia of the prism about an edge and return its symbol."""
         said = "By the parallel-axis theorem, the moment of inertia about an edge is"
         formula = self.own + self.mass * Power(self.radius, 2)
         return self.book.add_step("inertia", said, self.book.fresh("I"), formula, INERTIA)
@@ -112,7 +112,7 @@ class _Tumbling:
 
     @property
     def begins(self) -> Expression:
-        """Return the angle just after a landing, negative uphill."""
+        """Return the angle of the line edge–axis with the upward vertical just after a landing, negative uphill."""
         return self.slope - self.half if self.slope != ZERO else -self.half
 
     # ---- the phases
@@ -124,7 +124,7 @@ class _Tumbling:
 
     @cached_property
     def natural(self) -> Symbol:
-        """Write the angular frequency √(m g R/I) and return its symbol."""
+        """Write √(m g R/I), the frequency of the equivalent pendulum about an edge, rad/s, and return its symbol."""
         said = "About an edge it moves like a pendulum whose small oscillations have the angular frequency"
         name, formula = self.book.fresh(r"\omega", "n"), Root(self.weight / self.about)
         return self.book.add_step("natural", said, name, formula, ANGULAR_SPEED)
@@ -157,7 +157,7 @@ class _Tumbling:
             )
 
     def _lands(self) -> None:
-        """Write the angular velocity just before and just after the next edge lands."""
+        """Write the angular velocities just before and just after the next edge hits the surface."""
         book, fast, after = self.book, self.book.fresh(r"\omega"), self.book.fresh(r"\omega")
         step = book.begin_step("energy")
         drop = FOUR * self.weight * Call("sin", self.half) * Call("sin", self.slope) if self.slope != ZERO else ZERO
@@ -208,7 +208,7 @@ class _Tumbling:
 
     @cached_property
     def _swung(self) -> Expression:
-        """Write the angle from the downward vertical at a stated time and return it."""
+        """Write the angle of the equivalent pendulum from the downward vertical at a stated time, and return it."""
         moment = self.setting.query.moment
         assert isinstance(moment, AtTime)
         name = self.book.fresh("t")

@@ -1,4 +1,4 @@
-"""Questions which of two is first or greater: both values, then their difference or ratio."""
+"""Which of two: the values of two bodies or events, and their difference or ratio, show which is first or greater."""
 
 from dataclasses import replace
 
@@ -17,7 +17,7 @@ from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 
 @strategy
 class WhichOfTwo(Strategy):
-    """The strategy that solves both queries in one text and states which one is first or greater."""
+    """The strategy that solves two queries in one text and states which value is reached first or is greater."""
 
     name = "which of two"
     cost = 1.0
@@ -26,7 +26,7 @@ class WhichOfTwo(Strategy):
     finished = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return no kinds, since the answer names a body."""
+        """Return no question kinds, since no formula answers which of two is first or greater."""
         del mechanism
         return frozenset()
 

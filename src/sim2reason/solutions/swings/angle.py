@@ -66,7 +66,7 @@ class SwingAngle(ABC):
 
     @cached_property
     def extreme(self) -> str:
-        """Return where the greatest or least value occurs, *fastest* or *slowest*; empty for other questions."""
+        """Return *fastest* or *slowest*: where the swing has the extreme value asked for; empty for other questions."""
         query = self.setting.query
         if not isinstance(query, StretchQuery) or query.functional not in EXTREMES:
             return ""
@@ -101,7 +101,7 @@ class SwingAngle(ABC):
 
     @cached_property
     def times(self) -> SwingTime:
-        """Return the relation between time and the angle of the centre of mass."""
+        """Return the solver that relates time and the angle of the centre of mass by elliptic integrals."""
         first, way = (self.first, self.way) if self.falls else (added(PI, -self.first), -self.way)
         return SwingTime(self.book, self.natural, first, self.spin, way)
 
@@ -261,7 +261,7 @@ class SwingAngle(ABC):
         return PASSED if passed else self.WAYS[quantity][1]
 
     def _tell_where(self, quantity: str) -> None:
-        """Write where the quantity is extreme, unless the question is about that position itself."""
+        """Write where the quantity is extreme and why; nothing for an extreme angle, height or displacement."""
         query = self.setting.query
         if not self.extreme or not isinstance(query, StretchQuery) or quantity in PLACES:
             return
@@ -276,7 +276,7 @@ class SwingAngle(ABC):
         step.close()
 
     def _compare_ends(self, quantity: str, found: Symbol) -> None:
-        """Write, once it is known, the acceleration at the other end of a swing that turns back."""
+        """Write the acceleration at the other end of a swing that turns back, as soon as its numbers are known."""
         book, swings = self.book, bool(self.extreme) and not self.goes_round
         if quantity != "acceleration" or not swings or book.in_symbols or (ends := self.ends) is None:
             return
@@ -287,7 +287,7 @@ class SwingAngle(ABC):
 
     @property
     def ends(self) -> Ends | None:
-        """Return the terms of the accelerations at both ends of a swing; None if it moves on no circle."""
+        """Return the terms of the accelerations at the lowest and at a turning point; None if the path is no circle."""
         return None
 
     @property

@@ -59,7 +59,7 @@ class Arm:
     """The pieces of a rigid body on an axle, in the symbols of the text, written as needed."""
 
     def __init__(self, setting: ProblemContext, book: SolutionBuilder, carrier: str = "") -> None:
-        """Take the arm of a carrier, by default that on the only axle; UnreadError for an unknown number."""
+        """Take the arm on the axle of a carrying body, by default the only axle; UnreadError for an unknown number."""
         self.setting, self.book, self.carrier = setting, book, carrier or lone_axle(setting.mechanism)
         self.axis: Vector = setting.mechanism.body[self.carrier].coordinates[0].axis
         turning = [body for body in setting.mechanism.bodies if self.carrier in (body.name, body.parent)]
@@ -72,7 +72,7 @@ class Arm:
     # ---- where the arm points
 
     def way(self, m: Mechanism) -> Vector:
-        """Return the unit vector along the arm at the start, towards the first piece."""
+        """Return the unit vector along the arm at the start, from the axle towards the first body on it."""
         frames = initial_frames(m)
         first = self.bodies[0]
         apart = minus(frames[first].origin, frames[self.carrier].origin)
@@ -82,7 +82,7 @@ class Arm:
         return x, y, z
 
     def at(self, time: float) -> tuple[float, float, float]:
-        """Return the angle from the vertical, the angle from the start and the rate at one time, as `seen` does."""
+        """Return the engine's angles from the downward vertical and from the start, rad, and rate, rad/s, at a time."""
         angles, turned, rates = self.seen(np.array([time]))
         return float(angles[0]), float(turned[0]), float(rates[0])
 
@@ -206,7 +206,7 @@ class Arm:
         raise UnreadError(f"the moment of inertia of {self.setting.display_name(body)} is in no table")
 
     def _inertias(self, spread: MeanSquares | None) -> Iterator[tuple[Expression, str]]:
-        """Yield moments of inertia over the mass about a body's axes and tilted lines, each with its reason."""
+        """Yield moments of inertia per mass about a body's axes and about lines tilted by given angles, and reasons."""
         if spread is None:
             return
         yield from zip(candidates(spread), (spread.why, spread.why_own, spread.why), strict=True)
@@ -233,7 +233,7 @@ class Arm:
 
     @cached_property
     def moment(self) -> Expression:
-        """Write Σ m r, kg m, and return it; the torque of gravity is g sin φ times it."""
+        """Write Σ m r of the bodies on the arm, kg m, and return it; times g sin φ it is the torque of gravity."""
         parts = [self.piece(body) for body in self.bodies]
         total: Expression = ZERO
         for piece in parts:

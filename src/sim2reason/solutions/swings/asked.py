@@ -34,7 +34,7 @@ PLACES = frozenset({"deflection", "height", "displacement"})  # quantities whose
 
 
 def quantity_of(setting: ProblemContext) -> str:
-    """Return the quantity that is asked for, or whose extreme value is."""
+    """Return the quantity that is asked for, or whose extreme value is asked for."""
     query = setting.query
     if isinstance(query, StretchQuery):
         return EXTREMES[query.functional][0] if query.functional in EXTREMES else query.functional
@@ -52,7 +52,7 @@ def turns_back(setting: ProblemContext, noun: str) -> str:
 
 
 def straight(setting: ProblemContext, *, below: bool) -> str:
-    """Return a clause about an arm when one of its bodies is at its highest or lowest point, or at another moment."""
+    """Return a clause on an arm's position: centre of mass straight below or above the axle, or *at that moment*."""
     if isinstance(setting.query.moment, LowestPoint | HighestPoint):
         return f"with the centre of mass straight {'below' if below else 'above'} the axle"
     return "at that moment"
@@ -72,7 +72,7 @@ def by_energy(setting: ProblemContext, noun: str, name: Symbol, *, extreme: bool
 
 
 def unsupported_reason(setting: ProblemContext, quantities: Collection[str]) -> str:
-    """Return the part of a query for which there is no formula, in words; empty if there is none."""
+    """Return which quantity or moment of a query has no formula, in words; empty if all have one."""
     query = setting.query
     if isinstance(query, StretchQuery):
         if quantity_of(setting) not in quantities:
@@ -94,7 +94,7 @@ VERTICAL = "With the centre of mass straight below or above the axis of rotation
 
 
 def of_components(quantity: str, inward: Expression, along: Expression, *, begins: bool) -> str:
-    """Return the words before an acceleration or a net force; empty for another quantity.
+    """Return the words before an acceleration or net force, which name its components; empty for other quantities.
 
     `inward` is the centripetal and `along` the tangential acceleration; `begins` is true at the start of the motion.
     """
@@ -131,7 +131,7 @@ AXLE_LOOPS = "in the highest position the angular velocity is less and the weigh
 def where_extreme(
     quantity: str, noun: str, superlative: str, where: str, *, loops: bool = False, free: bool = False
 ) -> str:
-    """Return the sentence that gives the position of an extreme value, with the reason.
+    """Return the sentence that a quantity is extreme at the position `where`, with the reason.
 
     A body that `loops` never turns back. Otherwise a later comparison shows at which end the acceleration is greatest;
     in symbols, both ends are possible, and with `free` one is assumed.

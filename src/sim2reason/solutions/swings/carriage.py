@@ -114,12 +114,12 @@ class Carriage:
 
     @cached_property
     def moving_along(self) -> list[str]:
-        """Return the bodies as fast as the carriage: itself and those that hang from its strings."""
+        """Return the bodies with the speed of the carriage: the carriage and those that hang from its strings."""
         return [self.riding.carriage, *(pull.body for pull in self.riding.pulls if pull.body)]
 
     @cached_property
     def sliding_mass(self) -> Expression:
-        """Return the total mass of the bodies as fast as the carriage, kg."""
+        """Return the total mass of the carriage and of the bodies that hang from its strings, kg."""
         return summed(self.mass(body) for body in self.moving_along)
 
     @cached_property

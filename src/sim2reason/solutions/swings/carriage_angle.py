@@ -129,7 +129,7 @@ class CarriageAngle(SwingAngle):
         step.close()
 
     def _tell_where(self, quantity: str) -> None:
-        """Write nothing, since the angle of the extreme value is written with the position."""
+        """Write nothing, since the steps for the angle already give the position of the extreme value."""
         del quantity
 
     def _turned(self) -> Expression:
@@ -186,7 +186,7 @@ class CarriageAngle(SwingAngle):
         return self.carriage.driving_force
 
     def unloaded(self) -> None:
-        """Raise UnsolvedError if a pull along the rail makes the motion depend on the time."""
+        """Raise UnsolvedError if a string pulls the carriage, since its motion then depends on the time."""
         if self.driving_force != ZERO:
             raise UnsolvedError("how fast and how far the carriage moves takes the time")
 
@@ -207,7 +207,7 @@ class CarriageAngle(SwingAngle):
 
     @cached_property
     def moment(self) -> Expression:
-        """Return Σ m r of the swinging bodies, kg m."""
+        """Return Σ m r of the swinging bodies, with distances r from the axle, kg m."""
         return self.mass * self.length if self.lone else self.arm.moment
 
     @property

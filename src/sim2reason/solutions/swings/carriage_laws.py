@@ -71,7 +71,7 @@ class CarriageLaws(CarriageAngle):
         return turns, runs
 
     def _named(self, turns: Symbol, runs: Symbol) -> tuple[str, ...]:
-        """Return sentences that name the rates at the moment and give the velocities."""
+        """Return sentences that name the angular speed and the carriage speed, and give the velocities of the arm."""
         c, lowest = self.carriage, self.angle == ZERO
         who = self.setting.display_name(self.arm.bodies[0]) if self.lone else f"the centre of mass of {self.swings}"
         seen = "in the frame with this acceleration, " if self._drift != ZERO else ""
@@ -107,7 +107,7 @@ class CarriageLaws(CarriageAngle):
 
     @cached_property
     def _drift(self) -> Expression:
-        """Write the common acceleration due to a pull along the rail, m/s², and return it."""
+        """Write the acceleration of the common centre of mass due to strings along the rail, m/s², and return it."""
         if self.driving_force == ZERO:
             return ZERO
         lead = "The force along the rail gives the common centre of mass the acceleration"

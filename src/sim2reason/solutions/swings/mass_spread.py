@@ -45,12 +45,12 @@ class Part:
 
 
 def of(share: float, length: Expression) -> Expression:
-    """Return a fraction of the square of a length."""
+    """Return the number `share` times the square of a length."""
     return Number(share) * Power(length, 2)
 
 
 def joined(parts: list[Part]) -> MeanSquares:
-    """Return parts of one density as one body, by the parallel-axis theorem along z."""
+    """Combine parts of a body, displaced along z, into mean squares of the whole, by the parallel-axis theorem."""
     center, xx, zz = ZERO, ZERO, ZERO
     for part in parts:
         center = center + part.share * part.height
@@ -64,7 +64,7 @@ def _ball(radius: Expression) -> MeanSquares:
 
 
 def _less(power: int, outer: Expression, inner: Expression) -> tuple[Expression, Expression]:
-    """Return the mass fractions of the full figure and, negative, of its hole, by their volumes."""
+    """Return the mass of a full body and, negative, of its hole, over their difference; volumes scale with `power`."""
     rest = Power(outer, power) - Power(inner, power)
     return Power(outer, power) / rest, -(Power(inner, power) / rest)
 
@@ -182,7 +182,7 @@ TABLE: dict[str, Callable[[Sizes], MeanSquares]] = {
 
 
 def mean_squares(shape: Shape, size: Sizes) -> MeanSquares | None:
-    """Return the table entry of a body; None if it has none."""
+    """Return the mean squares of distances in a body of a tabulated shape; None for other shapes."""
     name = type(shape).__name__
     if name in ("PolygonalPrism", "LongPrism"):
         long = of(1.0 / 12.0, size("height")) if name == "PolygonalPrism" else ZERO
@@ -192,14 +192,14 @@ def mean_squares(shape: Shape, size: Sizes) -> MeanSquares | None:
 
 
 def candidates(spread: MeanSquares) -> list[Expression]:
-    """Return the moment of inertia over the mass about a line across the axis, the axis, and the other line."""
+    """Return moments of inertia per mass about the x axis, the symmetry axis z and the y axis of a body."""
     x, y, z = spread.xx, spread.yy_or_xx, spread.zz
     across = spread.square
     return [across or _collected(x + z), _collected(x + y), across or _collected(y + z)]
 
 
 def tilted(spread: MeanSquares, angle: Expression) -> tuple[Expression, str]:
-    """Return the moment of inertia over the mass about a tilted line in the plane of the axis, with the reason."""
+    """Return the moment of inertia per mass about a line at 90° minus an angle to the body's axis, and the reason."""
     across, own, _ = candidates(spread)
     along, beside = Power(Call("cos", angle), 2), Power(Call("sin", angle), 2)
     if own == ZERO:

@@ -63,7 +63,7 @@ def velocities_words(turned: Expression, *, highest: bool, landed: bool) -> str:
 
 
 def tell(book: SolutionBuilder, sentence: str) -> None:
-    """Write a reason on which no result depends."""
+    """Write a step that only contains a given sentence, on which no result depends."""
     step = book.begin_step("extreme")
     step.add_text(sentence)
     step.close()

@@ -96,7 +96,7 @@ class AxleForces(SwingAngle):
 
     @property
     def _below(self) -> Expression:
-        """Return the cosine of the angle of the centre of mass; zero for a known right angle."""
+        """Return the cosine of the angle of the centre of mass with the downward vertical; zero for a right angle."""
         cosine = self.cosine if self.falls else -self.cosine
         return (
             ZERO if not self.book.is_hidden(cosine) and abs(self.book.value(cosine)) < RIGHT_ANGLE_TOLERANCE else cosine
@@ -142,7 +142,7 @@ class AxleForces(SwingAngle):
 
     @property
     def _moment(self) -> Expression:
-        """Return M d, in kg m."""
+        """Return M d, the total mass times the distance of the common centre of mass from the axle, kg m."""
         return self.arm.moment if self.falls else -self.arm.moment
 
     def _upward(self) -> Expression:
@@ -193,7 +193,7 @@ Seen = Callable[[Array], tuple[Array, Array]]
 
 
 def total_angle(swing: SwingAngle, seen: Seen) -> Expression:
-    """Return the total angle; the angles and rates that `seen` gives only decide signs and turns."""
+    """Return the total angle turned, with all reversals; the engine's motion `seen` only decides signs and counts."""
     end = swing.setting.time
     count = SAMPLES * max(1, ceil(end * swing.book.value(swing.natural) / (2.0 * pi)))
     angles, rates = seen(np.linspace(0.0, end, count + 1))
@@ -215,7 +215,7 @@ def total_angle(swing: SwingAngle, seen: Seen) -> Expression:
 
 
 def _tell_way(swing: SwingAngle, turns: int, way: float) -> None:
-    """Write the course between turning points, and its end if that is not a turning point."""
+    """Write the angles between which the body swings in turn, up to its position at the moment."""
     inward, ends = way < 0.0 and swing.first != ZERO, ZERO if swing.still else swing.angle
     reach, through = f"${swing.reach.latex()}$", " through the lowest point"
     begins = f"${swing.first.latex()}$" if swing.first != ZERO else "the lowest point"
@@ -244,7 +244,7 @@ def _round(swing: SwingAngle, end: float) -> Expression:
 
 
 def _place(held: Expression) -> Polynomial:
-    """Return an angle with its sign, as a polynomial term."""
+    """Convert an angle, or its negative, to a polynomial with that sign."""
     if held == ZERO:
         return Polynomial({})
     negative = held.latex().startswith("-")

@@ -160,7 +160,7 @@ class SlackSwingPhases:
         return t, self.after(held, t, f"{capitalized(self.who)} is then at")
 
     def after(self, held: MotionState, t: Expression, said: str) -> MotionState:
-        """Write the position and velocity after a time of flight and return them."""
+        """Write the position and velocity after a free flight of duration `t` and return them."""
         book, g = self.book, self.gravity
         x = book.add_step("flight", said, book.fresh("x"), held.x + held.vx * t, METRES)
         y = book.add_step("flight", said, book.fresh("y"), held.y + held.vy * t - HALF * g * Power(t, 2), METRES)
@@ -178,7 +178,7 @@ class SlackSwingPhases:
     # ---- the jerk
 
     def radial(self, held: MotionState) -> Symbol:
-        """Write the velocity along the string just before it is taut and return its symbol."""
+        """Write the velocity component along the string just before it becomes taut, and return its symbol."""
         said = "The jerk takes away the velocity along the string,"
         formula = (held.x * held.vx + held.y * held.vy) / self.length
         return self.book.add_step("jerk", said, self.book.fresh("w"), formula, SPEED)
@@ -247,13 +247,13 @@ def vector_magnitude(one: Expression, other: Expression) -> Expression:
 
 
 def change(book: SolutionBuilder, there: MotionState, start: MotionState) -> Expression:
-    """Return the magnitude of the change of velocity, from differences that are not negative."""
+    """Return the magnitude of the change of velocity between two states, with differences of positive sign."""
     pairs = ((there.vx, start.vx), (there.vy, start.vy))
     return vector_magnitude(*(one - two if book.value(one - two) >= 0.0 else two - one for one, two in pairs))
 
 
 def tell_velocities(book: SolutionBuilder, there: MotionState, start: MotionState, *, flies: bool) -> None:
-    """Write the initial and final velocities between which the momentum changes."""
+    """Write the initial velocity and, in free flight, the final one, for the change of momentum."""
     step = book.begin_step("extreme")
     first = [f"${v.latex()}$ along {axis}" for v, axis in ((start.vx, "x"), (start.vy, "y")) if v != ZERO]
     step.add_text(f"The initial velocity is {join_words(first)}." if first else "")

@@ -79,7 +79,7 @@ class SwingState(SwingAngle):
 
     @property
     def goes_round(self) -> bool:
-        """Return whether the energy suffices to pass the top: v₀² + 2 g ℓ cos θ₀ > −2 g ℓ, without the string."""
+        """Return whether the energy suffices to pass the top, v₀² > 2 g ℓ (1 + cos θ₀), if no string goes slack."""
         g, ell, v = (self.book.value(part) for part in (self.gravity, self.length, self.launch))
         return v**2 > 2.0 * g * ell * (1.0 + cos(self.began))
 
@@ -104,12 +104,12 @@ class SwingState(SwingAngle):
         return -name if beyond else name
 
     def _tell_reach(self, step: StepBuilder, reach: Symbol, called: str) -> None:
-        """Write that the string stays taut up to the turning point, at the angle `reach` from the vertical."""
+        """Write that the string stays taut, as the angle `reach` of the turning point is less than 90°."""
         record_inequality(self.book, step, PI / Number(2.0), reach)
         step.add_text(f"As {called} is less than $90^\\circ$, the string stays taut until then.")
 
     def _verify_reach(self, reach: Symbol) -> None:
-        """Write at the end that the string stays taut, for an angle that depends on the unknown."""
+        """Write after the answer that the string stays taut, if the turning angle depends on the unknown."""
         step = self.book.begin_step("verify")
         self._tell_reach(step, reach, f"${reach.latex()}$")
         step.close()
@@ -154,7 +154,7 @@ class SwingState(SwingAngle):
 
     @property
     def _energy(self) -> Expression:
-        """Return the initial energy above the lowest point, in J."""
+        """Return the initial kinetic and potential energy, with zero potential energy at the lowest point, J."""
         m, g, ell = self.mass, self.gravity, self.length
         high = multiplied(multiplied(m, multiplied(g, ell)), added(ONE, -self.cosine_first))
         if self.launch == ZERO:

@@ -65,7 +65,7 @@ class SwingTime:
 
     @cached_property
     def pace(self) -> Expression:
-        """Return the rate at which the elliptic integral grows with time, in rad/s."""
+        """Return the rate of increase of the elliptic integral F(θ) with time, rad/s: ω₀, or k ω₀ for full turns."""
         return self.modulus * self.natural if self.rounds else self.natural
 
     # ---- elliptic integrals
@@ -87,7 +87,7 @@ class SwingTime:
         return self._special(said, self.book.fresh("u"), formula, "")
 
     def _amplitude(self, integral: Symbol) -> Symbol:
-        """Write the angle θ up to which the integral has a value and return its symbol."""
+        """Write the angle θ at which the elliptic integral F(θ) has a given value, and return its symbol."""
         said = f"The angle up to which the integral is ${integral.latex()}$ is"
         formula = Amplitude(integral, self._elliptic_modulus)
         return self._special(said, self.book.fresh(r"\psi"), formula, RADIANS)
@@ -103,7 +103,7 @@ class SwingTime:
     # ---- an angle as a multiple of a half turn of θ, and the integral of what is left
 
     def _left(self, angle: Expression, value: float) -> Polynomial:
-        """Return F of the magnitude of the first angle θ ≥ 0 at a given angle of the pendulum."""
+        """Return the elliptic integral F(θ) for the least θ ≥ 0 at which the pendulum has a given angle."""
         if abs(value) < PHASE_TOLERANCE:
             return NIL
         if self.rounds:
@@ -123,7 +123,7 @@ class SwingTime:
 
     @cached_property
     def begins(self) -> Polynomial:
-        """Return the integral at the start."""
+        """Return the elliptic integral F(θ) at the start, from which it increases in proportion to the time."""
         if self.first == ZERO:
             return NIL
         if self.rate == ZERO:
@@ -149,7 +149,7 @@ class SwingTime:
         return self._after(self._quarters(2 * turns) + left.scaled(sign))
 
     def upright(self, time: float) -> Symbol:
-        """Write the time of a passage through the lowest or highest point, or of a turn; return its symbol."""
+        """Write the time of a passage through the lowest or highest point, or of a turning point; return its symbol."""
         quarter = self.book.values[self.complete.name]
         now = self.book.value(self.begins.expression()) + self.book.value(self.pace) * time
         count = round(now / quarter)
@@ -164,7 +164,7 @@ class SwingTime:
 
     @property
     def frequency(self) -> Symbol:
-        """Return the angular frequency of the whole motion: period 4 K per oscillation, 2 K per turn."""
+        """Write the angular frequency of the motion, from the period 4K/ω₀, or 2K/(kω₀) for full turns; return it."""
         share = 1.0 if self.rounds else 0.5
         formula = Number(share) * PI * self.pace / self.complete
         quarter, rate = self.complete.latex(), self.natural.latex()
@@ -193,7 +193,7 @@ class SwingTime:
         return self.book.add_step("angle", said, self.book.fresh(r"\phi", "t"), formula, DEGREES)
 
     def _tell_turns(self, integral: Symbol) -> None:
-        """Write the number of turning points before the time at which the integral has a value."""
+        """Write how many turning points precede the time at which the elliptic integral has a given value."""
         if self.rounds or self.book.is_hidden(integral):
             return
         quarter, begun = self.book.value(self.complete), self.book.value(self.begins.expression())

@@ -10,7 +10,7 @@ GIVEN = "Given: "
 
 
 def convert_answer(system: SpokenUnits, solution: Solution, unit: str) -> Solution:
-    """Return a solution computed in SI units whose answer, in `unit`, is converted at the end to the asked unit."""
+    """Set the unit in which the prompt asks for the answer, so that a solution in SI units ends with a conversion."""
     other, factor = system.spelled(unit)
     if solution.answer is None or solution.formula or not system.says_otherwise:
         return solution

@@ -13,7 +13,7 @@ def record_inequality(book: SolutionBuilder, step: StepBuilder, left: Expression
 
 
 def verify_assumed(book: SolutionBuilder, greater: Expression, less: Expression, relation: str) -> None:
-    """Write that one formula is larger than another, as was assumed; `relation` is the LaTeX of it."""
+    """Write that one formula is larger than another, as was assumed; `relation` is this inequality in LaTeX."""
     step = book.begin_step("verify")
     record_inequality(book, step, greater, less)
     step.add_text(f"Indeed ${relation}$, as was assumed.")
@@ -21,7 +21,7 @@ def verify_assumed(book: SolutionBuilder, greater: Expression, less: Expression,
 
 
 def why_this_time(book: SolutionBuilder, step: StepBuilder, found: Symbol, other: Expression) -> str:
-    """Return a clause that excludes the other of two solutions for a time; empty in symbols."""
+    """Return a clause that the `other` root for a time is negative or later; empty for a solution in symbols."""
     if book.in_symbols:
         return ""
     if book.value(other) < 0.0:

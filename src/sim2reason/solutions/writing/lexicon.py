@@ -1,4 +1,4 @@
-"""Symbolic formulas for the numbers of a mechanism, found by comparison with a *generic twin*.
+"""Formulas for the numbers of a mechanism, found by comparison with its twin: the same scene with other parameters.
 
 Each number that the text states is perturbed, and the mechanism is built again: a number of the mechanism that equals a
 mass in both, or the sine of an angle in both, is that mass or sine. Entities need not declare how they use parameters.
@@ -78,7 +78,7 @@ class StatedNumber:
 
     @property
     def scale(self) -> float:
-        """Return the factor from the number in the text to the value in formulas."""
+        """Return the factor that converts the number in the text to the unit without prefix that formulas use."""
         return factor(self.parameter.measure.unit)
 
     @property
@@ -185,11 +185,11 @@ class Lexicon:
         ]
 
     def of(self, number: Callable[[Mechanism], float]) -> Polynomial:
-        """Return a formula for a number of the mechanism, as `read` does."""
+        """Return a formula, in the text's symbols, for a number that a function computes from the mechanism."""
         return self.read(DualValue(float(number(self.mechanism)), float(number(self.twin))))
 
     def read(self, number: DualValue) -> Polynomial:
-        """Return a formula for a number: zero, a fraction, a given number, a product or a sum of products of those."""
+        """Return a formula in the given numbers for a number of the mechanism, with its value in the twin."""
         known = self._read.get(number)
         if known is None:
             known = self._read[number] = self._searched(number)
@@ -197,7 +197,7 @@ class Lexicon:
 
     @cached_property
     def _nothing(self) -> float:
-        """Return the size below which a number counts as zero; smaller if some given numbers are tiny."""
+        """Return the size below which a number of the mechanism counts as zero; smaller if given numbers are tiny."""
         least = min((abs(given.value) for given in self.givens.values() if given.value), default=1.0)
         return COINCIDENCE_RTOL if least >= ATOMIC_SIZE else COINCIDENCE_RTOL * least**2
 
@@ -255,7 +255,7 @@ class Lexicon:
 
 
 def _counted(parameter: Parameter, value: float) -> float:
-    """Return a value of the text in the units of the mechanism: without prefixes, angles in radians."""
+    """Convert a value in the text to the units of the mechanism: SI without prefixes, angles in radians."""
     return value * factor(parameter.measure.unit)
 
 
@@ -267,7 +267,7 @@ def _is_word(scene: Scene, parameter: Parameter) -> bool:
 
 
 def _factor(number: DualValue, atom: DualValue) -> float | None:
-    """Return the simple fraction that relates a number to an atom in both mechanisms; None if there is none."""
+    """Return the simple fraction number / atom if it is the same in mechanism and twin; None if there is none."""
     if atom.here == 0.0 or atom.there == 0.0:
         return None
     here, there = number.here / atom.here, number.there / atom.there

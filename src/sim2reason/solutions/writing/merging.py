@@ -31,7 +31,7 @@ def merged(steps: Sequence[Step]) -> list[Step]:
 
 
 def _alike(first: Step, other: Step, *, follows: bool) -> bool:
-    """Return whether a later step can be merged with an earlier one: same sentence, from the same known names.
+    """Return whether a later step can be merged with an earlier one: same words, and no use of results in between.
 
     A step that `follows` directly may use all earlier results; another one no more than the first step does.
     """
@@ -45,7 +45,7 @@ def _alike(first: Step, other: Step, *, follows: bool) -> bool:
 
 
 def _merge_group(group: Sequence[Step]) -> Step:
-    """Return steps with equal leads as one step with all their formulas."""
+    """Combine steps whose sentences differ only in their formulas into one step with all formulas."""
     if len(group) == 1:
         return group[0]
     matches = [match for step in group if (match := SENTENCE.fullmatch(step.text)) is not None]
@@ -54,7 +54,7 @@ def _merge_group(group: Sequence[Step]) -> Step:
 
 
 def merge_group_into(group: Sequence[Step], text: str) -> Step:
-    """Return several steps as one with a text of its own and the number of the first."""
+    """Combine several steps into one with a given text and the number of the first."""
     return replace(
         group[0],
         text=text,

@@ -90,7 +90,7 @@ def _of_pairs(here: float, there: float, products: Sequence[tuple[LabelledNumber
 
 
 def _nearest(values: Array) -> Array:
-    """Return the common coefficients nearest to values, shape (n, n); NaN where none agrees."""
+    """Round each value, (n, n), to the nearest common coefficient such as 1/2; NaN where none agrees with it."""
     common = np.array(sorted(COMMON_COEFFICIENTS))
     after = np.clip(np.searchsorted(common, values), 1, len(common) - 1)
     above, below = common[after], common[after - 1]

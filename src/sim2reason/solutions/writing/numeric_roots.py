@@ -17,7 +17,7 @@ SMALLEST = "The smallest positive solution, found numerically, is"
 def root_sentence(
     book: SolutionBuilder, step: StepBuilder, name: Symbol, residual: Expression, near: float, unit: str, said: str
 ) -> str:
-    """Return a sentence that gives the root of a formula near a number as the value of a name.
+    """Return a sentence that gives a name the value of the root of `residual` near a number, in closed form if short.
 
     If the equation has a short solution, the sentence gives its formula without the words `said`. Otherwise, if the
     formula depends on the unknown, the sentence is empty: the equation, which was stated, defines the name.
@@ -29,7 +29,7 @@ def root_sentence(
 
 
 def roots_sentence(book: SolutionBuilder, step: StepBuilder, roots: Sequence[NamedRoot], unit: str, said: str) -> str:
-    """Return a sentence with the numerical roots of several formulas, one after the other; empty if unknown."""
+    """Return a sentence with the numerical roots of several formulas; empty if they depend on the unknown."""
     told, hidden = list[str](), False
     for name, residual, near in roots:
         hidden = hidden or not book.hidden.isdisjoint(residual.symbols())

@@ -31,7 +31,7 @@ class SolutionBuilder(NameAllocator):
         called: Mapping[str, str] | None = None,
         most: Need = Need.INTEGRATION,
     ) -> None:
-        """Make an empty book with results in `units`; `asks` is the unit of the number of a moment that is asked for.
+        """Begin an empty solution with results in `units`; `asks` is the unit of a time, distance or angle asked for.
 
         With `called`, the solution is in symbols: no number is written, and given numbers have names from that mapping.
         The mathematics of a result may not exceed `most`.
@@ -59,7 +59,7 @@ class SolutionBuilder(NameAllocator):
         self._source: dict[str, int] = {}
 
     def copy(self) -> "SolutionBuilder":
-        """Another with the same names known, and no steps, for a draft."""
+        """Return a builder with the same names and values but no steps, for a draft."""
         found = SolutionBuilder(self._units, asks=self.asks, called=self._called, most=self.most)
         found.hidden, found.sought, found.passage = {*self.hidden}, self.sought, self.passage
         found.values, found.units, found.stated = {**self.values}, {**self.units}, {**self.stated}
@@ -82,7 +82,7 @@ class SolutionBuilder(NameAllocator):
         self.values[name], self.units[name] = value, unit
 
     def state_given(self, name: str, value: float, unit: str) -> None:
-        """A number that the question itself says."""
+        """Record a number that the question itself states, or the symbol of the one that it asks for."""
         is_asked, unit = unit == self.asks, self.unit_in_text(unit)
         self.set_value(name, value, unit)
         if is_asked and self.asks and not self.sought:
@@ -145,7 +145,7 @@ class SolutionBuilder(NameAllocator):
         return formula if self.is_hidden(formula) else NumericFormula(formula, self.value(formula))
 
     def rewrite(self, begun: int, steps: Sequence[Step]) -> None:
-        """Replace all steps from a number on by other steps, which have consecutive numbers."""
+        """Replace all steps from the number `begun` on by other steps with consecutive numbers."""
         self.steps[begun:] = steps
         self._source = {name: step.id for step in self.steps for name in step.gives}
 
@@ -161,7 +161,7 @@ class SolutionBuilder(NameAllocator):
     def add_step(
         self, kind: str, said: str, name: Symbol, formula: Expression, unit: str = "", *, rests: str = ""
     ) -> Symbol:
-        """Write a step of one sentence that ends with a law and `rests` on a label, and return the name."""
+        """Write a one-sentence step, `said` and name = formula = value, and return the name; `rests`: label used."""
         step = self.begin_step(kind)
         step.rest_on(rests)
         step.add_text(f"{said} {step.result(name, formula, unit, law=True)}.")
@@ -250,7 +250,7 @@ class StepBuilder:
         self._gives += [name for _, name in integration.ends]
 
     def stated(self, formula: Expression, unit: str) -> str:
-        """Return the value of a formula of given numbers, or a name, in LaTeX with dollars."""
+        """Return a formula of given numbers with its value, in LaTeX with dollars; without value if that is unknown."""
         value = self._book.value(formula)
         if self._book.is_hidden(formula):
             return f"${formula.latex()}$"

@@ -90,6 +90,6 @@ class Labels:
     used: int = 0
 
     def next(self) -> str:
-        """Return the next label, a number in parentheses; letters label the parts of a problem."""
+        """Return the next equation label, a number in parentheses such as *(3)*."""
         self.used += 1
         return f"({self.used})"

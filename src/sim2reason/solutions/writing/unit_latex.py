@@ -93,7 +93,7 @@ def unit_of_quantity(name: str) -> str:
 
 
 def magnitude_words(said: str, quantity: str) -> str:
-    """Return words such as *The momentum is*, reworded so that the magnitude of the vector is the subject.
+    """Reword an introduction such as *The momentum is* as *The magnitude of the momentum is*, for vector quantities.
 
     Text that does not name `quantity` is replaced; text about a scalar is unchanged.
     """
