@@ -44,7 +44,7 @@ def values_giving(query: Query, given: float, unknown: Unknown, study: Simulated
 def _approached(
     dependence: AnswerFunction, usual: Sequence[float], beyond: Sequence[Sequence[float]], given: float
 ) -> list[float]:
-    """Return the values near which an answer has its extremum, if it has the given value there.
+    """Return the numbers for which an answer touches `given`, or just passes it and returns, near one of its extremes.
 
     An answer that is a magnitude does not change sign where it is zero: on both sides it is greater.
     """
@@ -57,7 +57,7 @@ def _approached(
 
 
 def _in_dip(dependence: AnswerFunction, low: float, high: float, given: float) -> list[float]:
-    """Return where an answer is as given between two values between which it comes closest to that.
+    """Return the numbers between `low` and `high` with answer `given`, near an extreme of the answer between them.
 
     The golden-section search ends where the answer is as given or beyond; there it passes twice.
     """

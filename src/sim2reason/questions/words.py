@@ -224,7 +224,7 @@ class Words:
         return own.shown if own is not None else format_number(value, self.units.spell(unit))
 
     def amount(self, value: float, unit: str) -> str:
-        """Return the same text with a noun before a symbol: 0.80 s, or *a time $t$*."""
+        """Return the text of a question's own number, with a noun before a symbol: 0.80 s, or *a time $t$*."""
         own = self.own.get(unit)
         return f"{own.noun} {own.shown}" if own is not None else self.say(value, unit)
 

@@ -90,7 +90,10 @@ class Kind(ABC):
         """Return the answer in SI units; None if the moment does not occur, NaN if the mechanism leaves it open."""
 
     def loose_answer(self, query: Query, study: SimulatedScene) -> float | None:
-        """Return the answer that a reader may give even where none is asked for; by default `answer`."""
+        """Return the answer even where no question asks for it, as for an extreme at an end of an interval.
+
+        By default `answer`.
+        """
         return self.answer(query, study)
 
     def with_likely_answer(self, query: Query, answer: float) -> Query:
@@ -102,7 +105,7 @@ class Kind(ABC):
         return query
 
     def far_answer(self, query: Query, study: SimulatedScene) -> float | None:
-        """Return the answer in a misread scene, searched for over a wide range; by default `loose_answer`."""
+        """Return the answer in a scene misread by a solver, searched for in a wide range; or that of `loose_answer`."""
         return self.loose_answer(query, study)
 
     @abstractmethod
@@ -143,7 +146,7 @@ class Kind(ABC):
         return ()
 
     def posed(self, asked: StructuredQuestion, study: SimulatedScene, words: Words) -> Query | None:
-        """Return the query for a structured question about one of `finds`; None for another kind's question.
+        """Return the query for a structured question about something that this kind can find; None for any other.
 
         By default None. TextError for a part that has no meaning.
         """
@@ -158,7 +161,7 @@ class Kind(ABC):
         return study.time(query.moment) if query.moment is not None else None
 
     def channels(self, query: Query) -> tuple[Channel, ...]:
-        """Return the channels that must be certified at that time; by default that of the target."""
+        """Return the channels that must be certified for the answer; by default that of the target."""
         return (Channel(query.target.subject, query.target.quantity),) if query.target is not None else ()
 
     def doubt(self, query: Query, study: SimulatedScene, certificate: Certificate | None) -> str:

@@ -29,7 +29,7 @@ SIDE = 5e-3  # relative: distance on either side at which the second engine is c
 
 @dataclass(frozen=True, slots=True)
 class ThresholdQuery(Query):
-    """A query for the least or greatest value of a number without an outcome, or the value beyond which it occurs.
+    """A query for the least or greatest value of a number for which an outcome is absent, or beyond which it occurs.
 
     At the limit itself nothing happens.
     """
@@ -97,7 +97,7 @@ class ThresholdKind(Kind):
         return trial.near(query.about) if query.about else trial.change()
 
     def loose_answer(self, query: Query, study: SimulatedScene) -> float | None:
-        """Return the threshold with the queried sense of change, nearby or between a few values of the whole range."""
+        """Return the known threshold or one on a coarse grid, if the outcome changes as the query says; or None."""
         assert isinstance(query, ThresholdQuery)
         trial, above = query.trial(study), query.greatest is not query.happens
         error = study.trace.tolerance or FINEST

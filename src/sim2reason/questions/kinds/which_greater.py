@@ -84,7 +84,7 @@ class WhichGreaterKind(WhichKind):
         return first[0], second[0]
 
     def _property(self, query: WhichQuery, words: Words) -> tuple[str, str] | None:
-        """Return the common property and the words after it; None if the options use noun phrases."""
+        """Return the property that decides between two subjects, such as *speed*, and the words after it; or None."""
         names, nouns = self.names(query, words), _nouns(query, words)
         if names is None or nouns is None or names[0] == nouns[0].phrase:
             return None

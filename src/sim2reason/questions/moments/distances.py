@@ -152,12 +152,12 @@ class Moved(DistanceThreshold):
         return None if found is not None and self._turns_back(trace, found) else found
 
     def comes_later(self, trace: Trace) -> bool:
-        """Return whether it is as far away only after it has turned back."""
+        """Return whether the body reaches the stated distance only after it has turned back."""
         found = first_crossing(trace, self.excess)
         return found is not None and self._turns_back(trace, found)
 
     def _turns_back(self, trace: Trace, until: float) -> bool:
-        """Return whether it reverses before a time, and may not."""
+        """Return whether the body reverses before a time, s, and neither a given side nor a collision permits that."""
         allowed = self.towards or _collides(trace.mechanism, self.name)
         return not allowed and _turns_back(trace, self.name, until)
 

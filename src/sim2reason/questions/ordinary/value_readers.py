@@ -73,7 +73,7 @@ AXES = ("horizontal", "vertical", "x", "y")
 
 
 def named(name: str, of: str, along: str, ways: tuple[tuple[str, str], ...]) -> Iterator[Main]:
-    """Yield the meanings of a noun for a quantity."""
+    """Yield every quantity that a noun such as *tension* or *deceleration* may mean, with its presumptions."""
     if name == "force":
         yield from (Main(force, of) for force in FORCES)
     elif name == "tension":
@@ -219,7 +219,7 @@ def of_orbit(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
 
 
 def time(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
-    """Yield a time."""
+    """Yield the time of a moment, or between two moments, as the value asked for."""
     del found, heard
     yield Main("time", needs=STRETCH)
 

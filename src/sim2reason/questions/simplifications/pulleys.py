@@ -86,7 +86,7 @@ def _ends_beyond(mechanism: Mechanism, line: Line) -> str | None:
 
 
 def _tied(mechanism: Mechanism, line: Line) -> Line:
-    """Return the part of such a string up to the pulley; without force if the part lies beyond it."""
+    """Return the part of a string up to the movable pulley before its fixed end; a part beyond exerts no force."""
     parts = (part for part in mechanism.lines if part.whole == line.whole)
     pulley = next(name for part in parts if (name := _ends_beyond(mechanism, part)))
     turned = {c.name for c in mechanism.coordinates if carried(mechanism, c.body) == pulley}

@@ -83,7 +83,7 @@ class WhichKind(Kind):
         return self._answer(query, study, loosely=False)
 
     def loose_answer(self, query: Query, study: SimulatedScene) -> float | None:
-        """Return the same number from the answers that a reader may give."""
+        """Return the number asked for, computed also from two answers that no question asks for."""
         return self._answer(query, study, loosely=True)
 
     def _answer(self, query: Query, study: SimulatedScene, *, loosely: bool) -> float | None:

@@ -70,7 +70,7 @@ class Passage(VerbHappening):
         return (self.name,)
 
     def possible(self, mechanism: Mechanism) -> bool:
-        """Return whether a mechanism's subject still qualifies."""
+        """Return whether the mechanism has the subject of the moment, as a changed mechanism may not."""
         return self.name in self.of.names(mechanism)
 
     @property

@@ -79,7 +79,7 @@ class OtherFigure(Misconception):
     overlooked: ClassVar[Overlooked]
 
     def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
-        """Return the bodies that can rotate and have such a simplified shape."""
+        """Return the bodies that can rotate and whose shape has the part that this misconception overlooks."""
         del query
         bodies = study.scene.bodies
         return [
