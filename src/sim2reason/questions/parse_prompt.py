@@ -234,7 +234,7 @@ def _begun(reading: ParsedScene) -> FollowedMotion:
 
 
 def _in_symbols(words: Words, draft: Draft, given: Mapping[str, str]) -> Words:
-    """Return words with the symbols of the scene, and those of the question with their values."""
+    """Return the words of a text that refers to numbers by symbols, with the values of the question's own symbols."""
     own = [spoken_of(symbol, said, words.units) for symbol, said in given.items() if symbol not in draft.given]
     return replace(words, symbolic=True, own=dict(filter(None, own)))
 

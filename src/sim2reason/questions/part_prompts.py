@@ -115,7 +115,7 @@ def together(
 
 
 def parse_parts(text: str, rng: np.random.Generator | None = None) -> tuple[ParsedPrompt, ...]:
-    """Return the meaning of each part of a prompt; errors are those of `parse_prompt`."""
+    """Return the meaning of each part of a prompt; TextError if a part has no meaning."""
     found = PartPrompt.read(text)
     parsed: list[ParsedPrompt] = []
     for part in range(len(found.questions)):

@@ -58,7 +58,7 @@ class ThresholdSearch:
         return self._known[value, error]
 
     def _usual_doublings(self, value: float) -> int:
-        """Return the number of doublings of the duration that sufficed for the nearest known value."""
+        """Return how many doublings of the duration decided about the outcome for the nearest known value."""
         near = min(self._doublings, key=lambda tried: abs(tried - value), default=None)
         return self._doublings[near] if near is not None else 0
 
@@ -195,7 +195,7 @@ class ThresholdSearch:
         return 0.5 * (low + high)
 
     def _narrowed(self, low: float, high: float, error: float) -> tuple[float, float]:
-        """Return the narrowest known bracket of the threshold within two numbers."""
+        """Return the closest known numbers, from `low` to `high`, between which the outcome changes."""
         tried = sorted((at, f.happens) for (at, by), f in self._known.items() if by == error and f is not None)
         between = [found for found in tried if low <= found[0] <= high]
         return next((one, other) for (one, a), (other, b) in pairwise(between) if a != b)

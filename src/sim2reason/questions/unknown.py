@@ -224,7 +224,7 @@ def far_from(values: Sequence[float], about: float, unit: str) -> list[float]:
 
 
 def _onwards(points: Array, end: float) -> list[float]:
-    """Return logarithmically spaced points beyond the last two, up to an end; none if that is not beyond."""
+    """Return further points up to `end`, spaced by the ratio of the last two; none if `end` is not beyond them."""
     last = float(points[-1])
     if end <= last:
         return []

@@ -64,7 +64,7 @@ class OscillationAmplitude(Extreme):
         return 0.5 * found if found > 0.0 and found >= (1.0 - REST_SPEED_RTOL) * float(np.ptp(places)) else None
 
     def loose_value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return the same as `value`, as no other reading is likely."""
+        """Return half the distance between the ends of the path, m, under the same conditions as for a question."""
         return self.value(trace, name, end)
 
 

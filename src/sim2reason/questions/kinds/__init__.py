@@ -66,7 +66,7 @@ class Kind(ABC):
 
     @property
     def stated(self) -> bool:
-        """Return whether the kind can phrase its answers as conditions."""
+        """Return whether the kind has noun phrases for its answers, so that a condition can state an answer."""
         return type(self).noun_phrases is not Kind.noun_phrases
 
     def of_motion(self, query: Query) -> bool:
@@ -173,7 +173,7 @@ class Kind(ABC):
         return certification_gap(certificate, self.time(query, study), query.moment, self.channels(query))
 
     def indifferent(self, query: Query, study: SimulatedScene, other: SimulatedScene) -> bool:
-        """Return whether another scene differs only in numbers that cannot affect such answers; by default False."""
+        """Return whether another scene differs only in numbers that cannot affect the answer; by default False."""
         del query, study, other
         return False
 
@@ -261,7 +261,7 @@ def kind(cls: type[K]) -> type[K]:
 
 
 def kinds_by_share(rng: np.random.Generator) -> list[Kind]:
-    """Return all kinds with numeric answers in random order, weighted by share, as few motions offer all of them."""
+    """Return all kinds with numeric answers in random order, weighted by share, for use until a motion offers one."""
     kinds = [kind for kind in KINDS.values() if not kind.names_one]
     shares = np.array([kind.share for kind in kinds])
     order = rng.choice(len(kinds), size=len(kinds), replace=False, p=shares / shares.sum())

@@ -103,7 +103,7 @@ class ComparisonKind(NestedKind):
         return variant_certification_gap(inner, other)
 
     def measured(self, query: Query) -> Measured:
-        """Return the measure of a ratio, or of a difference in the unit of the inner answer."""
+        """Return the unit and least value of a ratio, or of a difference in the unit of the compared answers."""
         assert isinstance(query, ComparisonQuery)
         if query.ratio:
             return Measured("ratio", "", least=1e-2)

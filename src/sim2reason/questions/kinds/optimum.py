@@ -149,12 +149,12 @@ class OptimumKind(NestedKind):
         return replace(query, about=answer) if query.asks_place else query
 
     def time(self, query: Query, study: SimulatedScene) -> float | None:
-        """Return the time, s, of the inner moment in the recorded motion; zero if it does not occur there."""
+        """Return the time, s, by which the inner query has its answer in the recorded motion; zero without one."""
         inner = inner_of(query)
         return KINDS[inner.kind].time(inner, study) or 0.0
 
     def measured(self, query: Query) -> Measured:
-        """Return the measure of the number, or of the inner answer."""
+        """Return the unit and least value of the number or, if it is asked for, of the extreme answer."""
         assert isinstance(query, OptimumQuery)
         if query.asks_place:
             return Measured("optimum", query.unit, least=0.0)

@@ -194,7 +194,7 @@ class StayedBelow(DistanceThreshold):
 
     @classmethod
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
-        """Return a random height, m, above the top after the first bounce; None if there is no such top."""
+        """Return a random height, m, above the highest point after the first bounce; None without such a point."""
         top = TopAfterBounce(name).time(trace)
         if not top:
             return None

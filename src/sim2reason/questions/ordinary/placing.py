@@ -179,7 +179,7 @@ def _of_its_kind(asked: StructuredQuestion, words: Words) -> bool:
 
 
 def _fits(reading: Reading, words: Words) -> bool:
-    """Return whether some force may bring bodies to rest, if a reading presumes that they stay at rest."""
+    """Return False if a reading presumes that bodies stay at rest, but there is no friction to bring them to rest."""
     rests = reading.asked.when.endswith("halted") or any(way == RESTS for _, way in reading.gone)
     mechanism = words.mechanism
     rubs = any(face.friction > 0.0 for face in mechanism.faces) or any(c.friction for c in mechanism.contacts.values())

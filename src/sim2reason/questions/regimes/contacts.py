@@ -27,7 +27,7 @@ ORDERS = 100  # greatest number of sequences; if there are more, only shorter on
 @REGIMES.register("collisions")
 @dataclass(frozen=True, slots=True)
 class CollideInTurn(Regime):
-    """The assumption that exactly these collisions occur, in this order, before the moment of the question."""
+    """The assumption that exactly the given collisions occur, in the given order, before the moment of the question."""
 
     of = Pairs()
     stage = 2
@@ -42,7 +42,7 @@ class CollideInTurn(Regime):
         return [cls("", order) for n in lengths for order in product(met, repeat=n)]
 
     def holds(self, study: SimulatedScene, until: float) -> bool:
-        """Return whether exactly these collisions occur by then."""
+        """Return whether exactly the assumed collisions, in the assumed order, occur before a time, s."""
         came = [subjects for kind, subjects in study.trace.story(until) if kind == "collision"]
         return [*map(set, came)] == [*map(set, self.order)]
 

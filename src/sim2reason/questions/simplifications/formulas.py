@@ -221,7 +221,7 @@ class WeightAsTension(ChangedMechanism):
         return hanging(study.mechanism)
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with that tension in the strings above the body, shared equally among them."""
+        """Return the mechanism with the weight as the total tension in the strings above the body, shared equally."""
         held = hanging(mechanism)[subject]
         law = ConstantTension(held.mass * -mechanism.gravity[2] / held.runs)
         return with_lines(mechanism, held.strings, lambda line: replace(line, law=law))

@@ -111,7 +111,7 @@ class PulleyRotationLeftOut(ChangedMechanism):
     common = True
 
     def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
-        """Return each pulley whose mass also matters otherwise, and each of several pulleys.
+        """Return each of several pulleys with rotational inertia; a single one only if it is movable.
 
         A single one with a fixed axle is covered by taking all pulleys as light.
         """

@@ -188,7 +188,7 @@ class StretchKind(Kind):
                     yield StretchQuery(self.name, None, moment, functional.name, name)
 
     def measured(self, query: Query) -> Measured:
-        """Return the measure of the functional."""
+        """Return the name, unit and least value of the functional, and whether it is a whole number."""
         assert isinstance(query, StretchQuery)
         found = FUNCTIONALS[query.functional]
         return Measured(found.name, found.unit, found.least, whole=self.whole)
