@@ -14,10 +14,10 @@ from sim2reason.questions.words import Words
 STRIDES = (16, 4)  # steps of the scan: a coarse pass first
 SMOOTH = 0.1  # of the smaller distance from the given result: maximum error of a cubic interpolation, if smooth
 ROOT_RTOL = 0.01  # relative: values closer to the root are the same root
-DIP = 3  # parabolic guesses for the minimum of a dip
-SHALLOW = 0.3  # of a dip: a guessed minimum above this fraction is not evaluated,
-NEAR_MARGINS = 10.0  # margins: unless the dip is already lower; halving then finds the minimum of a kink
-KINK = 10  # halvings near a kink
+DIP = 3  # parabolic guesses for a minimum of the difference between answer and given result
+SHALLOW = 0.3  # of the smallest known difference: a parabolic guess above this fraction is not evaluated
+NEAR_MARGINS = 10.0  # smallest significant differences: only nearer answers are recomputed, and searched for kinks
+KINK = 10  # halvings near a minimum that is a kink
 EDGE = 0.01  # relative: distance from the root at which a missing answer is tested
 BEHIND = 3.0  # steps of the scan: extrapolation distance beyond an end of the range
 UNEVEN = 0.3  # of the smallest distance from the given result: maximum error of a line on an even interval

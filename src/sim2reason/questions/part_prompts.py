@@ -34,7 +34,7 @@ _SAME = re.compile(rf"\b(?:both|all) (?:in (?P<unit>\S+?)|{AS_WHOLE}|{AS_PURE})(
 
 @dataclass(frozen=True)
 class PartPrompt:
-    """The parts of a prompt: the scene, the questions, and the units of their answers in words.
+    """The contents of a prompt with several questions: the scene, the questions, and the units of the answers in words.
 
     A unit is `AS_WHOLE` for a count and `AS_PURE` for a dimensionless number.
     """

@@ -28,7 +28,7 @@ from sim2reason.simulation.trace import FINEST
 
 DRAWS = {"start": 1, "event": 3, "period": 1}  # weights of the kinds of inner questions
 CLOSELY = 2  # candidate pairs of a question and a number that are examined closely
-PLACES = 0.6  # of such questions: the share that asks for the number, not the extreme answer
+PLACES = 0.6  # of questions for an optimum: the share that asks for the number, not the extreme answer
 MIN_RELATIVE_CHANGE = (
     0.05  # relative: least difference between the extreme and the answers at the ends of the usual range
 )

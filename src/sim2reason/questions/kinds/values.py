@@ -50,7 +50,7 @@ class EventKind(ValueKind):
         return Query(self.name, target, moment) if target is not None else None
 
 
-FEW = 2  # forces besides weight
+FEW = 2  # greatest number of forces besides weight that act on a single point mass
 
 
 @kind

@@ -146,7 +146,7 @@ class StoppedSlipping(SlipChange):
 
     @classmethod
     def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Return the moments worth asking about: none if the body reversed its slip before, as that is ambiguous."""
+        """Return the moments worth asking about: none if slip reversed before, which is ambiguous with its end."""
         found = super(StoppedSlipping, cls).found(study, words, rng)
         return [moment for moment in found if not moment.turned_back(study.trace)]
 

@@ -201,7 +201,7 @@ class Moved(DistanceThreshold):
         return f"{said} {way} {rest} from {start}" if rest else f"{said} {ABOVE[way]} {start}"
 
     def _may_return(self, words: Words) -> bool:
-        """Return whether the distance travelled may exceed the stated one, as far as the text reveals."""
+        """Return whether, as far as the text reveals, the body may turn back before it is the stated distance away."""
         return bool(self.towards) or _collides(words.mechanism, self.name) or (words.symbolic and words.turns_back)
 
     def phrases(self, words: Words) -> tuple[str, ...]:

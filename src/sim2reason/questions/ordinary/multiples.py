@@ -87,7 +87,7 @@ def _settled(asked: StructuredQuestion, motion: FollowedMotion, words: Words) ->
 
 
 def _nothing_greater(query: Query, followed: SimulatedAnswer) -> bool:
-    """Return whether a greater value is ruled out: the extreme recurs in the motion's second half, or far exceeds it.
+    """Return whether an extreme recurs in the second half of the motion, or is far from all values there.
 
     Where many periods mix, the extremes of the second half of the motion come near to those of the first half, and
     greater ones may follow at any time.

@@ -47,7 +47,7 @@ _COMES_DOWN = re.compile(rf"\b(?:come|comes|came|go|goes|gone|went) (?:straight 
 SINKING = frozenset(
     re.split(" ", "drop drops dropped descend descends descended sink sunk sank descending sinking dropping")
 )
-FORCES = "tension", "rod force", "rod pull", "spring force"  # of what lies along a line
+FORCES = "tension", "rod force", "rod pull", "spring force"  # that *force* may mean for a string, rod or spring
 
 
 def quantity(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
@@ -151,7 +151,7 @@ def high(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
 
 
 def far(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
-    """Yield the displacement of a body and, unless an axis is named, the distance travelled, which must be equal."""
+    """Yield the displacement of a body and, unless an axis is named, the distance travelled; the two must be equal."""
     groups = found.groupdict()
     way = matching_entry(WAYS, groups["way"]) if groups.get("way") else ""
     for of in each(heard, groups["s"]):

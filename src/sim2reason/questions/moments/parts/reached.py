@@ -50,7 +50,7 @@ class DistanceThreshold(Threshold):
         return np.linalg.norm(Displacement.evaluate(state, self.name), axis=1) - self.value
 
 
-AGAIN = "second "  # before an equation: the second time
+AGAIN = "second "  # before an equation such as *speed of A = 2 m/s*: the second time that it holds
 _TIME = re.compile(r"(?:at\s+)?t\s*=")
 
 
