@@ -135,7 +135,10 @@ class UniquenessScan:
         return self._coarse.is_late(at) if clear is None else clear <= 1.0
 
     def _clear(self, at: float) -> float | None:
-        """Return how far an answer is on the correct side of the given result, in least clear differences; or None."""
+        """Return the distance of an answer from the given result, in smallest significant differences.
+
+        It is positive on the correct side of the result. None without an answer.
+        """
         if at not in self._known:
             clear = self._beyond(at, self._coarse(at))
             self._known[at] = clear if clear is None or clear > NEAR_MARGINS else self._beyond(at, self._dependence(at))

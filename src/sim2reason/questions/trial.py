@@ -201,7 +201,7 @@ class ThresholdSearch:
         return next((one, other) for (one, a), (other, b) in pairwise(between) if a != b)
 
     def _aimed(self, low: float, high: float, exact: float) -> float | None:
-        """Return a guess for the threshold by a secant, in turn just above and just below its root; or None."""
+        """Return a guess for the threshold by a secant, in turn just above and just below its root; else None."""
         told = {at: found.excess for (at, _), found in self._known.items() if found and found.excess is not None}
         near = next((end for end in (low, high) if end in told), None)
         other = min(told.keys() - {near}, key=lambda at: min(abs(at - low), abs(at - high)), default=None)

@@ -97,7 +97,7 @@ class ThresholdKind(Kind):
         return trial.near(query.about) if query.about else trial.change()
 
     def loose_answer(self, query: Query, study: SimulatedScene) -> float | None:
-        """Return the known threshold or one on a coarse grid, if the outcome changes as the query says; or None."""
+        """Return the known threshold or one on a coarse grid, if the outcome changes as the query says; else None."""
         assert isinstance(query, ThresholdQuery)
         trial, above = query.trial(study), query.greatest is not query.happens
         error = study.trace.tolerance or FINEST

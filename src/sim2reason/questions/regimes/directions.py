@@ -119,7 +119,7 @@ class MovesOneWay(Regime):
         return sense is not None and _side(study, self.name, sense.vector, until) == (1 if self.ahead else -1)
 
     def margin(self, study: SimulatedScene, until: float) -> float | None:
-        """Return the velocity or initial acceleration in the assumed direction, relative to free fall; or None."""
+        """Return the velocity or initial acceleration in the assumed direction, relative to free fall; else None."""
         sense = next((s for s in _senses(study, self.name) if s.positive == self.positive), None)
         if sense is None:
             return None

@@ -147,7 +147,7 @@ class SmallAngle(MisinterpretedMotion):
 
 
 def _harmonic(trace: Trace, rest: Rest, modes: Oscillations) -> Trace | None:
-    """Return the motion q = q₀ + Σ s (a cos ωt + b sin ωt) from the initial state, without forces; or None."""
+    """Return the motion q = q₀ + Σ s (a cos ωt + b sin ωt) from the initial state, without forces; else None."""
     first = trace.sample(np.zeros(1))
     gone, speeds = first.q[0] - rest.coordinates, first.v[0]
     omega, shapes = modes.frequencies, modes.shapes

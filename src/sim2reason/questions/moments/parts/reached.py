@@ -99,7 +99,7 @@ class Reached(Happening):
         return self.channels
 
     def time(self, trace: Trace) -> float | None:
-        """Return the time, s, of the first or second passage through the value, rising or falling; or None."""
+        """Return the time, s, of the first or second passage through the value, rising or falling; else None."""
 
         def excess(state: State) -> Array:
             return self.target.values(state) - self.given.value
