@@ -176,7 +176,7 @@ class QuestionMode(ABC):
         return KINDS[asked.query.kind].answer(asked.query, study)
 
     def lacking(self, asked: ParsedQuestion, study: SimulatedScene, words: Words) -> str:
-        """Return a clause explaining why a parsed question has no answer, for want of a more specific reason."""
+        """Return a clause explaining why a parsed question has no answer, used if no more specific reason is known."""
         del asked, study, words
         return "the scene has no such value"
 

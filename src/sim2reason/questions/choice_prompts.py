@@ -51,7 +51,7 @@ class ChoicePrompt:
 
 
 def parse_choice(text: str, unit: str, rng: np.random.Generator | None = None) -> ParsedPrompt:
-    """Return the meaning of a multiple-choice prompt whose options are in `unit`, as `parse_prompt` does."""
+    """Return the scene, question and answer that a multiple-choice prompt expresses; `unit` is that of its options."""
     question = ChoicePrompt.read(text).question
     form = FORMATS[0].format(unit=unit_in_words(unit)) if unit else PLAIN_FORMATS[0]
     between = "\n\n" if question.endswith("|") else " "

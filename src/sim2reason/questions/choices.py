@@ -25,7 +25,7 @@ Values = Callable[[Array], Array]
 
 
 def depends_on_moment(moment: Moment, trace: Trace, time: float, values: Values) -> bool:
-    """Return whether a value differs clearly within the intervals beside a moment, or jumps at the moment.
+    """Return whether a value varies clearly between the events before and after a moment, or jumps at the moment.
 
     Otherwise a question at another moment has the same answer, so that the moment is irrelevant.
     """
@@ -103,7 +103,7 @@ def is_clear_of_events(time: float, trace: Trace) -> bool:
 
 
 def rest_speed(trace: Trace, speeds: Array) -> float:
-    """Return the speed, m/s, below which a subject with these speeds (n,) on the scan counts as at rest.
+    """Return the speed, m/s, below which a subject with these sampled speeds (n,) counts as at rest.
 
     What never moves has speeds, too, as rounding leaves them.
     """
@@ -133,7 +133,7 @@ def data_relevant_from(trace: Trace) -> float:
 
 
 def smallest_answer(mechanism: Mechanism, quantity: Quantity) -> float:
-    """Return the smallest admissible answer of a quantity, less for mass-proportional ones if all bodies are light."""
+    """Return the smallest admissible answer of a quantity; less for one that scales with mass if all are below 1 kg."""
     return quantity.least * min(1.0, max(body.mass for body in mechanism.bodies)) if quantity.heavy else quantity.least
 
 

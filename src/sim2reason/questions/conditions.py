@@ -14,10 +14,10 @@ from sim2reason.questions.words import Words
 STRIDES = (16, 4)  # steps of the scan: a coarse pass first
 SMOOTH = 0.1  # of the smaller distance from the given result: maximum error of a cubic interpolation, if smooth
 ROOT_RTOL = 0.01  # relative: values closer to the root are the same root
-DIP = 3  # parabolic guesses for the minimum of a dip
-SHALLOW = 0.3  # of a dip: a guessed minimum above this fraction is not evaluated,
-NEAR_MARGINS = 10.0  # margins: unless the dip is already lower; halving then finds the minimum of a kink
-KINK = 10  # halvings near a kink
+DIP = 3  # parabolic guesses for a minimum of the difference between answer and given result
+SHALLOW = 0.3  # of the smallest known difference: a parabolic guess above this fraction is not evaluated
+NEAR_MARGINS = 10.0  # smallest significant differences: only nearer answers are recomputed, and searched for kinks
+KINK = 10  # halvings near a minimum that is a kink
 EDGE = 0.01  # relative: distance from the root at which a missing answer is tested
 BEHIND = 3.0  # steps of the scan: extrapolation distance beyond an end of the range
 UNEVEN = 0.3  # of the smallest distance from the given result: maximum error of a line on an even interval
@@ -26,7 +26,12 @@ CLOSER = 5  # halvings between numbers with different courses of events
 
 
 class UniquenessScan:
-    """A search for further roots; answers below and above the only root lie on opposite sides of the given result."""
+    """A search for values of a number, apart from a known one, whose answer also equals or crosses the given result.
+
+    The numbers with the given result are roots. If the known one is the only root, answers below and above it lie on
+    opposite sides of the given result. Differences from that are counted in smallest significant differences, the
+    margins.
+    """
 
     def __init__(
         self, dependence: AnswerFunction, root: float, given: float, margin: float, coarse: AnswerFunction | None = None
@@ -41,7 +46,7 @@ class UniquenessScan:
         self._known: dict[float, float | None] = {}
 
     def another(self, values: Sequence[float]) -> float | None:
-        """Return a number whose answer may equal the given result or lies on the wrong side; None if there is none.
+        """Return a number whose answer may equal the given result or is wrongly above or below it; None without one.
 
         A number whose answer may lie beyond the end of the simulation counts as well. Candidates are all `values`,
         limits of the range with an answer, minima of dips, and midpoints of intervals in which the answer oscillates.
@@ -49,12 +54,12 @@ class UniquenessScan:
         return next((at for at in self._tried(values) if self._could_be(at)), None)
 
     def edge(self, values: Sequence[float]) -> float | None:
-        """Return a number next to the root, within `values`, that has no answer; None if there is none."""
+        """Return a number next to the known root, within `values`, for which there is no answer; else None."""
         beside = sorted(self._root + side * EDGE * abs(self._root) for side in (-1.0, 1.0))
         return next((at for at in beside if values[0] <= at <= values[-1] and self._coarse(at) is None), None)
 
     def far(self, values: Sequence[float]) -> float | None:
-        """Return one of some distant numbers whose answer is not clear of the given result; None if there is none.
+        """Return one of some distant numbers whose answer is close to the given result or past it; else None.
 
         Intermediate values are not tested: beyond another root all answers are on the wrong side.
         """
@@ -82,7 +87,7 @@ class UniquenessScan:
         yield from filter(self._is_apart, self._swings())
 
     def _between(self, values: Sequence[float]) -> Iterator[float]:
-        """Yield the remaining values, except those in intervals where the answer is smooth."""
+        """Yield the values that the coarse passes omit, except those in intervals where the answer is smooth."""
         stride = STRIDES[-1]
         first = stride // 2
         last = len(values) - 1 - (len(values) - 1 - first) % stride
@@ -116,7 +121,7 @@ class UniquenessScan:
         return abs(b - guess) <= SMOOTH * min(a, c)
 
     def _beside(self, values: Sequence[float], index: int, end: float) -> float | None:
-        """Return the known distance from the given result at a value farther out on the same side; None if unknown."""
+        """Return the known distance of the answer at `values[index]` from the given result; None if unknown."""
         if not 0 <= index < len(values) or (values[index] < self._root) != (end < self._root):
             return None
         found = self._known.get(values[index])
@@ -130,7 +135,10 @@ class UniquenessScan:
         return self._coarse.is_late(at) if clear is None else clear <= 1.0
 
     def _clear(self, at: float) -> float | None:
-        """Return the signed distance of the answer from the given result, in margins; None without an answer."""
+        """Return the distance of an answer from the given result, in smallest significant differences.
+
+        It is positive on the correct side of the result. None without an answer.
+        """
         if at not in self._known:
             clear = self._beyond(at, self._coarse(at))
             self._known[at] = clear if clear is None or clear > NEAR_MARGINS else self._beyond(at, self._dependence(at))
@@ -166,7 +174,7 @@ class UniquenessScan:
         return None not in courses and courses[0] != courses[1]
 
     def _dips(self) -> Iterator[float]:
-        """Yield guesses for the number at which the answer comes closest to the given result within a dip."""
+        """Yield guesses for the local minima of the difference between the answer and the given result."""
         for side in (-1.0, 1.0):
             beyond = sorted(at for at in self._known if (at - self._root) * side > 0.0)
             for index in range(1, len(beyond) - 1):
@@ -248,7 +256,7 @@ def _stated(told: tuple[str, ...], clauses: tuple[str, ...], unknown: str, count
 
 
 def _wanted(called: str, value: str, unknown: str, symbol: str, counted: str) -> Iterator[str]:
-    """Yield sentences that state the result as a requirement."""
+    """Yield sentences that state the result as a requirement, as in *what must m be if the speed is to be 2 m/s?*."""
     yield f"what must {unknown} be if {called} is to be {value}{counted}?"
     yield f"determine {unknown} so that {called} is {value}{counted}."
     yield f"for which value of {symbol} is {called} equal to {value}{counted}?"

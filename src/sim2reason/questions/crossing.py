@@ -43,7 +43,7 @@ def crossings(trace: Trace, excess: EventFunction) -> Iterator[float]:
 
 
 def first_crossing(trace: Trace, excess: EventFunction) -> float | None:
-    """Return the first of the `crossings`, s; None if there is none in the simulated motion."""
+    """Return the first time, s, at which a function rises through zero in the simulated motion; else None."""
     return next(crossings(trace, excess), None)
 
 
@@ -57,7 +57,7 @@ def jumps(trace: Trace, excess: EventFunction) -> list[float]:
 
 
 def rises_from_zero(trace: Trace, excess: EventFunction) -> bool:
-    """Return whether a function is zero at the start and rises first, as a rate at an initial turning point does."""
+    """Return whether a function is zero at the start and positive when it first differs from zero."""
     values = excess(trace.scan)
     size = np.abs(values)[np.isfinite(values)].max(initial=0.0)
     clear = values[np.abs(values) > SMALL * size]
@@ -65,7 +65,7 @@ def rises_from_zero(trace: Trace, excess: EventFunction) -> bool:
 
 
 def _sampled(trace: Trace, excess: EventFunction) -> tuple[Array, Array]:
-    """Return times and values of the function on the scan, refined where it may touch zero between samples."""
+    """Return sampled times and values of a function, with more samples where it may touch zero between two of them."""
     times = trace.scan.times
     values = excess(trace.scan)
     if len(times) < 3:

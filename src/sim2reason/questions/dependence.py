@@ -73,7 +73,7 @@ class AnswerFunction:
             self._record_course(value, self._study)
 
     def coarser(self, error: float) -> "AnswerFunction":
-        """Return the same function with less accurate integration; both share the known waiting times."""
+        """Return the same function with less accurate integration; both share the known times until the answer."""
         found = AnswerFunction(self._query, self._study, self._path, error, self._scene, self._likely, self._patience)
         found._times, found._late = self._times, self._late
         return found
@@ -132,7 +132,7 @@ class AnswerFunction:
         return kind.late_answer(self._query)
 
     def _answer_after_landing(self, study: SimulatedScene) -> float | None:
-        """Return the answer at a stated time by which a body has landed, for values that remain valid then; else None.
+        """Return the answer at a time after a landing, if it is a length or a total, which then stays; else None.
 
         Lengths and totals of an interval remain valid after the landing; speeds and forces do not.
         """
@@ -202,7 +202,7 @@ class AnswerFunction:
         return (beside - here) / (STEP * value)
 
     def solve_from(self, value: float, near: float) -> float | None:
-        """Return the number with answer `value`, by secants that begin at one end; None if they do not converge.
+        """Return the number for which the answer is `value`, by secants from `near`; None if they do not converge.
 
         Once the answer is accurate to `ROOT_RTOL`, one more secant step, which is not verified, improves the number.
         """
@@ -221,7 +221,7 @@ class AnswerFunction:
         return None
 
     def between(self, value: float, low: float, high: float) -> float | None:
-        """Return the number with answer `value` in a bracket, by false position; None at a discontinuity.
+        """Return the number between `low` and `high` for which the answer is `value`; None at a discontinuity.
 
         The rule of false position, whose standing end counts half (Illinois).
         """
@@ -252,7 +252,7 @@ class AnswerFunction:
 
 
 def with_long_strings(scene: Scene) -> Scene:
-    """Return the scene with hidden lengths multiplied, so that every string is long enough."""
+    """Return the scene with the lengths that no text states multiplied, so that every string is long enough."""
     for parameter in scene.parameters:
         if parameter.hidden and parameter.value and parameter.measure.unit in LENGTHS:
             with suppress(SceneError, ValueError):
@@ -271,7 +271,7 @@ def bisect_border(dependence: Callable[[float], float | None], one: float, other
 
 
 def find_roots(dependence: AnswerFunction, values: Sequence[float], given: float) -> list[float]:
-    """Return all roots, with answer `given`, between neighbouring `values` with answers on its two sides.
+    """Return the numbers with answer `given`, each between neighbouring `values` with a smaller and a greater answer.
 
     Limits between values with and without an answer are located by bisection and included in the search.
     """

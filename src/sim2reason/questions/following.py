@@ -64,7 +64,7 @@ def simulate_scene(scene: Scene, until: float | None = None) -> FollowedMotion:
 
 
 def _without_remedy(limit: SimulationError | None) -> str:
-    """Return the text of a simulation error without its remedy, which a caller cannot apply; empty without an error."""
+    """Return the text of a simulation error without its advice, which does not apply here; empty without an error."""
     return str(limit).partition("; ")[0] if limit is not None else ""
 
 

@@ -11,11 +11,11 @@ from sim2reason.scenes.dsl.scene import Scene
 
 PATIENCE = {False: tuple(4.0**n for n in range(2, 12)), True: (16.0, 64.0)}
 """Times the horizon, till when results are waited for with no value found; fewer where motions are integrated."""
-DIPS = 4  # extrema that are looked into
+DIPS = 4  # greatest number of extrema of the answer that are examined
 GOLDEN = (5.0**0.5 - 1.0) / 2.0
 ROUNDS = 60  # of golden-section search
 TOUCHED, ZERO = 1e-9, 1e-7  # relative: how closely an extremum is found, and what is no distance from it
-SPARSE = 4  # every so many points of a range are tried with that patience
+SPARSE = 4  # only every fourth point of a range is tried with simulations of long duration
 
 
 def values_giving(query: Query, given: float, unknown: Unknown, study: SimulatedScene) -> list[float]:
@@ -44,7 +44,7 @@ def values_giving(query: Query, given: float, unknown: Unknown, study: Simulated
 def _approached(
     dependence: AnswerFunction, usual: Sequence[float], beyond: Sequence[Sequence[float]], given: float
 ) -> list[float]:
-    """Return the values near which an answer has its extremum, if it has the given value there.
+    """Return the numbers for which an answer touches `given`, or just passes it and returns, near one of its extremes.
 
     An answer that is a magnitude does not change sign where it is zero: on both sides it is greater.
     """
@@ -57,7 +57,7 @@ def _approached(
 
 
 def _in_dip(dependence: AnswerFunction, low: float, high: float, given: float) -> list[float]:
-    """Return where an answer is as given between two values between which it comes closest to that.
+    """Return the numbers between `low` and `high` with answer `given`, near an extreme of the answer between them.
 
     The golden-section search ends where the answer is as given or beyond; there it passes twice.
     """

@@ -70,17 +70,17 @@ class ParsedPrompt:
         return f"<ParsedPrompt: {self.asked.mode}, {name}{of}{f' in {self.unit}' if self.unit else ''}>"
 
     def __str__(self) -> str:
-        """Return the same with the lines of the scene."""
+        """Return the mode, quantity, subjects and unit of the question, followed by the lines of the scene."""
         return f"{repr(self)[1:-1]}\n{self.reading}"
 
     @property
     def scene(self) -> Scene:
-        """Return the scene, with hidden numbers of its own."""
+        """Return the scene, with values of its own for numbers that the text does not state."""
         return self.reading.scene
 
     @property
     def query(self) -> Query:
-        """Return the query of the question, or that of its stated result."""
+        """Return the query of the question or, if a number is unknown, the query that has the stated result."""
         return self.asked.query
 
     @property
@@ -162,7 +162,7 @@ def without_form(text: str) -> tuple[str, str]:
 
 
 def _drafts(text: str) -> Iterator[tuple[str, Draft]]:
-    """Yield all possible partitions of a prompt into story and question, with the names of their shapes."""
+    """Yield all possible partitions of a prompt into story and question, each with the name of its prompt shape."""
     for shape in shapes_to_try():
         for draft in shape.drafts(text):
             yield shape.name, draft
@@ -234,7 +234,7 @@ def _begun(reading: ParsedScene) -> FollowedMotion:
 
 
 def _in_symbols(words: Words, draft: Draft, given: Mapping[str, str]) -> Words:
-    """Return words with the symbols of the scene, and those of the question with their values."""
+    """Return the words of a text that refers to numbers by symbols, with the values of the question's own symbols."""
     own = [spoken_of(symbol, said, words.units) for symbol, said in given.items() if symbol not in draft.given]
     return replace(words, symbolic=True, own=dict(filter(None, own)))
 

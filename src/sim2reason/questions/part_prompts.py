@@ -34,7 +34,7 @@ _SAME = re.compile(rf"\b(?:both|all) (?:in (?P<unit>\S+?)|{AS_WHOLE}|{AS_PURE})(
 
 @dataclass(frozen=True)
 class PartPrompt:
-    """The parts of a prompt: the scene, the questions, and the units of their answers in words.
+    """The contents of a prompt with several questions: the scene, the questions, and the units of the answers in words.
 
     A unit is `AS_WHOLE` for a count and `AS_PURE` for a dimensionless number.
     """
@@ -115,7 +115,7 @@ def together(
 
 
 def parse_parts(text: str, rng: np.random.Generator | None = None) -> tuple[ParsedPrompt, ...]:
-    """Return the meaning of each part of a prompt; errors are those of `parse_prompt`."""
+    """Return the meaning of each part of a prompt; TextError if a part has no meaning."""
     found = PartPrompt.read(text)
     parsed: list[ParsedPrompt] = []
     for part in range(len(found.questions)):

@@ -164,7 +164,7 @@ def _of_small(query: PeriodQuery, words: Words) -> tuple[str, ...]:
 
 
 def _of_modes(query: PeriodQuery) -> tuple[str, ...]:
-    """Return the sentences for one of several modes, of which the slowest has the longest period."""
+    """Return the sentences for one of several modes of oscillation, named by the order of their periods."""
     count, last, place = query.modes, query.rank > 0, _place(query)
     plural, unit = PLURALS[query.measure], PER_SECOND if query.measure == "frequency" else ""
     which = (LENGTHS if query.measure == "period" else SIZES)[count][last]

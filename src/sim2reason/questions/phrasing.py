@@ -18,7 +18,7 @@ _OTHER = re.compile(r"\b(?:that|which|by) (?!which )\w")  # a clause with a subj
 
 
 def chosen(shapes: tuple[str, ...], rng: np.random.Generator) -> str:
-    """Return one of several equivalent sentences: its verb by quota, then any with that verb."""
+    """Return a random one of equivalent sentences: first a verb, by fixed weights, then any sentence with that verb."""
     verbs = [found.group() if (found := _VERB.search(shape.lower())) else "what" for shape in shapes]
     weights = np.array([QUOTA[verb] / verbs.count(verb) for verb in verbs])
     return shapes[int(rng.choice(len(shapes), p=weights / weights.sum()))]

@@ -109,7 +109,7 @@ class PosedQuestion:
         return self.query.parameter if isinstance(self.query, ThresholdQuery) else ""
 
     def sentence(self, words: Words) -> str:
-        """Return the question as a sentence in the library's words; empty if the library has no such sentence."""
+        """Return the question as a sentence; empty if the library has no sentence for a question of this form."""
         target = self.query.target
         noun = targets(words).get(target) if target is not None else None
         if self.compare != VALUE or self.varied is not None:

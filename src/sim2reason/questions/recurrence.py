@@ -36,7 +36,7 @@ class Repetition:
     name: str
 
     def time(self, trace: Trace) -> float | None:
-        """Return the time, s; None if the state does not recur in the simulated motion, or only at an event."""
+        """Return the time, s, of the first recurrence of the state; None if there is none, or only one at an event."""
         mechanism = trace.mechanism
         names = [c.name for body in chain(mechanism, self.name) for c in body.coordinates]
         time = _first_return(trace, [mechanism.number[name] for name in names])

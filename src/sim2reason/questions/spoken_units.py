@@ -71,7 +71,7 @@ class SpokenUnits:
         return (other[0], other[1] * scale) if other is not None else None
 
     def beside(self, text: str, *more: tuple[float, str]) -> "SpokenUnits":
-        """Return the part of the system that suits a text with SI units, and `more` numbers with their units.
+        """Return the part of the system whose units suit the numbers of a text in SI units and `more` numbers.
 
         A `whole` unit stays, and all that have its metres or kilograms do, where a number in another would need a power
         of ten, or the text has a second unit for the like of it, as m/s beside km/s.
@@ -173,7 +173,7 @@ def in_si(text: str) -> tuple[str, ...]:
 
 @lru_cache(maxsize=1024)
 def _spelled(system: SpokenUnits, shown: str) -> tuple[str, Decimal]:
-    """Return the same as `SpokenUnits.spelled` for a printed unit; unchanged if it is not a unit."""
+    """Return a system's unit for a printed SI unit, and the size of the latter in it; any other text unchanged."""
     try:
         unit, factor = system.spelled(shown)
     except UnitError:

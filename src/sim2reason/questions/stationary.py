@@ -44,7 +44,7 @@ class ExtremeSearch:
         return self.near(_vertex([(at, self._answer(at) or 0.0) for at in (low, middle, high)]), greatest=greatest)
 
     def _turn(self, values: Sequence[float]) -> tuple[float, float, float, bool] | None:
-        """Return three neighbouring values around the only reversal and whether it is a maximum; None if not unique."""
+        """Return three neighbouring values around the answer's only extreme, and whether it is a maximum; else None."""
         found = list[float]()
         for value in values:
             answer = self._answer(value)

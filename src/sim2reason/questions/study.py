@@ -37,7 +37,7 @@ class SimulatedScene(Memo):
     """A scene with its motion, shared by all questions and filters, with cached derived results."""
 
     def __init__(self, scene: Scene, trace: Trace, change: Change | None = None) -> None:
-        """Wrap the motion of `scene` from the recorded engine, or that of its mechanism after a `change`."""
+        """Wrap a scene and its recorded motion: that of its mechanism, as altered by `change` if one is given."""
         self.scene, self.trace, self.change = scene, trace, change
         self._times: dict[Timed, float | None] = {}
         self._variants: dict[object, tuple[SimulatedScene | None, float]] = {}  # and until when they are known
@@ -154,7 +154,7 @@ CHANGE_RTOL = 1e-9  # of the largest change: smaller changes are zero
 
 
 def change_directions(study: SimulatedScene, time: float) -> tuple[float, ...]:
-    """Return the sign of each coordinate's change by a time, s, or of its beginning, and whether it reverses then.
+    """Return the signs of the coordinates' changes by a time, s, or of their initial trend, and which reverse then.
 
     Between motions with different results a magnitude passes through zero, or a swing becomes a full turn.
     """

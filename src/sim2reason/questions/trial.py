@@ -58,7 +58,7 @@ class ThresholdSearch:
         return self._known[value, error]
 
     def _usual_doublings(self, value: float) -> int:
-        """Return the number of doublings of the duration that sufficed for the nearest known value."""
+        """Return how many doublings of the duration decided about the outcome for the nearest known value."""
         near = min(self._doublings, key=lambda tried: abs(tried - value), default=None)
         return self._doublings[near] if near is not None else 0
 
@@ -79,13 +79,13 @@ class ThresholdSearch:
         return None
 
     def change(self) -> float | None:
-        """Return where the outcome changes, if it does so just once in the number's range, or else up to far beyond."""
+        """Return the only threshold in the number's range or, without one there, up to far beyond it; else None."""
         usual = range_of(self._scene, self._path)
         turns = self._turns(usual) if self._roughly() is not None else self._far_turns(usual)
         return self.between(*turns[0]) if len(turns) == 1 else None
 
     def _far_turns(self, usual: tuple[float, ...]) -> list[tuple[float, float]]:
-        """Between which neighbours it changes in the number's range and beyond, no more than two such pairs."""
+        """Return up to two pairs of neighbouring values, in the range or far beyond, around changes of the outcome."""
         beyond = beyond_range(self._scene, self._path)
         return self._turns(sorted({*usual, *(value for values in beyond for value in values)})) if beyond else []
 
@@ -100,7 +100,7 @@ class ThresholdSearch:
         ) is (not above)
 
     def rough_change(self, *, above: bool, error: float = FINEST) -> float | None:
-        """Return the threshold, if a coarse grid shows a single one with the sense `above`; else None.
+        """Return the only threshold on a coarse grid, if the outcome above it is as `above` says; else None.
 
         `error` is the error allowed in an integration step; a large one also lowers the accuracy of the result.
         """
@@ -195,13 +195,13 @@ class ThresholdSearch:
         return 0.5 * (low + high)
 
     def _narrowed(self, low: float, high: float, error: float) -> tuple[float, float]:
-        """Return the narrowest known bracket of the threshold within two numbers."""
+        """Return the closest known numbers, from `low` to `high`, between which the outcome changes."""
         tried = sorted((at, f.happens) for (at, by), f in self._known.items() if by == error and f is not None)
         between = [found for found in tried if low <= found[0] <= high]
         return next((one, other) for (one, a), (other, b) in pairwise(between) if a != b)
 
     def _aimed(self, low: float, high: float, exact: float) -> float | None:
-        """Return a guess near the root of a secant, alternating beyond it and before it; None without distances."""
+        """Return a guess for the threshold by a secant, in turn just above and just below its root; else None."""
         told = {at: found.excess for (at, _), found in self._known.items() if found and found.excess is not None}
         near = next((end for end in (low, high) if end in told), None)
         other = min(told.keys() - {near}, key=lambda at: min(abs(at - low), abs(at - high)), default=None)

@@ -209,7 +209,7 @@ def beyond_range(scene: Scene, path: str) -> tuple[tuple[float, ...], ...]:
 
 
 def far_from(values: Sequence[float], about: float, unit: str) -> list[float]:
-    """Return distant values of the same sign outside some others, up to a factor of a thousand.
+    """Return values of the sign of `about`, outside the range of `values`, up to a factor of a thousand from `about`.
 
     They are few, and fewer beyond a hundred, the nearest ones first. Of angles there are none: far ones are others that
     are near.
@@ -224,7 +224,7 @@ def far_from(values: Sequence[float], about: float, unit: str) -> list[float]:
 
 
 def _onwards(points: Array, end: float) -> list[float]:
-    """Return logarithmically spaced points beyond the last two, up to an end; none if that is not beyond."""
+    """Return further points up to `end`, spaced by the ratio of the last two; none if `end` is not beyond them."""
     last = float(points[-1])
     if end <= last:
         return []

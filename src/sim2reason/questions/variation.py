@@ -37,7 +37,7 @@ class SceneAfterRemoval(Scene):
 
     @cached_property
     def mechanism(self) -> Mechanism:
-        """Return the mechanism without the removed parts, in its state at that time.
+        """Return the mechanism without the removed parts, in its state at the time of removal.
 
         Raises:
             SimulationError: the motion cannot be solved.
@@ -135,7 +135,7 @@ class SceneChange:
     after: float = 0.0
 
     def applied(self, scene: Scene) -> Scene:
-        """Return a scene with these changes; SceneError or ValueError if it is invalid."""
+        """Return a scene with the changes applied; SceneError or ValueError if it is invalid."""
         other = with_numbers(scene, dict(self.values)) if self.values else scene
         other = other.gluing(*self.fixed) if self.fixed else other
         return after_removal(other, self.removed, self.after) if self.removed else other

@@ -204,7 +204,7 @@ class Words:
         return cls(scene.mechanism, mentions, scene.starts_from_rest, said, offered, symbols or {}, named=named)
 
     def in_symbols(self, own: Mapping[str, OwnSymbol]) -> Self:
-        """Return the words of the same text with symbols in place of numbers, also for the question's own."""
+        """Return words with symbols in place of the text's numbers; `own` has the symbols of the question's numbers."""
         unknowns = [found.called(self.symbols[found.path]) for found in self.unknowns if found.path in self.symbols]
         return replace(self, symbolic=True, own=own, unknowns=unknowns)
 
@@ -224,7 +224,7 @@ class Words:
         return own.shown if own is not None else format_number(value, self.units.spell(unit))
 
     def amount(self, value: float, unit: str) -> str:
-        """Return the same text with a noun before a symbol: 0.80 s, or *a time $t$*."""
+        """Return the text of a question's own number, with a noun before a symbol: 0.80 s, or *a time $t$*."""
         own = self.own.get(unit)
         return f"{own.noun} {own.shown}" if own is not None else self.say(value, unit)
 

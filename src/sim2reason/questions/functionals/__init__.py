@@ -57,7 +57,10 @@ class Functional(ABC):
         """
 
     def loose_value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return the value that a reader may infer even where no question asks for it; by default `value`."""
+        """Return the value even where no question asks for it, as for an extreme at an end of the interval.
+
+        By default `value`.
+        """
         return self.value(trace, name, end)
 
     @abstractmethod

@@ -128,13 +128,13 @@ class Collisions(EventCount):
     weight = 3.0
 
     def placeholders(self, words: Words, name: str) -> dict[str, str]:
-        """Return the placeholder that includes walls in the count, if there are any."""
+        """Return the placeholder for words that include collisions with walls in the count, if there are walls."""
         del name
         walls = sum(meeting.a is None for meeting in words.mechanism.meetings)
         return {"walls": f", those with the wall{'s' if walls > 1 else ''} included," if walls else ""}
 
     def present(self, words: Words, name: str) -> bool:
-        """Return whether several collisions are possible and unambiguous, as no buffer spring takes part."""
+        """Return whether two bodies can collide, and no buffer spring makes the number of collisions ambiguous."""
         del name
         pairs = any(len(meeting.names) == 2 for meeting in words.mechanism.meetings)
         return pairs and not words.mechanism.half_springs

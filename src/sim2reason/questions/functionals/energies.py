@@ -254,7 +254,7 @@ def _called(words: Words) -> Mapping[str, str]:
 
 
 def _tied(mechanism: Mechanism, name: str) -> list[tuple[str, str, str]]:
-    """Return the lines that pass or end at a body, each with its site there and the next site."""
+    """Return the strings that end at a body, each with its point of attachment there and the next point along it."""
     found = list[tuple[str, str, str]]()
     for line in mechanism.lines:
         if isinstance(line.law, Inextensible):

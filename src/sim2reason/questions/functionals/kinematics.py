@@ -64,7 +64,7 @@ class OscillationAmplitude(Extreme):
         return 0.5 * found if found > 0.0 and found >= (1.0 - REST_SPEED_RTOL) * float(np.ptp(places)) else None
 
     def loose_value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return the same as `value`, as no other reading is likely."""
+        """Return half the distance between the ends of the path, m, under the same conditions as for a question."""
         return self.value(trace, name, end)
 
 
@@ -103,14 +103,14 @@ class AxisDistance(Extreme):
         return abs(self.quantity.evaluate(state, name))
 
     def present(self, words: Words, name: str) -> bool:
-        """Return whether only fields act on the body, electric ones only along the coordinate: it never drifts."""
+        """Return whether only fields act on the body, electric ones only along a coordinate that thus cannot drift."""
         acts = acting_on(words.mechanism, name)
         if acts is None or acts.medium or not self.quantity().fits(words.mechanism, name):
             return False
         return all(self._is_along(law) for law in acts.electric)
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """Return phrases for the interval, also for a motion repeated elsewhere, as this coordinate does not drift."""
+        """Return phrases for the interval, also if the motion recurs elsewhere, as this coordinate does not drift."""
         return moment.phrases(words) if isinstance(moment, WholeMotion) else super().when(moment, words, name)
 
     def _is_along(self, law: Push) -> bool:

@@ -66,7 +66,7 @@ class Kind(ABC):
 
     @property
     def stated(self) -> bool:
-        """Return whether the kind can phrase its answers as conditions."""
+        """Return whether the kind has noun phrases for its answers, so that a condition can state an answer."""
         return type(self).noun_phrases is not Kind.noun_phrases
 
     def of_motion(self, query: Query) -> bool:
@@ -90,7 +90,10 @@ class Kind(ABC):
         """Return the answer in SI units; None if the moment does not occur, NaN if the mechanism leaves it open."""
 
     def loose_answer(self, query: Query, study: SimulatedScene) -> float | None:
-        """Return the answer that a reader may give even where none is asked for; by default `answer`."""
+        """Return the answer even where no question asks for it, as for an extreme at an end of an interval.
+
+        By default `answer`.
+        """
         return self.answer(query, study)
 
     def with_likely_answer(self, query: Query, answer: float) -> Query:
@@ -102,7 +105,7 @@ class Kind(ABC):
         return query
 
     def far_answer(self, query: Query, study: SimulatedScene) -> float | None:
-        """Return the answer in a misread scene, searched for over a wide range; by default `loose_answer`."""
+        """Return the answer in a scene misread by a solver, searched for in a wide range; or that of `loose_answer`."""
         return self.loose_answer(query, study)
 
     @abstractmethod
@@ -143,7 +146,7 @@ class Kind(ABC):
         return ()
 
     def posed(self, asked: StructuredQuestion, study: SimulatedScene, words: Words) -> Query | None:
-        """Return the query for a structured question about one of `finds`; None for another kind's question.
+        """Return the query for a structured question about something that this kind can find; None for any other.
 
         By default None. TextError for a part that has no meaning.
         """
@@ -158,7 +161,7 @@ class Kind(ABC):
         return study.time(query.moment) if query.moment is not None else None
 
     def channels(self, query: Query) -> tuple[Channel, ...]:
-        """Return the channels that must be certified at that time; by default that of the target."""
+        """Return the channels that must be certified for the answer; by default that of the target."""
         return (Channel(query.target.subject, query.target.quantity),) if query.target is not None else ()
 
     def doubt(self, query: Query, study: SimulatedScene, certificate: Certificate | None) -> str:
@@ -170,7 +173,7 @@ class Kind(ABC):
         return certification_gap(certificate, self.time(query, study), query.moment, self.channels(query))
 
     def indifferent(self, query: Query, study: SimulatedScene, other: SimulatedScene) -> bool:
-        """Return whether another scene differs only in numbers that cannot affect such answers; by default False."""
+        """Return whether another scene differs only in numbers that cannot affect the answer; by default False."""
         del query, study, other
         return False
 
@@ -195,7 +198,7 @@ class ValueKind(Kind):
         return [moment for moment in moments_by_cause() if KINDS[moment.kind] is self]
 
     def answer(self, query: Query, study: SimulatedScene) -> float | None:
-        """Return the quantity in SI units at the moment, or for some moments just before; None without the moment."""
+        """Return the quantity in SI units at the moment, or just before it where its words say so; None without it."""
         assert query.target is not None
         assert query.moment is not None
         time = study.time(query.moment)
@@ -258,7 +261,7 @@ def kind(cls: type[K]) -> type[K]:
 
 
 def kinds_by_share(rng: np.random.Generator) -> list[Kind]:
-    """Return all kinds with numeric answers in random order, weighted by share, as few motions offer all of them."""
+    """Return all kinds with numeric answers in random order, weighted by share, for use until a motion offers one."""
     kinds = [kind for kind in KINDS.values() if not kind.names_one]
     shares = np.array([kind.share for kind in kinds])
     order = rng.choice(len(kinds), size=len(kinds), replace=False, p=shares / shares.sum())

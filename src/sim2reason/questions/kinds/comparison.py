@@ -81,7 +81,7 @@ class ComparisonKind(NestedKind):
         return _compared(query, study, loosely=False)
 
     def loose_answer(self, query: Query, study: SimulatedScene) -> float | None:
-        """Return the same from the answers that a reader may give in either scene."""
+        """Return the ratio or difference, computed also from answers that no question asks for."""
         return _compared(query, study, loosely=True)
 
     def time(self, query: Query, study: SimulatedScene) -> float | None:
@@ -93,7 +93,7 @@ class ComparisonKind(NestedKind):
         return max(known) if len(known) == len(times) else None
 
     def doubt(self, query: Query, study: SimulatedScene, certificate: Certificate | None) -> str:
-        """Return why either case is not certified; empty if both are."""
+        """Return why the answer before or after the change of the number is not certified; empty if both are."""
         assert isinstance(query, ComparisonQuery)
         inner = query.inner
         reason = KINDS[inner.kind].doubt(inner, study, certificate)
@@ -103,7 +103,7 @@ class ComparisonKind(NestedKind):
         return variant_certification_gap(inner, other)
 
     def measured(self, query: Query) -> Measured:
-        """Return the measure of a ratio, or of a difference in the unit of the inner answer."""
+        """Return the unit and least value of a ratio, or of a difference in the unit of the compared answers."""
         assert isinstance(query, ComparisonQuery)
         if query.ratio:
             return Measured("ratio", "", least=1e-2)
@@ -233,6 +233,6 @@ def _course(inner: Query, study: SimulatedScene) -> tuple[object, ...]:
 
 
 def _is_guessed(ratio: float, factor: float) -> bool:
-    """Return whether the ratio is nearly a simple power of the factor, or nearly one."""
+    """Return whether a ratio is nearly 1 or nearly a simple power of the factor, so that it is easily guessed."""
     near = any(abs(factor**power / ratio - 1.0) <= NEARLY * TOLERANCE for power in POWERS)
     return near or abs(log(ratio)) < MIN_RELATIVE_CHANGE

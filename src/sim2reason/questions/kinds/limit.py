@@ -112,7 +112,7 @@ class LimitKind(NestedKind):
         return True
 
     def measured(self, query: Query) -> Measured:
-        """Return the measure of the inner question."""
+        """Return the unit and least value of the limit, which are those of the inner question's answer."""
         inner = inner_of(query)
         found = KINDS[inner.kind].measured(inner)
         return Measured("limit", found.unit, found.least)

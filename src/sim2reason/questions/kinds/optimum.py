@@ -28,7 +28,7 @@ from sim2reason.simulation.trace import FINEST
 
 DRAWS = {"start": 1, "event": 3, "period": 1}  # weights of the kinds of inner questions
 CLOSELY = 2  # candidate pairs of a question and a number that are examined closely
-PLACES = 0.6  # of such questions: the share that asks for the number, not the extreme answer
+PLACES = 0.6  # of questions for an optimum: the share that asks for the number, not the extreme answer
 MIN_RELATIVE_CHANGE = (
     0.05  # relative: least difference between the extreme and the answers at the ends of the usual range
 )
@@ -149,12 +149,12 @@ class OptimumKind(NestedKind):
         return replace(query, about=answer) if query.asks_place else query
 
     def time(self, query: Query, study: SimulatedScene) -> float | None:
-        """Return the time, s, of the inner moment in the recorded motion; zero if it does not occur there."""
+        """Return the time, s, by which the inner query has its answer in the recorded motion; zero without one."""
         inner = inner_of(query)
         return KINDS[inner.kind].time(inner, study) or 0.0
 
     def measured(self, query: Query) -> Measured:
-        """Return the measure of the number, or of the inner answer."""
+        """Return the unit and least value of the number or, if it is asked for, of the extreme answer."""
         assert isinstance(query, OptimumQuery)
         if query.asks_place:
             return Measured("optimum", query.unit, least=0.0)

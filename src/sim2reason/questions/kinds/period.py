@@ -47,7 +47,7 @@ class PeriodKind(Kind):
     awaited = True
 
     def of_motion(self, query: Query) -> bool:
-        """Return whether the answer depends on the initial motion, as that of small oscillations does not."""
+        """Return whether the answer depends on the initial motion: true unless small oscillations are asked about."""
         assert isinstance(query, PeriodQuery)
         return not query.small
 
@@ -140,7 +140,7 @@ class PeriodKind(Kind):
         return mode_disagreement(rest, modes, query.rank)
 
     def measured(self, query: Query) -> Measured:
-        """Return the measure of a period, frequency, angular frequency or length."""
+        """Return the unit and least value of the period, frequency, angular frequency or length asked for."""
         assert isinstance(query, PeriodQuery)
         return {**MEASURES, **PEOPLE}[query.measure]
 
@@ -225,7 +225,7 @@ def _is_simple_pendulum(mechanism: Mechanism) -> bool:
 
 
 def _off(mechanism: Mechanism, period: float) -> float:
-    """Return the relative difference of a period from that of small oscillations; 1 without a single such period."""
+    """Return the relative difference of a period from that of small oscillations; 1 unless these have a single mode."""
     modes = _modes(mechanism)
     if modes is None or len(modes.frequencies) != 1:
         return 1.0

@@ -29,7 +29,7 @@ SIDE = 5e-3  # relative: distance on either side at which the second engine is c
 
 @dataclass(frozen=True, slots=True)
 class ThresholdQuery(Query):
-    """A query for the least or greatest value of a number without an outcome, or the value beyond which it occurs.
+    """A query for the least or greatest value of a number for which an outcome is absent, or beyond which it occurs.
 
     At the limit itself nothing happens.
     """
@@ -97,7 +97,7 @@ class ThresholdKind(Kind):
         return trial.near(query.about) if query.about else trial.change()
 
     def loose_answer(self, query: Query, study: SimulatedScene) -> float | None:
-        """Return the threshold with the queried sense of change, nearby or between a few values of the whole range."""
+        """Return the known threshold or one on a coarse grid, if the outcome changes as the query says; else None."""
         assert isinstance(query, ThresholdQuery)
         trial, above = query.trial(study), query.greatest is not query.happens
         error = study.trace.tolerance or FINEST
@@ -121,12 +121,12 @@ class ThresholdKind(Kind):
         return 0.0
 
     def indifferent(self, query: Query, study: SimulatedScene, other: SimulatedScene) -> bool:
-        """Return whether the scenes differ only in gravity, without which no such outcome could occur."""
+        """Return whether the scenes differ only in gravity, which such outcomes need but which may cancel out."""
         del query
         return replace(other.mechanism, gravity=study.mechanism.gravity) == study.mechanism
 
     def measured(self, query: Query) -> Measured:
-        """Return the measure of the number."""
+        """Return the unit of the number whose threshold is asked for, with zero as its least value."""
         assert isinstance(query, ThresholdQuery)
         return Measured("threshold", query.unit, least=0.0)
 
@@ -167,7 +167,7 @@ class ThresholdKind(Kind):
         return tuple(f"{limit} {clause}" for limit, clause in product(limits, clauses))
 
     def finds(self, words: Words) -> tuple[str, ...]:
-        """Return the addresses of the scene's numbers if the scene has an outcome that may depend on such a number."""
+        """Return the addresses of the scene's numbers; none if no outcome in the scene can depend on a number."""
         possible = any(outcome.candidates(words) for outcome in OUTCOMES.values())
         return tuple(unknown.path for unknown in words.unknowns) if possible else ()
 

@@ -43,7 +43,7 @@ class TimeToEventKind(Kind):
         return self.time(query, study)
 
     def measured(self, query: Query) -> Measured:
-        """Return the measure of a time, with a smallest answer of 0.01 s."""
+        """Return the unit of a time, s, and the least answer, 0.01 s."""
         del query
         return Measured("time", "s", least=1e-2)
 

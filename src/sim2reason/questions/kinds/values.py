@@ -50,7 +50,7 @@ class EventKind(ValueKind):
         return Query(self.name, target, moment) if target is not None else None
 
 
-FEW = 2  # forces besides weight
+FEW = 2  # greatest number of forces besides weight that act on a single point mass
 
 
 @kind
@@ -115,7 +115,7 @@ class StateKind(ValueKind):
     share = 0.06  # at most 30 % of all that passes the filters
 
     def draw(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """Return a query for a changed quantity at a random time away from events; None if there is none.
+        """Return a query at a random time away from events for a quantity that has changed by then; None without one.
 
         None where no short formula gives the motion as a function of time.
         """

@@ -61,7 +61,7 @@ class WhichFirstKind(WhichKind):
         return Measured("difference", "s", least=1e-2)
 
     def names(self, query: WhichQuery, words: Words) -> tuple[str, str] | None:
-        """Return the subjects if both do the same, else the clauses of both events."""
+        """Return the names of both subjects if the two events are of one kind, else the clauses of both events."""
         first, second = (_clause(each.moment, words) for each in query.both)
         if first is None or second is None or first.subject == second.subject:
             return None

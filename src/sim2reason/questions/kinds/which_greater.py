@@ -74,7 +74,7 @@ class WhichGreaterKind(WhichKind):
         return Measured("ratio", "", least=LEAST)
 
     def names(self, query: WhichQuery, words: Words) -> tuple[str, str] | None:
-        """Return the names of both subjects if the quantity is a property of each, else both noun phrases; or None."""
+        """Return the names of both subjects if the quantity belongs to each, or both noun phrases; else None."""
         nouns = _nouns(query, words)
         if nouns is None:
             return None
@@ -84,7 +84,7 @@ class WhichGreaterKind(WhichKind):
         return first[0], second[0]
 
     def _property(self, query: WhichQuery, words: Words) -> tuple[str, str] | None:
-        """Return the common property and the words after it; None if the options use noun phrases."""
+        """Return the property that decides between two subjects, such as *speed*, and the words after it; else None."""
         names, nouns = self.names(query, words), _nouns(query, words)
         if names is None or nouns is None or names[0] == nouns[0].phrase:
             return None

@@ -62,7 +62,7 @@ class Moment(ABC):
         return self
 
     def mirrored_values(self, trace: Trace) -> Sequence[float] | None:
-        """Return the `stated` numbers mirrored at the initial value; None, as by default, if there is one side only."""
+        """Return the `stated` numbers for the opposite side of the initial value; None, as by default, without any."""
         del trace
         return None
 
@@ -107,7 +107,7 @@ class Moment(ABC):
         return ()
 
     def first(self) -> "Moment":
-        """Return the same moment independent of later motion, for words such as *first*; by default unchanged."""
+        """Return a form of the moment that later motion cannot change, as *first* implies; by default unchanged."""
         return self
 
     def in_symbols(self, trace: Trace) -> "Moment":
@@ -164,7 +164,7 @@ class Happening(Moment):
         """Return the clause of the event; None if no question may ask for its time."""
 
     def stretches(self, words: Words) -> tuple[str, ...]:
-        """Return the phrases for the stretch, such as *from release until A first stops*."""
+        """Return the phrases for the interval up to the moment, such as *from release until A first stops*."""
         clause = self.clause(words)
         if clause is None:
             return ()
@@ -181,7 +181,7 @@ class Happening(Moment):
 
 
 def check_facts(name: str, member: object) -> None:
-    """Raise ValueError if a moment lacks a declaration."""
+    """Raise ValueError if a class of moments declares no question kind or no label."""
     missing = [fact for fact in ("kind", "label") if not hasattr(member, fact)]
     if missing:
         raise ValueError(f"questions.moments: {name!r} declares no {', '.join(missing)}")

@@ -57,7 +57,7 @@ class Deflected(Threshold):
         return beyond if deflection_at_start(state, self.name) < self.value else -beyond
 
     def mirrored_values(self, trace: Trace) -> Sequence[float] | None:
-        """Return the angle mirrored at the initial one, in degrees."""
+        """Return the angle, in degrees, that differs from the initial one by the inverse factor; None above 180°."""
         start = deflection_at_start(trace.state, self.name)
         other = start * start / self.value
         return (other,) if 0.0 < other < STRAIGHT_UP else None
@@ -108,7 +108,7 @@ class Orbited(Passage):
 
     @classmethod
     def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Return all such fractions of each orbit that occur."""
+        """Return the moments at which each orbiting body has turned through 90°, 180° and 360°, if they occur."""
         del rng
         return [moment for name in cls.candidates(words) for part in PARTS if (moment := cls(name, part)).comes(study)]
 

@@ -93,7 +93,7 @@ class Landed(Occurrence):
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:
-        """Return the names of the body's coordinates."""
+        """Return the names of the body's coordinates, under which the trace records a landing."""
         return {c.name for c in words.mechanism.body[name].coordinates}
 
     @property
@@ -102,7 +102,7 @@ class Landed(Occurrence):
         return False
 
     def is_this(self, event: Event, trace: Trace) -> bool:
-        """Return whether an event is the end of a coordinate at the ground."""
+        """Return whether an event is the body's arrival at the ground, recorded for one of its coordinates."""
         return event.kind == "limit" and any(
             c.name == event.subjects[0] for c in trace.mechanism.body[self.name].coordinates
         )
@@ -148,7 +148,7 @@ class TopAfterBounce(Occurrence):
         return (Channel(self.name, Velocity.name),)
 
     def time(self, trace: Trace) -> float | None:
-        """Return the time, s, at which the body first stops rising between that bounce and the next one; else None."""
+        """Return the time, s, of the highest point between the numbered bounce and the next one; None without one."""
         bounce = Bounced(self.name, self.number).time(trace)
         following = Bounced(self.name, self.number + 1).time(trace)
         if bounce is None:
@@ -194,7 +194,7 @@ class StayedBelow(DistanceThreshold):
 
     @classmethod
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
-        """Return a random height, m, above the top after the first bounce; None if there is no such top."""
+        """Return a random height, m, above the highest point after the first bounce; None without such a point."""
         top = TopAfterBounce(name).time(trace)
         if not top:
             return None

@@ -34,7 +34,7 @@ class BeganToSlip(SlipChange):
     verb = Verb("begins to slip", "begin to slip")
 
     def is_this(self, event: Event, trace: Trace) -> bool:
-        """Return whether an event is such a change of a body that did not slip before."""
+        """Return whether an event is the beginning of slip of this body, which did not slip just before."""
         return event.kind == "slip" and event.subjects[0] == self.name and not self.slipped(event, trace)
 
 
@@ -102,23 +102,23 @@ class LiftedOff(Occurrence):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Return the phrases of the bodies that burn fuel and stand on props."""
+        """Return the phrases of the bodies that burn fuel and stand on supports, which only push."""
         burns = {burn.body for burn in words.mechanism.burns}
         called = words.called(cls.of).items()
         return {name: said for name, said in called if name in burns and cls.seen_as(name, words)}
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:
-        """Return the names of the props on which a body stands: its lift-off is recorded as an event of these."""
+        """Return the names of the supports on which a body stands: its lift-off is recorded as an event of these."""
         return _props(words.mechanism, name)
 
     def is_this(self, event: Event, trace: Trace) -> bool:
-        """Return whether at this event a prop of the body stops carrying load."""
+        """Return whether at this event a support under the body stops carrying load."""
         return event.kind in self.kinds and not _props(trace.mechanism, self.name).isdisjoint(event.subjects)
 
 
 def _props(mechanism: Mechanism, name: str) -> set[str]:
-    """Return the names of the props on which a body stands."""
+    """Return the names of the supports, modelled as lines that only push, on which a body stands."""
     props = (line for line in mechanism.lines if isinstance(line.law, Prop))
     return {line.name for line in props if name in {mechanism.site[site].body for site in line.through}}
 
@@ -146,7 +146,7 @@ class StoppedSlipping(SlipChange):
 
     @classmethod
     def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Return the moments worth asking about: none if the body reversed its slip before, as that is ambiguous."""
+        """Return the moments worth asking about: none if slip reversed before, which is ambiguous with its end."""
         found = super(StoppedSlipping, cls).found(study, words, rng)
         return [moment for moment in found if not moment.turned_back(study.trace)]
 

@@ -152,12 +152,12 @@ class Moved(DistanceThreshold):
         return None if found is not None and self._turns_back(trace, found) else found
 
     def comes_later(self, trace: Trace) -> bool:
-        """Return whether it is as far away only after it has turned back."""
+        """Return whether the body reaches the stated distance only after it has turned back."""
         found = first_crossing(trace, self.excess)
         return found is not None and self._turns_back(trace, found)
 
     def _turns_back(self, trace: Trace, until: float) -> bool:
-        """Return whether it reverses before a time, and may not."""
+        """Return whether the body reverses before a time, s, and neither a given side nor a collision permits that."""
         allowed = self.towards or _collides(trace.mechanism, self.name)
         return not allowed and _turns_back(trace, self.name, until)
 
@@ -201,7 +201,7 @@ class Moved(DistanceThreshold):
         return f"{said} {way} {rest} from {start}" if rest else f"{said} {ABOVE[way]} {start}"
 
     def _may_return(self, words: Words) -> bool:
-        """Return whether the distance travelled may exceed the stated one, as far as the text reveals."""
+        """Return whether, as far as the text reveals, the body may turn back before it is the stated distance away."""
         return bool(self.towards) or _collides(words.mechanism, self.name) or (words.symbolic and words.turns_back)
 
     def phrases(self, words: Words) -> tuple[str, ...]:

@@ -166,7 +166,7 @@ class VelocityTurned(FieldPassage, Threshold):
         return tuple(Channel(self.name, told) for told in ("acceleration", "net force"))
 
     def time(self, trace: Trace) -> float | None:
-        """Return the time, s, at which the velocity first has that direction; None if it never has or never turns."""
+        """Return the time, s, at which the velocity has first turned through the angle; None if it never has."""
         velocity, acceleration = initial_rates(trace.state, self.name)
         size = hypot(*velocity.tolist()) * hypot(*acceleration.tolist())
         square = abs(float(velocity @ acceleration)) <= COMPONENT_RTOL * size or bool(trace.state.mechanism.forces[1:])
@@ -174,7 +174,7 @@ class VelocityTurned(FieldPassage, Threshold):
         return FieldPassage.time(self, trace) if turns else None
 
     def excess(self, state: State) -> Array:
-        """Return the component of the velocity perpendicular to that direction, m/s, (n,)."""
+        """Return the component of the velocity perpendicular to the direction to be reached, m/s, (n,)."""
         (vx, vy, _), acceleration = initial_rates(state, self.name)
         sign = 1.0 if vx * acceleration[1] >= vy * acceleration[0] else -1.0
         turn = sign * radians(self.value)

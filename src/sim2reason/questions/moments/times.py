@@ -113,7 +113,7 @@ class AtTime(Moment):
         return (f"at t = {time}", f"at the time t = {time}", f"at the instant t = {time}")
 
     def stretches(self, words: Words) -> tuple[str, ...]:
-        """Return the phrases for the stretch, such as *in the first 0.80 s after release*."""
+        """Return the phrases for the interval up to that time, such as *in the first 0.80 s after release*."""
         time, later = words.say(self.after, "s"), words.amount(self.after, "s")
         if words.released and later != time:
             return (f"between release and {later} later", f"from release until {later} later")
@@ -147,7 +147,7 @@ class WholeMotion(Moment):
 
     @classmethod
     def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Return the whole motion if it is periodic, possibly with a displacement; else nothing."""
+        """Return the whole motion if it is periodic, even if each period begins at another place; else nothing."""
         del words, rng
         if study.time(cls(ends=False)) is not None:
             return [cls()]

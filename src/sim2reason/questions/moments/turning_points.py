@@ -179,7 +179,7 @@ class Halted(Stopped):
     verb = again = Verb("comes to rest for good", "come to rest for good")
 
     def is_this(self, event: Event, trace: Trace) -> bool:
-        """Return whether an event is such a stop."""
+        """Return whether an event is the last stop of the body, after an earlier one, from which it stays at rest."""
         if not Stopped.is_this(self, event, trace) or not ends_at_rest(trace):
             return False
         times, speeds = trace.scan.times, _speeds(trace, self.name)
@@ -224,7 +224,7 @@ class LowestPoint(TurningPoint):
     local_verb = Verb("stops falling", "stop falling")
 
     def comes(self, study: SimulatedScene) -> bool:
-        """Return whether the body passes the lowest point, as opposed to an arm that reverses there."""
+        """Return whether the body is still moving at its lowest point, unlike one on an arm that reverses there."""
         if not super(LowestPoint, self).comes(study):  # slots make another class of this one, which super() misses
             return False
         time, hinges = study.time(self), _hinges(study.mechanism, self.name)

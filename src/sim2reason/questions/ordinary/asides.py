@@ -56,7 +56,7 @@ _WORK = re.compile(r"how much work (?:has|does|did) friction (?:done|do)(?: on @
 
 
 def without_asides(text: str) -> str:
-    """Return a question without words that do not change its meaning, and with friction's work in standard words."""
+    """Return a question without incidental words; the work of friction becomes *how much energy is lost to it*."""
     if re.search(r"\bgive (?:only )?(?:its )?(?:magnitude|size)$", text) is not None:
         text = _WORK.sub("how much energy is lost to friction", text)
     for aside in ASIDES:

@@ -204,7 +204,7 @@ def _filled(plain: str, found: re.Match[str], rest: str) -> Iterator[str]:
 
 
 def _for_these(plain: str, subjects: list[str], ways: list[str], text: str) -> str:
-    """Return a plain clause for one subject, or for a direction if there is one; empty if it has no meaning.
+    """Return a plain clause adapted to the number of its subjects and to a direction; empty if it has no meaning.
 
     `text` is the head of the clause, then ``<>``, then the rest of the clause.
     """

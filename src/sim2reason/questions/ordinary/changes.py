@@ -203,7 +203,7 @@ def after_bounce(question: str, clause: str, side: str, heard: TokenizedSentence
 
 
 def changed(main: Main, when: When, side: str) -> When | None:
-    """Return the moment of a gain, loss or change, minus the earlier moment: an event's other side, or the start."""
+    """Return two moments, as *later minus earlier*, for a change of a quantity in an event or since the start."""
     told = when.told.removesuffix(" before")
     jumps = told.endswith(("bounced", "collided", "edge landed")) and side in (THEN, DURING)
     if main.needs == JUMP and (not jumps or (not main.of and "collided" in told)):

@@ -19,7 +19,7 @@ from sim2reason.simulation.quantities.subjects.bodies import Bodies
 from sim2reason.simulation.quantities.subjects.paths import chain
 
 LONGEST = 400  # characters of a question
-ALL = "all"  # what is told of several at once
+ALL = "all"  # the word for several subjects together
 _NUMBER = re.compile(
     rf"(?<![\w.#@])({DIGITS}(?:\.{DIGITS})?(?:[eE][+-]?\d{{1,2}})?)"
     r"(°|\s?(?:[a-zA-Zµμ%Ω][\w/·^²³⁻*]*))?(?![\w.]*\d)"

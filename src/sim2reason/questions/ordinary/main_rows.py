@@ -32,7 +32,7 @@ _ONCE = (
 )
 _LEVEL = f"(?:measured )?(?:horizontal|horizontally)|measured (?:along|on) (?:{GROUNDS})"
 _IN_ALL = "total|whole|overall length|altogether|in total|in all|all together|overall|all in all|as a whole"
-ALL_COLLISIONS = "how many collisions take place"  # of all bodies, so that none is named
+ALL_COLLISIONS = "how many collisions take place"  # the clause for collisions of all bodies, which names no body
 SIZES = {
     "greatest": "greatest|maximum|maximal|largest|highest|biggest|peak|at most|most|maximally",
     "least": "least|minimum|minimal|smallest|lowest",

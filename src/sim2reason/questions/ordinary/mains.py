@@ -26,7 +26,7 @@ from sim2reason.questions.ordinary.vocabulary import LEVEL, SMOOTH, pattern
 
 
 def mains(question: str, heard: TokenizedSentence) -> Iterator[Main]:
-    """Yield every meaning of a main clause; nothing if the clause matches no known frame."""
+    """Yield every meaning of a main clause; nothing if the clause matches no known pattern."""
     found = list(_framed(question, heard))
     plain = dict.fromkeys(plainly_ordered(question)) if not found else ()
     found = found or [main for told in plain for main in _framed(told, heard)]

@@ -28,7 +28,7 @@ UP_WAY, DOWN_WAY = "up", "down"
 _SLOPING = re.compile(rf"\b(?:{GROUNDS}|uphill|downhill|its path)\b")
 _LENGTH = re.compile(r" (?:m|km|cm|mm|au)$")
 _FROM_START = re.compile(rf"(?:\bis|\bare|\bbe|@)(?: first| again)? #\d+# (?:away )?from (?:{HOME})")
-LAST = 10  # the rank of what is meant only where all else is not there
+LAST = 10  # the rank of a meaning that counts only if all other meanings fail in the scene
 Reader = Callable[[re.Match[str], TokenizedSentence, str, str], Iterator[When]]
 """From what matched, the sentence, the subject of the question, and the side, to all moments that may be meant."""
 

@@ -57,7 +57,7 @@ def in_numbers(asked: StructuredQuestion, motion: FollowedMotion, words: Words) 
 
 
 def _greatest(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
-    """Return the question for a greatest value of a periodic motion, as others have no clear maximum."""
+    """Return the question for a greatest value in a periodic motion only, as other motions have no clear maximum."""
     found = pose_question(asked, motion, words)
     moment = found.query.moment
     assert isinstance(moment, WholeMotion)
@@ -87,7 +87,7 @@ def _settled(asked: StructuredQuestion, motion: FollowedMotion, words: Words) ->
 
 
 def _nothing_greater(query: Query, followed: SimulatedAnswer) -> bool:
-    """Return whether an extreme recurs again and again, or else remains unequalled by far.
+    """Return whether an extreme recurs in the second half of the motion, or is far from all values there.
 
     Where many periods mix, the extremes of the second half of the motion come near to those of the first half, and
     greater ones may follow at any time.

@@ -78,7 +78,7 @@ _WISHES = re.compile(
 
 
 class DecidingNumber(NamedTuple):
-    """A number by name and owner, with the outcome, its subject, whether it occurs, and the end of the range."""
+    """A number, such as a mass, that decides whether an outcome occurs, with the outcome and the extreme asked for."""
 
     name: str
     owner: str
@@ -89,7 +89,7 @@ class DecidingNumber(NamedTuple):
 
 
 def limits(heard: TokenizedSentence, numbers: Mapping[str, str]) -> Iterator[DecidingNumber]:
-    """Yield every number that a sentence may ask for by an outcome, if this accounts for every word."""
+    """Yield the number that a sentence such as *what mass makes A slip* asks for, if this accounts for every word."""
     text = " ".join(WAY.sub(lambda found: f" <{way_of(found['way'])}> ", _HEAVY.sub(_mass, heard.text)).split())
     asked = _parameter(tuple(numbers.values())).search(text)
     if asked is None or re.match(r"(?:what|which|find|determine|calculate|compute|how|for|with|at)\b", text) is None:

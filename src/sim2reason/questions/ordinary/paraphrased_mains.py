@@ -84,7 +84,7 @@ def _side(plain: str, said: str) -> str:
 
 
 def _without_parts(row: WantedRow, text: str, groups: dict[str, str]) -> str | None:
-    """Return a text without the parts of a row, whose groups are added to `groups`; None if a part is missing."""
+    """Return a text without the words that a row's patterns match; None if one has no match. Groups go to `groups`."""
     for told in row.parts:
         found = _part(told.removeprefix("?")).search(text)
         if found is None and told.startswith("?"):

@@ -44,7 +44,7 @@ def level(found: re.Match[str], heard: TokenizedSentence, subject: str, side: st
 
 
 def sets_off(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
-    """Yield the start, presuming that a body starts to move at once; before it, for values independent of motion."""
+    """Yield the start, presuming that a body moves at once; for *before*, that the value depends on positions only."""
     way = UNMOVED if side == BEFORE else SETS_OFF
     yield When("at start", ways=((subject_of(found, heard, subject), way),))
 
@@ -63,7 +63,7 @@ def orbited(found: re.Match[str], heard: TokenizedSentence, subject: str, side: 
 
 
 def under(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a swinging body is vertically below its carrier on a level line."""
+    """Yield the moment when a swinging body is vertically below the body that carries it along a level line."""
     del subject
     who = heard.subject(found["s"])
     yield When(f"{who} lowest point", side, ((who, f"{UNDER}{heard.subject(found['t'])}"),))
@@ -125,7 +125,7 @@ def multiple(found: re.Match[str], heard: TokenizedSentence, subject: str, side:
 
 
 def across(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
-    """Yield the stop of a body beyond the lowest point of its path, or at a point without acceleration."""
+    """Yield the stop of a body beyond the lowest point of its path, or any stop at which that body is at rest."""
     who = subject_of(found, heard, subject)
     yield When(f"{who} stopped", side, ((who, ACROSS),))
     yield When("stopped", side, ((who, ACROSS), (who, STANDS)))
@@ -215,7 +215,7 @@ def lost_share(found: re.Match[str], heard: TokenizedSentence, subject: str, sid
 
 
 def heads(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
-    """Yield the first two moments after the start when a body moves along an axis, presuming the named sense."""
+    """Yield the first and the second moment when a body moves parallel to an axis, presuming the named direction."""
     who, other = subject_of(found, heard, subject), "y" if found["axis"] == "x" else "x"
     sign = "+" if found["heading"] in ("positive", "+") else "-"
     for again in ("", AGAIN):

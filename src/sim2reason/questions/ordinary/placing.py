@@ -98,7 +98,7 @@ def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
 
 
 def _named(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
-    """Return the subject that a sentence names, or its pair; none if it has no orbit, or carries other bodies."""
+    """Return the named subject or its pair; none if it has no orbit, or if its contact force is ambiguous."""
     quantity = QUANTITIES.get(asked.find)
     if quantity is not None and quantity.of.name == "pair" and " & " not in asked.of:
         if asked.find in ORBITAL and asked.of not in words.called(Bodies()).values():
@@ -115,7 +115,7 @@ def _together(find: str, words: Words) -> tuple[str, ...]:
 
 
 def _unsaid(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
-    """Return the possible subjects for a sentence that names none; none if the scene's only one is implied."""
+    """Return the possible subjects for a sentence that names none; empty if the quantity itself implies the subject."""
     quantity = QUANTITIES.get(asked.find)
     if quantity is not None and asked.find in ANGULAR:
         return ("", *quantity.subjects(words.mechanism)[:MOST])
@@ -138,7 +138,7 @@ def rubbing(words: Words) -> tuple[str, ...]:
 
 
 def _hung(told: str, words: Words) -> Iterator[str]:
-    """Yield a moment; an arm's turning point once for each body, and that of a swinging line without a subject."""
+    """Yield a moment's text: an arm's turning point as that of each body, a swinging line's without its subject."""
     bodies = dict.fromkeys(words.called(Bodies()).values())
     arms = [said for said in words.called(TurningBodies()).values() if said not in bodies]
     lines = [said for said in words.called(SwingingLines()).values() if said not in bodies]
@@ -179,7 +179,7 @@ def _of_its_kind(asked: StructuredQuestion, words: Words) -> bool:
 
 
 def _fits(reading: Reading, words: Words) -> bool:
-    """Return whether some force may bring bodies to rest, if a reading presumes that they stay at rest."""
+    """Return False if a reading presumes that bodies stay at rest, but there is no friction to bring them to rest."""
     rests = reading.asked.when.endswith("halted") or any(way == RESTS for _, way in reading.gone)
     mechanism = words.mechanism
     rubs = any(face.friction > 0.0 for face in mechanism.faces) or any(c.friction for c in mechanism.contacts.values())
@@ -187,7 +187,7 @@ def _fits(reading: Reading, words: Words) -> bool:
 
 
 def _apsis(asked: StructuredQuestion, words: Words) -> str:
-    """Return the moment of an extreme distance in one of several orbits, which never all repeat; else empty."""
+    """Return *A & B farthest* or *A & B closest* for an extreme distance in one of several orbits; else empty."""
     pulled = {PAIR_SEPARATOR.join((pull.a, pull.b)) for pull in words.mechanism.attractions}
     apsides = {"greatest distance": "farthest", "least distance": "closest"}
     return (
@@ -231,7 +231,7 @@ def _collided(told: str, words: Words, events: Sequence[Event]) -> str:
 
 
 def _component(told: str, words: Words) -> str:
-    """Return a value reached by a component, with the scene's name of the axis, by default the only line."""
+    """Return a moment such as *velocity of A along vertical = 2 m/s* with the scene's name of the axis."""
     found = _ALONG.fullmatch(told)
     if found is None:
         return told

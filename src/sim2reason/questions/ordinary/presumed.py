@@ -38,7 +38,7 @@ UP = {"up": 1.0, "down": -1.0}
 
 
 def goes_then(case: Case, way: str) -> bool:
-    """Return whether a body moves up, or down, after an instant at which the quantity keeps its value."""
+    """Return whether a body moves up, or down, after the moment, while the quantity keeps its value."""
     name, trace, target = named(case.who, case.words), case.followed.study.trace, case.query.target
     began = float(np.nextafter(case.then, np.inf))
     later = [event.time for event in trace.events if event.time > began * (1.0 + EVEN) and event.changes_motion]

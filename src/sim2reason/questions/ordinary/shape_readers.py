@@ -133,7 +133,7 @@ def spring_work(spring: str, on: str, heard: TokenizedSentence) -> Iterator[Main
 
 
 def far_end(turn: str = "") -> Reader:
-    """Return a reader for the distance of a body from the fixed end of the spring to which it is tied: its length.
+    """Return a reader for the distance of a body from the fixed end of its spring, which is the spring's length.
 
     At a `turn`, its extreme length is the same each time if nothing but the spring acts.
     """

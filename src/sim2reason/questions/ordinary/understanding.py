@@ -103,7 +103,7 @@ def _from_origin(reading: Reading) -> bool:
 
 
 def first_of(questions: list[Reading], motion: FollowedMotion, words: Words) -> Understood | None:
-    """Return the question of the lowest rank that the scene answers; None if there is none.
+    """Return the most likely reading of a sentence that the scene answers; None if there is none.
 
     Raises:
         TextError: there are several readings with different answers, or a presumption fails.
@@ -123,7 +123,7 @@ READER = Reader(understood_as_it_is, questions_of, first_of)
 
 
 def _of_rank(questions: list[Reading], motion: FollowedMotion, words: Words) -> tuple[list[Understood], str]:
-    """Return the readings that fit a motion, and why the first other one does not; empty if all readings fit."""
+    """Return the readings that fit a motion, and why the first unfit one does not; an empty reason if all fit."""
     found: list[Understood] = []
     refused = ""
     for reading in questions:

@@ -47,7 +47,7 @@ _COMES_DOWN = re.compile(rf"\b(?:come|comes|came|go|goes|gone|went) (?:straight 
 SINKING = frozenset(
     re.split(" ", "drop drops dropped descend descends descended sink sunk sank descending sinking dropping")
 )
-FORCES = "tension", "rod force", "rod pull", "spring force"  # of what lies along a line
+FORCES = "tension", "rod force", "rod pull", "spring force"  # that *force* may mean for a string, rod or spring
 
 
 def quantity(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
@@ -73,7 +73,7 @@ AXES = ("horizontal", "vertical", "x", "y")
 
 
 def named(name: str, of: str, along: str, ways: tuple[tuple[str, str], ...]) -> Iterator[Main]:
-    """Yield the meanings of a noun for a quantity."""
+    """Yield every quantity that a noun such as *tension* or *deceleration* may mean, with its presumptions."""
     if name == "force":
         yield from (Main(force, of) for force in FORCES)
     elif name == "tension":
@@ -151,7 +151,7 @@ def high(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
 
 
 def far(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
-    """Yield the displacement of a body and, unless an axis is named, the distance travelled, which must be equal."""
+    """Yield the displacement of a body and, unless an axis is named, the distance travelled; the two must be equal."""
     groups = found.groupdict()
     way = matching_entry(WAYS, groups["way"]) if groups.get("way") else ""
     for of in each(heard, groups["s"]):
@@ -219,7 +219,7 @@ def of_orbit(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
 
 
 def time(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
-    """Yield a time."""
+    """Yield the time of a moment, or between two moments, as the value asked for."""
     del found, heard
     yield Main("time", needs=STRETCH)
 

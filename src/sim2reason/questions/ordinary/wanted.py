@@ -59,8 +59,8 @@ OUTCOMES: Mapping[str, tuple[str, ...]] = {
 """By clauses for it, an outcome by its name, and whether it happens."""
 ROLLING = {"slides": "slips rolling"}
 
-AT_REST = "at rest"  # as a result: that nothing is accelerated
-NUMBER = "number"  # what is found, until a scene tells its address
+AT_REST = "at rest"  # a required result: that no body is accelerated
+NUMBER = "number"  # stands for the number that a question asks for, until its address in the scene is known
 _PARAMETER = "(?:(?P<own>@\\d+@) 's )?{p=NUMBERS}(?: of (?P<of>@\\d+@))?"
 _SUCH = "for which|with which|at which|such that|so that|that makes"
 _NEEDED = "needed|required|necessary"
@@ -208,7 +208,7 @@ def numbers_wanted(heard: TokenizedSentence, scene: Scene, words: Words) -> Iter
 
 
 def _balanced(path: str, of: str, words: Words) -> Iterator[Reading]:
-    """Yield readings that ask for the number with which a body, or each, has no acceleration; none on rough faces."""
+    """Yield readings that ask for the number with which a body, or any one, is not accelerated; none on rough faces."""
     if rubs(words):
         return  # within a whole range of numbers
     alone = addresses(words).get(of)

@@ -167,7 +167,7 @@ def velocities_equal(told: str, words: Words) -> str:
 
 
 def relaxed_again(told: str, words: Words) -> str:
-    """Return the moment when a spring that is relaxed at first is so again; any other moment unchanged."""
+    """Return the moment when a spring that is relaxed at first is relaxed again; any other moment unchanged."""
     who, parted, _ = told.rpartition(" natural length")
     springs = words.called(Springs())
     names = [name for name, said in springs.items() if said == who] or list(Springs().names(words.mechanism))
@@ -180,7 +180,7 @@ def relaxed_again(told: str, words: Words) -> str:
 
 
 def strained(told: str, words: Words) -> str:
-    """Return the moment when the spring between two bodies is shortest, for when they are closest, or vice versa."""
+    """Return, if two bodies are closest or farthest on one spring, the moment when it is shortest or longest."""
     found = _NEAREST.fullmatch(told)
     ends = {found["one"], found["other"]} if found is not None else set[str]()
     for name in Springs().names(words.mechanism) if found is not None else ():
@@ -192,7 +192,7 @@ def strained(told: str, words: Words) -> str:
 
 
 def line_of(said: str, words: Words) -> str:
-    """Return the phrase for the only swinging line, for that of the body at its end or of its rod; else the same."""
+    """Return the phrase for the only swinging line in place of that for its body or its rod; any other unchanged."""
     lines = words.called(SwingingLines())
     if said in lines.values() or len(lines) != 1:
         return said
@@ -204,7 +204,7 @@ def line_of(said: str, words: Words) -> str:
 
 
 def carried_by_light_arm(said: str, find: str, words: Words) -> tuple[str, ...]:
-    """Return the bodies that have a quantity and are carried by the light arm that a phrase means; none for another."""
+    """Return the bodies that have a quantity and are carried by a light arm; none if the phrase means no such arm."""
     mechanism = words.mechanism
     arms = {
         body.name

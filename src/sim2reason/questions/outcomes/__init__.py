@@ -59,7 +59,7 @@ class PossibleOutcome(ABC):
         """Return whether the outcome occurs in a motion; None if only a longer motion can show it."""
 
     def excess(self, trace: Trace) -> float | None:
-        """Return a function of the motion that goes to zero at the threshold, on the side that `tells`; else None.
+        """Return a number that goes to zero as the motion approaches the threshold from one side; None without one.
 
         It only speeds up the search; the outcome itself decides about the threshold.
         """
@@ -83,7 +83,7 @@ class Swinging(PossibleOutcome):
     """The base class of outcomes of swings, which show within a few of them."""
 
     def duration(self, scene: Scene) -> float:
-        """Return a fraction of the horizon, s."""
+        """Return the duration, s, of a few swings: a fixed fraction of the scene's usual simulation time."""
         return scene.horizon / 4.0
 
 
@@ -92,7 +92,7 @@ class Onset(PossibleOutcome):
     """The base class of outcomes of a release, which show at once, as no force changes."""
 
     def duration(self, scene: Scene) -> float:
-        """Return a short time, s."""
+        """Return a short time, s, a small fraction of the scene's usual simulation time."""
         return ONSET_DURATION * scene.horizon
 
 

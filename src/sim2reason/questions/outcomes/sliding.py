@@ -86,7 +86,7 @@ class SlipsRolling(PossibleOutcome):
         }
 
     def duration(self, scene: Scene) -> float:
-        """Return the horizon, s."""
+        """Return the scene's usual simulation time, s."""
         return scene.horizon
 
     def happens(self, trace: Trace) -> bool:

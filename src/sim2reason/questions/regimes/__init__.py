@@ -59,7 +59,7 @@ class Regime(ABC):
         return False
 
     def margin(self, study: SimulatedScene, until: float) -> float | None:
-        """Return the distance of a motion from a violation up to a time, s, relative to the effect of weights; or None.
+        """Return how far a motion is from violating the assumption up to a time, s, relative to the effect of weights.
 
         The unit is arbitrary, as only changes of the value matter. By default None.
         """

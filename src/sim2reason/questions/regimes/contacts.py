@@ -27,7 +27,7 @@ ORDERS = 100  # greatest number of sequences; if there are more, only shorter on
 @REGIMES.register("collisions")
 @dataclass(frozen=True, slots=True)
 class CollideInTurn(Regime):
-    """The assumption that exactly these collisions occur, in this order, before the moment of the question."""
+    """The assumption that exactly the given collisions occur, in the given order, before the moment of the question."""
 
     of = Pairs()
     stage = 2
@@ -42,12 +42,12 @@ class CollideInTurn(Regime):
         return [cls("", order) for n in lengths for order in product(met, repeat=n)]
 
     def holds(self, study: SimulatedScene, until: float) -> bool:
-        """Return whether exactly these collisions occur by then."""
+        """Return whether exactly the assumed collisions, in the assumed order, occur before a time, s."""
         came = [subjects for kind, subjects in study.trace.story(until) if kind == "collision"]
         return [*map(set, came)] == [*map(set, self.order)]
 
     def must_be_stated(self, study: SimulatedScene) -> bool:
-        """Return True if more than two bodies can collide or two have, as formulas do not show the partners."""
+        """Return True if several collisions are possible or two bodies collide: formulas do not show which ones."""
         return len(_meetings(study.mechanism)) > 1 or any(len(names) > 1 for names in self.order)
 
     def clause(self, words: Words) -> str:
@@ -123,7 +123,7 @@ class SlidesThroughout(Regime):
         return found[0] is self.slides and (found[1] == self.course or not _ways(study.mechanism, self.name))
 
     def margin(self, study: SimulatedScene, until: float) -> float | None:
-        """Return the slip velocity at the end, or early on, relative to that of free fall; None without slip."""
+        """Return the slip velocity at a time, s, or soon after the start, relative to free fall; None for sticking."""
         if not self.slides:
             return None
         end = max(_soon(study, until), until)

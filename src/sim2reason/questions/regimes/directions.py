@@ -42,7 +42,7 @@ class StartsAcute(Regime):
 
     @classmethod
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
-        """Return the regimes of strings, springs and rods; none of arms, as their masses also show the direction."""
+        """Return the regimes of strings, springs and rods; none of arms, whose described masses show the direction."""
         held = study.mechanism.body
         extended = {name for name, body in held.items() if not body.mass or any(body.inertia)}
         return [cls(name) for name in words.called(cls.of) if name not in extended]
@@ -77,7 +77,7 @@ class DeflectedBeyondStart(Regime):
         return [cls(name, larger) for name in words.called(cls.of) for larger in (True, False) if "deg" in words.own]
 
     def holds(self, study: SimulatedScene, until: float) -> bool:
-        """Return whether the angle is larger, or smaller, at the time; False for a slack string."""
+        """Return whether the angle at a time, s, has changed as assumed since the start; False for a slack string."""
         state = study.trace.at(until)
         more = float(Deflection.evaluate(state, self.name)[0]) - deflection_at_start(state, self.name)
         return more > APART if self.larger else more < -APART
@@ -110,16 +110,16 @@ class MovesOneWay(Regime):
         return [cls(name, sense.positive, ahead) for name, sense in senses for ahead in (True, False)]
 
     def holds(self, study: SimulatedScene, until: float) -> bool:
-        """Return whether the body moves in that direction throughout."""
+        """Return whether the body moves in the assumed direction throughout, up to a time, s."""
         return (until > 0.0 or not changing(study.mechanism)) and self.begins(study, until)
 
     def begins(self, study: SimulatedScene, until: float = 0.0) -> bool:
-        """Return whether the body moves in that direction at a time, s, whatever it does later."""
+        """Return whether the body moves in the assumed direction at a time, s, whatever it does later."""
         sense = next((s for s in _senses(study, self.name) if s.positive == self.positive), None)
         return sense is not None and _side(study, self.name, sense.vector, until) == (1 if self.ahead else -1)
 
     def margin(self, study: SimulatedScene, until: float) -> float | None:
-        """Return the velocity in that direction, or the initial acceleration, relative to free fall; or None."""
+        """Return the velocity or initial acceleration in the assumed direction, relative to free fall; else None."""
         sense = next((s for s in _senses(study, self.name) if s.positive == self.positive), None)
         if sense is None:
             return None
@@ -196,7 +196,7 @@ class MovesFirst(Regime):
         return [cls(way.name, way) for way in MovesOneWay.possible(study, words)] if words.released else []
 
     def holds(self, study: SimulatedScene, until: float) -> bool:
-        """Return whether the body begins to move in that direction."""
+        """Return whether the body begins to move in the assumed direction."""
         del until
         return self.way.begins(study)
 
@@ -228,7 +228,7 @@ class SideOfCenterOfMass(Regime):
         return [cls(name, same) for name in firsts if name in named for same in (True, False)]
 
     def holds(self, study: SimulatedScene, until: float) -> bool:
-        """Return whether the assumption holds in another motion."""
+        """Return whether the centre of mass is on the assumed side of the arm in a motion."""
         del until
         side = self._side(study.mechanism)
         return side > 0.0 if self.same else side < 0.0

@@ -41,7 +41,7 @@ class BurntOut(Regime):
         return [held for name in named for held in (cls(name, out=True, falls=falls[name]), cls(name, out=False))]
 
     def holds(self, study: SimulatedScene, until: float) -> bool:
-        """Return whether the time is after burn-out, or before; True at burn-out itself."""
+        """Return whether a time, s, is on the assumed side of burn-out, before or after; True at burn-out itself."""
         end = self._end(study)
         return until > end * (1.0 + THEN) if self.out else 0.0 < until < end * (1.0 - THEN)
 

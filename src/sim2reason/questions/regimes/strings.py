@@ -41,7 +41,7 @@ class StaysTaut(Regime):
         return not bool((scan.tension[self.name][scan.times <= until] <= ZERO_TENSION).any())
 
     def margin(self, study: SimulatedScene, until: float) -> float | None:
-        """Return the least tension as a relative acceleration of the string's ends, in units of free fall; or None."""
+        """Return the least tension as a relative acceleration of the string's ends, in units of g; None if unknown."""
         scan, mechanism = study.trace.scan, study.mechanism
         through = mechanism.line[self.name].through
         bodies = (mechanism.site[site].body for site in (through[0], through[-1]))

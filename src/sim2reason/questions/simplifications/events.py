@@ -45,12 +45,12 @@ class LaterRoot(MisinterpretedMotion):
     sound_if_same = True  # then what is asked hangs on the place alone, and who takes energies never asks for the time
 
     def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
-        """Return the whole mechanism as the subject if a passage is asked about, which may occur twice; else none."""
+        """Return the whole mechanism as the subject if a quantity passes through a value at the moment; else none."""
         del study
         return [""] if _is_passage(query.moment) else []
 
     def read(self, study: SimulatedScene) -> SimulatedScene:
-        """Return the same motion with the second time of each passage in place of the first."""
+        """Return the same motion, in which each passage through a value counts only the second time."""
         return _Later(study.scene, study.trace)
 
 
@@ -59,10 +59,10 @@ def _is_passage(moment: object) -> bool:
 
 
 class _Later(SimulatedScene):
-    """A motion in which a passage counts only when it occurs for the second time."""
+    """A motion in which a quantity's passage through a value counts only when it occurs for the second time."""
 
     def time(self, moment: Timed) -> float | None:
-        """Return the second time of a passage, s, in either sense; the time of any other moment."""
+        """Return the second time, s, at which a quantity passes its value; the first time of any other moment."""
         first = super().time(moment)
         if first is None or not (isinstance(moment, Passage) and _is_passage(moment)):
             return first
@@ -100,7 +100,7 @@ class NoEvents(MisinterpretedMotion):
     reason = "the motion is taken to go on as it begins"
 
     def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
-        """Return the whole mechanism as the subject if forces are constant and an event occurs before; else none."""
+        """Return the whole mechanism as the subject if forces are constant and an event comes earlier; else none."""
         end = query_time(query, study)
         changes = any(event.time > 0.0 for event in events_before(study.trace.events, end))
         return [""] if changes and not changing(study.mechanism) else []

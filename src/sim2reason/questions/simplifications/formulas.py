@@ -147,7 +147,7 @@ class SmallAngle(MisinterpretedMotion):
 
 
 def _harmonic(trace: Trace, rest: Rest, modes: Oscillations) -> Trace | None:
-    """Return the motion q = q₀ + Σ s (a cos ωt + b sin ωt) from the initial state, without forces; or None."""
+    """Return the motion q = q₀ + Σ s (a cos ωt + b sin ωt) from the initial state, without forces; else None."""
     first = trace.sample(np.zeros(1))
     gone, speeds = first.q[0] - rest.coordinates, first.v[0]
     omega, shapes = modes.frequencies, modes.shapes
@@ -221,7 +221,7 @@ class WeightAsTension(ChangedMechanism):
         return hanging(study.mechanism)
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with that tension in the strings above the body, shared equally among them."""
+        """Return the mechanism with the weight as the total tension in the strings above the body, shared equally."""
         held = hanging(mechanism)[subject]
         law = ConstantTension(held.mass * -mechanism.gravity[2] / held.runs)
         return with_lines(mechanism, held.strings, lambda line: replace(line, law=law))

@@ -124,7 +124,7 @@ class ParallelAxisForgotten(ChangedMechanism):
 
 
 def _off_axis(mechanism: Mechanism) -> dict[str, Vector]:
-    """Return the vectors, m, from such axes to centres of mass, perpendicular to the axes, by body."""
+    """Return the perpendicular vectors, m, from fixed axes of rotation to centres of mass off the axes, by body."""
     arms = ((name, _arm(mechanism, name)) for name in solid(mechanism))
     return {name: arm for name, arm in arms if arm is not None and inner(arm, arm) > ON_AXIS**2}
 

@@ -89,7 +89,7 @@ class ForceLeftOut(ChangedMechanism):
     part = True
 
     def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
-        """Return the names of these forces."""
+        """Return the names of the forces of fields and resisting media."""
         del query
         return [force.name for force in study.mechanism.forces]
 

@@ -86,7 +86,7 @@ def _ends_beyond(mechanism: Mechanism, line: Line) -> str | None:
 
 
 def _tied(mechanism: Mechanism, line: Line) -> Line:
-    """Return the part of such a string up to the pulley; without force if the part lies beyond it."""
+    """Return the part of a string up to the movable pulley before its fixed end; a part beyond exerts no force."""
     parts = (part for part in mechanism.lines if part.whole == line.whole)
     pulley = next(name for part in parts if (name := _ends_beyond(mechanism, part)))
     turned = {c.name for c in mechanism.coordinates if carried(mechanism, c.body) == pulley}
@@ -111,7 +111,7 @@ class PulleyRotationLeftOut(ChangedMechanism):
     common = True
 
     def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
-        """Return each pulley whose mass also matters otherwise, and each of several pulleys.
+        """Return each of several pulleys with rotational inertia; a single one only if it is movable.
 
         A single one with a fixed axle is covered by taking all pulleys as light.
         """

@@ -61,7 +61,7 @@ class Extreme(Functional):
     impulsive: ClassVar[bool] = False
 
     def __init_subclass__(cls) -> None:
-        """Take undeclared class data from the quantity."""
+        """Copy the unit, the type of subject and other class data from the quantity to the class."""
         if not hasattr(cls, "quantity"):
             return
         quantity = cls.quantity
@@ -85,7 +85,7 @@ class Extreme(Functional):
         return QUANTITIES[self.quantity.name].present(words.mechanism, name)
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """Return phrases for the interval; for a motion repeated elsewhere only if positions do not matter."""
+        """Return phrases for the interval; if the motion recurs at another place, only if positions do not matter."""
         if not isinstance(moment, WholeMotion):
             return super().when(moment, words, name)
         return moment.phrases(words) if not moment.drifts or self.name in PLACELESS else ()
@@ -135,7 +135,7 @@ class Extreme(Functional):
         return self.impulsive and any(event.kind in IMPACTS and event.time <= end for event in trace.events)
 
     def _sampled(self, trace: Trace, name: str, end: float) -> tuple[Array, Array]:
-        """Return the times and values of the function on the scan up to a time, s, and at that time."""
+        """Return the sampled times before `end`, s, and `end` itself, with the values of the function there."""
         scan = trace.scan
         within = scan.times < end
         last = self.height(trace.at(end), name)
@@ -157,7 +157,7 @@ class Extreme(Functional):
 
 
 def _tops(heights: Array) -> tuple[NDArray[np.intp], float]:
-    """Return the local maxima of samples that may lie at the highest maximum, and an estimate of its value.
+    """Return the indices of samples that may be next to the highest maximum, and an estimate of this maximum.
 
     Maxima are estimated by parabolas through three samples; two equal samples around a maximum may both be returned.
     """

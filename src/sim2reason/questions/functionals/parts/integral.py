@@ -77,7 +77,7 @@ LATE, ZERO_RATE_RTOL = 0.9, 1e-6  # of the interval; of the greatest rate
 
 
 class Integral(Functional):
-    """The base class of integrals, from the start to a moment, of a rate without impulses."""
+    """The base class of integrals, from the start to a moment, of a rate that always stays finite."""
 
     kind = "sum"
 

@@ -140,7 +140,7 @@ def stripped(inner: Query) -> Query:
 
 
 def usable_answer(inner: Query, study: SimulatedScene | None, *, loosely: bool = False) -> float | None:
-    """Return the answer to a query in a motion, if it is usable; None without a motion or an answer."""
+    """Return the answer to a query in a motion, if it is finite and known before the simulation ends; else None."""
     if study is None or not _has_subject(inner, study):
         return None
     kind = KINDS[inner.kind]
@@ -166,7 +166,7 @@ def _has_subject(inner: Query, study: SimulatedScene) -> bool:
 
 
 def _is_natural(inner: Query) -> bool:
-    """Return whether a query is worth comparing: it is plain, and its moment is an event, not an arbitrary time."""
+    """Return whether a query suits a comparison: it asks for no count, and not at an arbitrary stated time."""
     return is_plain(inner) and not isinstance(inner.moment, AtTime)
 
 

@@ -100,7 +100,7 @@ class StretchKind(Kind):
         return functional.worth(study, query.name, end) and (self._end_matters(query, study) or self.whole)
 
     def _end_matters(self, query: StretchQuery, study: SimulatedScene) -> bool:
-        """Return whether another end of the interval would change the answer; True for kinds without this condition."""
+        """Return whether another end of the interval would change the answer; True for kinds that need no such test."""
         functional, moment = FUNCTIONALS[query.functional], query.moment
         if not self.ends_matter or moment is None:
             return True
@@ -188,7 +188,7 @@ class StretchKind(Kind):
                     yield StretchQuery(self.name, None, moment, functional.name, name)
 
     def measured(self, query: Query) -> Measured:
-        """Return the measure of the functional."""
+        """Return the name, unit and least value of the functional, and whether it is a whole number."""
         assert isinstance(query, StretchQuery)
         found = FUNCTIONALS[query.functional]
         return Measured(found.name, found.unit, found.least, whole=self.whole)

@@ -37,7 +37,7 @@ class WhichQuery(Query):
 
     @property
     def exchanged(self) -> "WhichQuery":
-        """Return the same pair in the other order."""
+        """Return the pair of queries in reverse order."""
         first, second = self.both
         return replace(self, target=second.target, moment=second.moment, other=first)
 
@@ -76,14 +76,14 @@ class WhichKind(Kind):
 
     @abstractmethod
     def conclusion(self, query: WhichQuery, words: Words) -> str:
-        """Return the clause that concludes a solution for the first candidate, before the number."""
+        """Return the clause that concludes a solution in which the first candidate is right, up to the number."""
 
     def answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the number, negative if the second candidate is right."""
         return self._answer(query, study, loosely=False)
 
     def loose_answer(self, query: Query, study: SimulatedScene) -> float | None:
-        """Return the same number from the answers that a reader may give."""
+        """Return the number asked for, computed also from two answers that no question asks for."""
         return self._answer(query, study, loosely=True)
 
     def _answer(self, query: Query, study: SimulatedScene, *, loosely: bool) -> float | None:

@@ -94,7 +94,7 @@ class Occurrence(VerbHappening):
 
     @classmethod
     def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Return the first events of every subject, up to its greatest number."""
+        """Return the moments of each subject's events in the motion, up to the greatest number that is asked for."""
         del rng
         happened = {name for event in study.trace.events if event.kind in cls.kinds for name in event.subjects}
         if not happened:
@@ -207,7 +207,7 @@ class SlipChange(Occurrence):
     of = Contacts()
 
     def slipped(self, event: Event, trace: Trace) -> bool:
-        """Return whether the body slips until shortly before an event, also if it only reverses."""
+        """Return whether the body slips shortly before an event, even if its slip only changes direction there."""
         slips = np.abs(slip_velocity(trace.scan, self.name))
         before = slips[trace.scan.times < event.time - REST_SPEED_RTOL * trace.scan.times[-1]]
         return len(before) > 0 and float(before[-1]) > rest_speed(trace, slips)

@@ -44,12 +44,12 @@ class Passage(VerbHappening):
 
     @classmethod
     def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Return the moments of all subjects that occur away from events."""
+        """Return this class's moments for all subjects, if they occur and coincide with no event."""
         del rng
         return [moment for name in cls.candidates(words) if (moment := cls(name)).comes(study)]
 
     def comes(self, study: SimulatedScene) -> bool:
-        """Return whether the moment occurs, and away from events."""
+        """Return whether the moment occurs in the motion, and not close to an event."""
         time = study.time(self)
         return time is not None and is_clear_of_events(time, study.trace)
 
@@ -70,7 +70,7 @@ class Passage(VerbHappening):
         return (self.name,)
 
     def possible(self, mechanism: Mechanism) -> bool:
-        """Return whether a mechanism's subject still qualifies."""
+        """Return whether the mechanism has the subject of the moment, as a changed mechanism may not."""
         return self.name in self.of.names(mechanism)
 
     @property
@@ -219,7 +219,7 @@ class FieldPassage(Passage):
     @classmethod
     @abstractmethod
     def suits(cls, acts: ActingFields) -> bool:
-        """Return whether the moment may be asked for in these fields."""
+        """Return whether a question may ask for a moment of this class if the given fields act on the body."""
 
 
 def initial_rates(state: State, name: str) -> tuple[Array, Array]:

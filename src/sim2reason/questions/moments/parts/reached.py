@@ -50,7 +50,7 @@ class DistanceThreshold(Threshold):
         return np.linalg.norm(Displacement.evaluate(state, self.name), axis=1) - self.value
 
 
-AGAIN = "second "  # before an equation: the second time
+AGAIN = "second "  # before an equation such as *speed of A = 2 m/s*: the second time that it holds
 _TIME = re.compile(r"(?:at\s+)?t\s*=")
 
 
@@ -99,7 +99,7 @@ class Reached(Happening):
         return self.channels
 
     def time(self, trace: Trace) -> float | None:
-        """Return the time, s, of that passage through the value, upwards or downwards; None if there is none."""
+        """Return the time, s, of the first or second passage through the value, rising or falling; else None."""
 
         def excess(state: State) -> Array:
             return self.target.values(state) - self.given.value

@@ -96,7 +96,7 @@ class Peak(Passage):
     exceeded: bool = False  # whether it may be, later
 
     def first(self) -> Self:
-        """Return the first reversal of the function, whether or not it is exceeded later or occurs at the start."""
+        """Return the moment of the function's first maximum, even if it is exceeded later or lies at the start."""
         return replace(self, exceeded=True)
 
     @abstractmethod
@@ -196,7 +196,7 @@ class SpringTurn(Peak):
 
     @property
     def revealed_channels(self) -> tuple[Channel, ...]:
-        """Return all channels of the spring, whose extremes are asked for directly."""
+        """Return all channels of the spring, as their extreme values are asked for by other questions."""
         return tuple(Channel(self.name, found.name) for found in QUANTITIES.values() if found.of.name == self.of.name)
 
     def does(self, words: Words) -> Verb:

@@ -244,7 +244,7 @@ def _ever(question: PosedQuestion, motion: FollowedMotion) -> bool:
 def _askable(
     heard: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
 ) -> Iterator[tuple[StructuredQuestion, str]]:
-    """Yield the structured questions that a question may mean, with units; only the one with an answer, if any."""
+    """Yield the structured questions that a sentence may mean, with units; if the scene answers one, that one only."""
     try:
         plain = of_all(reader, heard, motion, words)
     except TextError:
@@ -294,7 +294,7 @@ def _leads(
 
 
 def _checked(frame: WantedFrame, meant: Understood, motion: FollowedMotion) -> Understood:
-    """Return a meaning after a check of its answer against the scene's number; TextError if the stated sense fails."""
+    """Return a meaning with its answer in the form asked for; TextError if the number changes the other way."""
     answer, path = meant.followed.answer, meant.asked.find
     if frame.compare == VALUE or answer is None:
         return meant

@@ -197,7 +197,7 @@ def _steadily(frame: WantedFrame, condition: StatedCondition, path: str, who: st
 def _thresholds(
     frame: WantedFrame, condition: StatedCondition, rows: Sequence[tuple[str, bool]], path: str, who: str
 ) -> Iterator[Reading]:
-    """Yield the questions for the number at which an outcome changes, for the named subject and for the only one."""
+    """Yield the questions for the number at which an outcome changes, for the named or the only possible subject."""
     least = {LEAST: True, GREATEST: False}.get(frame.end)
     rows = rows[1:] if condition.outcome == ROUND and condition.taut else rows
     for rank, (does, happens) in enumerate(rows):

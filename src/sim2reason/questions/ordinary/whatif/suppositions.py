@@ -136,7 +136,7 @@ _DIMENSIONS = "(?:larger|greater|higher|bigger|more|stronger|smaller|less|lower)
 
 
 class ChangedQuestion(NamedTuple):
-    """A question and its supposed changes, with `compare`, the form of the answer: see `posing`.
+    """A question, the changes of the scene that it supposes, and the form of its answer: ratio, difference or value.
 
     `grows` says whether the sentence presumes that the answer is greater after the change, or less; None for neither.
     """
@@ -217,7 +217,7 @@ def _compared(question: str) -> Iterator[tuple[str, str, bool | None]]:
 
 
 def _by_adverb(question: str) -> Iterator[tuple[str, str, bool | None]]:
-    """Yield the same for comparisons with an adverb: *how many times as far*, *how much later*, *how much larger*."""
+    """Yield the plain question in a comparison such as *how many times as far* or *how much later*, and its form."""
     found = re.fullmatch(
         r"how many times (?:as (?:large|great|high|big|strong|long)|larger|greater) (?:would|will) (?P<x>.+) be",
         question,

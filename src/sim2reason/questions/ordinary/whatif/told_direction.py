@@ -142,7 +142,7 @@ def _of_value(text: str) -> ToldDirection | None:
 
 
 def directed(frames: Iterable[WantedFrame], told: ToldDirection, heard: TokenizedSentence) -> Iterator[WantedFrame]:
-    """Yield the frames whose number the hint concerns, together with the hint."""
+    """Yield the parsed questions whose number a hint such as *heavier* concerns, with the direction it implies."""
     for frame in frames:
         owners = frame.number.owners or ((heard.subject(frame.subject),) if frame.subject else ())
         of_it = not told.thing or not owners or heard.subject(told.thing) in owners

@@ -100,7 +100,7 @@ def _with_only_subject(heard: TokenizedSentence, words: Words) -> TokenizedSente
 
 
 def _compared(asked: ChangedQuestion, before: SimulatedAnswer, after: SimulatedAnswer) -> SimulatedAnswer:
-    """Return an answer compared with that before the change; TextError if the question presumes the other sign."""
+    """Return an answer compared with that before the change; TextError if it changes in the unpresumed direction."""
     now, then = before.answer or 0.0, after.answer or 0.0
     if asked.grows is not None and (abs(then) > abs(now)) != asked.grows:
         raise TextError("question", "it is not so: it changes the other way", "ask by how much it changes")

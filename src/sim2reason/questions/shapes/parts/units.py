@@ -10,7 +10,7 @@ from sim2reason.text.prose.description import Description
 from sim2reason.text.prose.phrases import paragraphs
 
 _END = re.compile(r"(?:(?<=[.?])|(?<=[.?]\)))\s+(?=[A-Z(])")
-QUESTION = 2  # greatest number of sentences
+QUESTION = 2  # greatest number of sentences of a question
 ASKS = re.compile(r"(?:What|How|By how much|Find|Determine|Calculate)\b")
 
 

@@ -40,7 +40,7 @@ def movable_pulleys(mechanism: Mechanism) -> tuple[str, ...]:
 
 
 def carried(mechanism: Mechanism, name: str | None) -> str | None:
-    """Return the sliding body for a wheel on it; None for a fixed point."""
+    """Return the sliding body that a body is or is mounted on, as a wheel is; None for a fixed point."""
     while name is not None and not any(c.kind == "slide" for c in mechanism.body[name].coordinates):
         name = mechanism.body[name].parent
     return name
@@ -80,7 +80,7 @@ class _Holding:
 
 
 def _runs(mechanism: Mechanism, frames: Frames) -> Iterator[tuple[Line, str | None, str | None]]:
-    """Yield every straight piece of a line with the objects at its lower and upper end; both ways if not vertical."""
+    """Yield straight pieces of lines with the bodies at the lower and upper end; in both orders if not vertical."""
     for line in mechanism.lines:
         for one, other in pairwise(line.through):
             ends = [carried(mechanism, mechanism.site[site].body) for site in (one, other)]

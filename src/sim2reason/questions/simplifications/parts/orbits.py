@@ -111,7 +111,7 @@ def with_velocities(trace: Trace, velocity: Told) -> Trace:
 
 
 def with_accelerations(trace: Trace, acceleration: Told) -> Trace:
-    """Return the same motion with other accelerations."""
+    """Return a motion with the given positions and velocities, but other accelerations."""
     found = orbits(trace.mechanism)
     return _retold(trace, lambda state: (state.v, _told(state, found, acceleration)))
 

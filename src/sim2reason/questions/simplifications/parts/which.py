@@ -47,7 +47,7 @@ def carriers(mechanism: Mechanism) -> tuple[str, ...]:
 
 
 def _led(mechanism: Mechanism) -> set[str]:
-    """Return the sites that lines pass between their ends, as over a pulley."""
+    """Return the names of the points between their ends that lines pass, as at a pulley."""
     return {site for line in mechanism.lines for site in line.through[1:-1]}
 
 
@@ -79,7 +79,7 @@ class OtherFigure(Misconception):
     overlooked: ClassVar[Overlooked]
 
     def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
-        """Return the bodies that can rotate and have such a simplified shape."""
+        """Return the bodies that can rotate and whose shape has the part that this misconception overlooks."""
         del query
         bodies = study.scene.bodies
         return [
