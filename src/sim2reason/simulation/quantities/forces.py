@@ -241,7 +241,7 @@ class RodForce(Quantity):
 
 @quantity
 class RodPull(Quantity):
-    """The force in a light rod that holds a small body on a moving axle; in structured questions only, never drawn."""
+    """The force in a light rod that holds a small body on a moving axle; for structured questions, not for recipes."""
 
     name, unit, symbol = "rod pull", "N", "T"
     of = SuspendedBodies()

@@ -1,4 +1,4 @@
-"""The shape of the orbit of a body about a fixed one: used in structured questions only, and never drawn."""
+"""The shape of the orbit of a body about a fixed one: for structured questions only, not drawn by recipes."""
 
 import numpy as np
 

@@ -102,7 +102,7 @@ UPRIGHT = 1.0 - 1e-9  # vertical component of a direction that counts as vertica
 
 @quantity
 class Height(Quantity):
-    """The height of a flying body above the ground; used only in structured questions, and never drawn."""
+    """The height of a flying body above the ground; for structured questions only, not drawn by recipes."""
 
     name, unit, symbol = "height above the ground", "m", "h"
     of = Bodies()

@@ -89,7 +89,7 @@ def moves_in_plane(mechanism: Mechanism, name: str) -> bool:
 
 
 def _of_path(path: CenterPath) -> list[Sense]:
-    """Return the senses with English names; right is included only if the text fixes it by a label."""
+    """Return the directions up, or up the slope, of a centre of mass that can rise; none for any other path."""
     if not path.rises:
         return []
     if not path.straight:
