@@ -208,7 +208,7 @@ class Measure:
 
     @property
     def noun(self) -> str:
-        """Return the name in a question; a number in degrees is an angle."""
+        """Return the name of the number in a question: `called`, else *angle* for a unit of degrees, else `name`."""
         return self.called or ("angle" if self.unit == "deg" else self.name)
 
     def of(self, owner: object) -> "Measure":

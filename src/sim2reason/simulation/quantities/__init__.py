@@ -123,7 +123,10 @@ class Quantity(ABC):
         return True
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether questions may ask for it of a subject, as for friction on a rough face; by default True."""
+        """Return whether questions may ask for the quantity of a subject, as for friction if the face is rough.
+
+        By default True.
+        """
         del mechanism, name
         return True
 

@@ -252,7 +252,7 @@ class ConstantEquations:
         return StopReason(soonest, tuple(margin for time, margin in due if time <= soonest + TIE))
 
     def _changes(self, instant: Instant, found: Balance) -> list[tuple[float, Margin]]:
-        """Return the times at which constraints tighten, contacts stop sliding and pairs collide, with the margins."""
+        """Return the times, s, at which constraints tighten, sliding stops or pairs collide, with event functions."""
         due: list[tuple[float, Margin]] = []
         for number in range(len(self._rows)):
             if not found.mode.acting[number]:
