@@ -14,7 +14,7 @@ V = TypeVar("V")
 
 
 def lookup(value: Any, path: str) -> Any:
-    """Return the value at an address below a value; raise SceneError at the first invalid step."""
+    """Return the value at an address within a value; raise SceneError at the first invalid step."""
     walked: list[str] = []
     for step in path.split("."):
         walked.append(step)

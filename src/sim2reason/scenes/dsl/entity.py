@@ -76,7 +76,7 @@ class Part(Model):
         return any(value in words[name].special for name in used)
 
     def build(self, room: Frame) -> None:
-        """Build the bodies and their possible motions by the methods of the frame.
+        """Add the bodies of the part and their possible motions to a mechanism, by the methods of `room`.
 
         Args:
             room: Frame of the room, or of the body that carries the part.

@@ -72,7 +72,7 @@ class Count:
 
 @dataclass(frozen=True, slots=True)
 class Chance:
-    """The probability with which an optional part is drawn if no recipe chooses; without one it never is.
+    """The probability with which an optional part is drawn if no recipe chooses; without this mark, it never is.
 
     Attributes:
         likelihood: Probability, from 0 to 1.

@@ -302,7 +302,7 @@ class Scene(Model):
         return self.having_all({path: value})
 
     def having_all(self, values: Mapping[str, object]) -> "Scene":
-        """Return the scene with other values at some addresses, validated once; see `having`.
+        """Return the scene with other values at several addresses, validated once, when all are set.
 
         Args:
             values: New values by address.

@@ -50,7 +50,7 @@ class AxisCoordinate(Quantity):
 
 @quantity
 class XCoordinate(AxisCoordinate):
-    """The x coordinate of a body whose x coordinate at the start the text states."""
+    """The x coordinate of a body, if the text states its initial x coordinate."""
 
     name, symbol = "x coordinate", "x"
     axis = "x"
@@ -64,7 +64,7 @@ class XCoordinate(AxisCoordinate):
 
 @quantity
 class YCoordinate(AxisCoordinate):
-    """The y coordinate of a body whose y coordinate at the start the text states."""
+    """The y coordinate of a body, if the text states its initial y coordinate."""
 
     name, symbol = "y coordinate", "y"
     axis = "y"

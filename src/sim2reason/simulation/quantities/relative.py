@@ -105,7 +105,7 @@ class RiderDisplacement(CarriedBodyQuantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return q in m, which is zero at the start, (n,)."""
+        """Return the coordinate of the body on its carrier in m, zero at the start, (n,)."""
         return _own(state.q, state, subject)
 
 
@@ -117,7 +117,7 @@ class RiderVelocity(CarriedBodyQuantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return q̇ in m/s, (n,)."""
+        """Return the rate of the coordinate of the body on its carrier in m/s, (n,)."""
         return _own(state.v, state, subject)
 
 
@@ -129,7 +129,7 @@ class RiderAcceleration(CarriedBodyQuantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return q̈ in m/s², (n,)."""
+        """Return the second derivative of the coordinate of the body on its carrier in m/s², (n,)."""
         return _own(state.a, state, subject)
 
 

@@ -43,7 +43,7 @@ class Flips:
     rubbing: list[tuple[int, int]] = field(default_factory=list[tuple[int, int]])
 
     def count(self) -> int:
-        """Return the number of changes."""
+        """Return the number of changes of rows and contacts."""
         return len(self.rows) + len(self.rubbing)
 
     def apply(self, mode: ContactMode) -> ContactMode:

@@ -150,7 +150,7 @@ def find_damped_modes(time: float, start: Array, slopes: Exact, base: Array) -> 
 
 
 def _scaled(slopes: Exact, size: Fraction) -> list[list[Fraction]]:
-    """Return the matrix of the first-order system x' = A x, with time measured in units of `size`."""
+    """Return the matrix A of x' = A x for the coordinates and the rates divided by `size`, an inverse time."""
     n = len(slopes)
     above = [[size * (column == n + row) for column in range(2 * n)] for row in range(n)]
     return [*above, *([*(part / size for part in row[:n]), *row[n:]] for row in slopes)]

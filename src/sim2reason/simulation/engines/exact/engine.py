@@ -60,7 +60,7 @@ def motion(mechanism: Mechanism, duration: float, tolerance: float = FINEST) -> 
 
 
 class _Run(Settling):
-    """A motion under construction, extended from event to event."""
+    """A motion under construction: the present state and the segments so far, extended from event to event."""
 
     def finished(self) -> Motion:
         """Return the complete motion; raise SimulationError if it takes too many events or operations."""

@@ -44,7 +44,7 @@ class RowTerms:
 
 @dataclass(slots=True)
 class Separation:
-    """The gap of a collision pair, with the gradient, rate and bias of its change."""
+    """The gap of a collision pair, with its gradient, rate, and second derivative at q̈ = 0 (bias)."""
 
     gap: Number
     rate: Number

@@ -91,7 +91,10 @@ class Formulas:
 
     @cached_property
     def sampled_forces(self) -> Callable[..., tuple[Any, ...]]:
-        """Return the function that evaluates a, rows, normal and friction on arrays of samples, generated on demand."""
+        """Return the function for accelerations, constraint, normal and friction forces on arrays of samples.
+
+        Its code is generated on demand.
+        """
         return self.write_forces()(np)
 
     @cached_property

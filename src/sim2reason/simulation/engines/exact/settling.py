@@ -181,7 +181,7 @@ class Settling:
     # -- forces ----------------------------------------------------------------------------------
 
     def settle(self, instant: Instant, snapped: set[int], rates: Sequence[float]) -> Balance | None:
-        """Compute the forces, record changes of contact; None at the end. `rates` are of rows before impacts."""
+        """Compute the forces, record changes of contact; None at the end. `rates`: of row lengths before impacts."""
         before = self.mode
         found = self.balance(instant, snapped, rates)
         touching = (i for i, near in enumerate(instant.pairs) if near.touching)
@@ -210,7 +210,7 @@ class Settling:
         return None
 
     def balance(self, instant: Instant, snapped: set[int], rates: Sequence[float] | None) -> Balance:
-        """Compute the forces; rows and contacts whose event is due act, stick or slip as the event requires.
+        """Compute the forces, with rows and contacts whose event has just occurred in the state after that event.
 
         `rates` are those of rows before any impact; None if no row is tight.
         """

@@ -43,7 +43,7 @@ def run(mechanism: Mechanism, times: Array) -> Trace:
 
 
 class ConstantLoop:
-    """A motion under construction, extended from event to event."""
+    """A motion under construction: the present state and the steps so far, extended from event to event."""
 
     def __init__(self, mechanism: Mechanism, duration: float) -> None:
         """Compile the mechanism and set its initial state."""

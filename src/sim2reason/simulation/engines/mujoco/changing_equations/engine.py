@@ -123,7 +123,7 @@ class EventDrivenLoop(InstantSolver):
                 self.events.append(Event(when, "turn", (coordinate.name,)))
 
     def _happen(self, due: list[EventMargin]) -> bool:
-        """Apply the events that are due; return False if one ends the motion."""
+        """Apply the events that have been reached; return False if one ends the motion."""
         together = any(each.kind == "reach" for each in due)  # what two points at one place seem to do is nothing
         for each in due:
             number = each.number
