@@ -171,7 +171,7 @@ class Frames:
         return found
 
     def pieces(self, line: Line) -> tuple[Distance, ...]:
-        """Return the straight segments of a line, from end to end; raises as `distance` does."""
+        """Return the straight segments of a line, end to end; ZeroDivisionError if the ends of one coincide."""
         found = self._pieces.get(line.name)
         if found is None:
             found = tuple([self.distance(first, last) for first, last in pairwise(line.through)])
