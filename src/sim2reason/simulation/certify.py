@@ -81,7 +81,7 @@ class Certificate:
         return f"<Certificate: {' and '.join(self.engines)} agree {until} within {self.tolerance:g} on {channels}>"
 
     def __str__(self) -> str:
-        """Return the same with the largest difference, the matched events and the reason for an early end."""
+        """Return the line of `repr`, the largest difference, the matched events and the reason for an early end."""
         lines = [repr(self)[1:-1]]
         if self.agreement:
             worst = max(self.agreement, key=lambda channel: self.agreement[channel])
@@ -252,7 +252,7 @@ class _Table:
     """The relative differences of all channels between two motions, at the compared samples."""
 
     def __init__(self, recorded: State, witness: State, living: Flags, heard: Flags, tolerance: float) -> None:
-        """Select the samples that set the scales (`living`) and those that are compared (`heard`)."""
+        """Store both motions; `living` marks the samples that set a channel's scale, `heard` the compared ones."""
         self.tolerance = tolerance
         self.agreement: dict[Channel, float] = {}
         self.until: dict[Channel, float] = {}

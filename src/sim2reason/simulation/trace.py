@@ -123,7 +123,7 @@ class Trace:
         return f"<Trace by the {self.engine} engine: {count}, {samples}, {events}, {until}>"
 
     def __str__(self) -> str:
-        """Return the same with a line for each of the first events, and the reason if the motion ends early."""
+        """Return the line of `repr`, a line for each of the first events, and the reason if the motion ends early."""
         unit, more = self.mechanism.units.time, len(self.events) - SHOWN
         events = [f"  {e.time:.6g} {unit}: {e.kind} ({', '.join(e.subjects)})" for e in self.events[:SHOWN]]
         rest = [f"  and {counted(more, 'more event')}"] if more > 0 else []
@@ -207,7 +207,7 @@ class Trace:
 
     @cached_property
     def scan(self) -> State:
-        """Return the motion at the knots of the engine, on both sides of every event, and at instants between them.
+        """Return the motion at the ends of the engine's steps, on both sides of every event, and at instants between.
 
         No quantity turns more than once between two neighbours, so that searches need no finer steps.
         """

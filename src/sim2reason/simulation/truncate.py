@@ -51,15 +51,15 @@ class Column(NamedTuple):
     change: bool = False  # whether the difference between successive samples is judged
 
     def values(self, state: State, chosen: Flags) -> Array:
-        """Return the judged values at chosen samples; a difference is assigned to the later of its two samples."""
+        """Return the values at the chosen samples, or their rates of change if those are tested for jumps."""
         read = self.read(state)[chosen]
         return np.diff(read) / np.diff(state.times[chosen]) if self.change else read
 
 
 def truncate(trace: Trace, window: int = WINDOW) -> Trace:
-    """Return the trace, truncated at the first outlier by the rule of the paper.
+    """Return the trace, truncated at the first sample of a force or acceleration that deviates 5σ from its mean.
 
-    The rule: over a window, max |aᵢ − µ| ≥ 5σ. It is applied to every acceleration and force in
+    The rule of the paper: over a window, max |aᵢ − µ| ≥ 5σ. It is applied to every acceleration and force in
     the trace, events or no events. Raises ValueError for a window in which it can't fire.
     """
     times = trace.state.times
@@ -77,7 +77,7 @@ def truncate(trace: Trace, window: int = WINDOW) -> Trace:
 
 
 def alarms(trace: Trace, window: int = WINDOW) -> tuple[Alarm, ...]:
-    """Return the unmodelled transitions that both rules find between the events of a trace, in order of time."""
+    """Return the jumps that the 5σ or the third-difference rule finds between the events of a trace, in order."""
     found: list[Alarm] = []
     times = trace.state.times
     for start, stop in _segments(trace):

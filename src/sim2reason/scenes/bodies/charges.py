@@ -66,7 +66,7 @@ class BeadStart(Body):
 
     @property
     def look(self) -> Unseen:
-        """Return the drawn shape: its velocity is drawn at the bead."""
+        """Return the empty drawn shape, since the figure draws the velocity at the bead."""
         return Unseen()
 
 

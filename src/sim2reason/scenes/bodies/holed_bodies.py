@@ -53,12 +53,12 @@ class BoredCylinder(Shape):
 
     @property
     def solid(self) -> Solid:
-        """Return a disc without the hole, since the length has no effect on rotation about the axis."""
+        """Return a disc minus its hole, since the length has no effect on rotation about the axis."""
         return (disc(self.radius) - disc(self.hole).moved((self.offset, 0.0, 0.0))).turned(self.seen)
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """Return the simplified figures: a disc without the hole."""
+        """Return the simplified figures: a full disc, which ignores the hole."""
         return {"hole": disc(self.radius).turned(self.seen)}
 
     @property
@@ -99,12 +99,12 @@ class SphereWithHole(Shape):
 
     @property
     def solid(self) -> Solid:
-        """Return the ball without the hole, with the ball's centre as origin."""
+        """Return the ball minus its hole, with the ball's centre as origin."""
         return ball(self.radius) - ball(self.hole).moved((0.0, 0.0, self.offset))
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """Return the simplified figures: a ball without the hole."""
+        """Return the simplified figures: a full ball, which ignores the hole."""
         return {"hole": ball(self.radius)}
 
     @property
@@ -146,14 +146,14 @@ class HollowSphereWithHole(Shape):
 
     @property
     def solid(self) -> Solid:
-        """Return the wall without the opening, with the sphere's centre as origin."""
+        """Return the spherical wall minus its opening, with the sphere's centre as origin."""
         inner = self.radius - self.thickness
         cut = lens(self.radius, self.hole, self.offset) - lens(inner, self.hole, self.offset)
         return ball(self.radius) - ball(inner) - cut
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """Return the simplified figures: a hollow sphere without the opening."""
+        """Return the simplified figures: a complete hollow sphere, which ignores the opening."""
         return {"hole": ball(self.radius) - ball(self.radius - self.thickness)}
 
     @property

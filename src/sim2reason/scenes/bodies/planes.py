@@ -139,7 +139,7 @@ class Track(Body):
         return (cos(slope), 0.0, sin(slope))
 
     def carry(self, frame: Frame, speed: float = 0.0, stated: tuple[str, float] | None = None) -> Frame:
-        """Let a body move along the track with an initial speed, m/s; for `stated` see `Frame.slide`."""
+        """Let a body move along the track with an initial speed, m/s; the text may state its position by `stated`."""
         return frame.slide(self.along, speed, name="right", stated=stated)
 
 
@@ -154,7 +154,7 @@ class RoughTrack(Track):
     words = {**Track.words, "surface": Smoothness}
 
     def carry(self, frame: Frame, speed: float = 0.0, stated: tuple[str, float] | None = None) -> Frame:
-        """Let a body move along the track with an initial speed, m/s; friction needs the normal direction."""
+        """Let a body move along the track, with friction if it is rough, with an initial speed, m/s."""
         if self.friction == 0.0:
             return super().carry(frame, speed, stated)
         slope = radians(self.angle)

@@ -163,7 +163,7 @@ class HollowSphere(Shape):
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """Return the same sphere with a thin wall: the moment of inertia is 2mR²/3."""
+        """Return the simplified figures: a sphere with a thin wall, with the moment of inertia 2mR²/3."""
         return {"wall": sphere_surface(self.radius)}
 
     @property

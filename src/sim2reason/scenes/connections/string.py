@@ -146,7 +146,7 @@ def clause(port: SitePort, way: str = OVER) -> str:
 
 
 def passing_preposition(stops: Sequence[Stop], index: int, builder: Builder) -> str:
-    """Return the preposition for a pulley of a stop; derived from the neighbours if its sides have no direction."""
+    """Return the preposition (over, under, round) for a pulley, from its neighbours if its sides have no direction."""
     if not isinstance(stops[index].port, Pass) or any(builder.faces[site] for site in stops[index].sites):
         return OVER
     turn = travelled_sites(stops[index - 1], first=index == 1)[-1], travelled_sites(stops[index + 1], first=False)[0]
@@ -154,7 +154,10 @@ def passing_preposition(stops: Sequence[Stop], index: int, builder: Builder) -> 
 
 
 def string_names(sentences: Iterable[str]) -> tuple[str, ...]:
-    """Return the phrases for the next string after the given sentences; strings in a row of blocks do not count."""
+    """Return the phrases that may introduce the next string, such as *a third light string*, after these sentences.
+
+    Strings in a row of blocks do not count.
+    """
     text = " ".join(sentences)
     count = len(_ONE.findall(text))
     return FURTHER_PHRASES if "light strings" in text or count >= len(ORDINAL_PHRASES) else ORDINAL_PHRASES[count]
@@ -167,7 +170,7 @@ def _worth(stop: Stop) -> int:
 
 
 def travelled_sites(stop: Stop, *, first: bool) -> tuple[str, ...]:
-    """Return the sites of a stop in the order of travel; an end is listed from the inside out."""
+    """Return a stop's sites in the order in which the string runs; an end lists them from the inside out."""
     return stop.sites if first or not isinstance(stop.port, StringEnd) else stop.sites[::-1]
 
 
@@ -190,7 +193,7 @@ def redirections(stops: Sequence[Stop], builder: Builder) -> list[tuple[str, str
 
 
 def winding(turn: tuple[str, str], builder: Builder) -> str:
-    """Return the preposition for a fixed pulley: over, under or round, according to the bend of the string.
+    """Return the preposition for a fixed pulley between two sites: over, under or round, by the bend of the string.
 
     The string passes over if it rises to the pulley on a side and on none descends to it, whatever the angles are: the
     preposition does not reveal them. If it rises and continues upward, or stays horizontal, it passes round.
@@ -208,7 +211,7 @@ def join_verbs(verbs: list[str]) -> str:
 
 
 def after(before: str, verb: str) -> str:
-    """Return a verb phrase in the form used after another one."""
+    """Return a verb phrase as it follows another: *passes over* after *passes over* becomes *then over*."""
     for (one, other), onward in CONTINUATIONS.items():
         if before.startswith(one) and verb.startswith(other):
             return onward + verb.removeprefix(other)
@@ -238,7 +241,7 @@ class SentenceParser(Generic[S]):
                         yield told
 
     def _opened(self, opening: str, state: S, *, hangs: bool) -> Iterator[ParsedSentence[S]]:
-        """Yield all readings with one opening, for ends with a hanging body or for other ends."""
+        """Yield all readings of a sentence with this opening, for ends with a hanging body (`hangs`) or for others."""
         start, rest = opening.split("{tied}")
         between, self._end = rest.split("{verbs}")
         at = self._matcher.literal(self._text, 0, start)
@@ -263,7 +266,7 @@ class SentenceParser(Generic[S]):
     def _on(
         self, at: int, leg: Leg[S], links: tuple[Link, ...], owned: tuple[str, ...], before: str
     ) -> Iterator[ParsedSentence[S]]:
-        """Yield the readings of the verbs from `at` on: the other stops of this leg, then of the following legs."""
+        """Yield the readings of the text from index `at` on, as a string through the rest of `leg` and beyond."""
         if leg.stops:
             yield from self._next(at, leg, links, owned, before)
         elif not leg.last:
@@ -291,7 +294,7 @@ class SentenceParser(Generic[S]):
                 yield from self._next(end, replace(leg, state=then), links, (*owned, address), passed)
 
     def _verb(self, at: int, verb: str, before: str, state: S, owner: str, *, final: bool) -> Iterator[tuple[int, S]]:
-        """Yield the readings of one verb phrase with its conjunction."""
+        """Yield the readings of one verb phrase, with the comma or *and* that joins it to the phrase before."""
         said, comma = (after(before, verb), " and " if final else ", ") if before else (verb, "")
         begin = self._matcher.literal(self._text, at, comma)
         if begin is None:

@@ -14,7 +14,7 @@ V = TypeVar("V")
 
 
 def lookup(value: Any, path: str) -> Any:
-    """Return the value at an address below a value; raise SceneError at the first invalid step."""
+    """Return the value at an address within a value; raise SceneError at the first invalid step."""
     walked: list[str] = []
     for step in path.split("."):
         walked.append(step)
@@ -33,7 +33,7 @@ def _members(value: Any) -> dict[str, Any]:
 
 
 def with_values(value: V, news: Mapping[str, object]) -> V:
-    """Return a copy with other values at some addresses, validated once; None in a tuple removes a member."""
+    """Return a copy of a value with `news` at addresses within it, validated once; None in a tuple removes a member."""
     here, below = dict[str, object](), dict[str, dict[str, object]]()
     for path, new in news.items():
         step, _, rest = path.partition(".")
@@ -51,12 +51,12 @@ def with_values(value: V, news: Mapping[str, object]) -> V:
 
 
 def used_ports(paths: Iterable[Sequence[Link]]) -> set[tuple[str, str]]:
-    """Return the entity and port names of all links of some connections."""
+    """Return the entity and port names to which the links of some connections lead."""
     return {(link.entity, link.port) for link in chain.from_iterable(paths)}
 
 
 def idle_fields(named: Named, used: set[tuple[str, str]]) -> Iterator[tuple[str, str]]:
-    """Yield the given fields that no connected port needs, each with one of the open ports."""
+    """Yield each optional field that is given although only open ports need it, with one of these ports."""
     needed: dict[str, list[str]] = {}
     for name, port in outer_ports(type(named.entity)).items():
         if port.needs:

@@ -232,7 +232,7 @@ class Body(Model):
 
     @classmethod
     def introduced_words(cls) -> tuple[Word, ...]:
-        """Return the words in every introduction, whose special values need no other statement."""
+        """Return the words, such as *smooth*, in every introduction; their special values need no other statement."""
         return tuple(
             word
             for name, word in cls.words.items()

@@ -104,7 +104,7 @@ class Frame:
         name: str = "slide",
         stated: tuple[str, float] | None = None,
     ) -> "Frame":
-        """Add a coordinate along `axis`; the text may state its initial value by `stated`."""
+        """Add a coordinate along `axis`; `stated` is the label and initial value by which a text states a position."""
         own, way = self._own(), unit(axis)
         self._builder.add_coordinate(Coordinate(f"{own}.{name}", own, name, "slide", way, speed, *limits, stated))
         return self
@@ -175,7 +175,7 @@ class Frame:
         return self
 
     def site(self, name: str, at: Vector = ZERO, faces: Vector | None = None) -> "Frame":
-        """Add a point of this body for strings; `faces` is the direction in which one must leave, None for any."""
+        """Add a point of this body for strings, which leave it in the direction `faces`, or in any if that is None."""
         self._builder.add_site(self.address(name), self.name, add(self.at, at), faces)
         return self
 

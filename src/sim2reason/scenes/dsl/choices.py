@@ -19,7 +19,7 @@ SPECIAL = 0.2  # probability of a value stated by a word, such as smooth or hori
 
 
 def choices(cls: type[Model], rng: np.random.Generator) -> dict[str, Choice]:
-    """Return random choices for a class and for all classes that it can contain."""
+    """Return probabilities of optional fields and some special numbers, for a class and all that it can contain."""
     found = chances(cls)
     for model in reachable(cls):
         for name, kind in field_types(model).items():
@@ -69,7 +69,7 @@ PORT_PROBABILITY = 0.5  # probability of a connection at an optional port
 
 @dataclass(frozen=True, slots=True)
 class Option:
-    """A connection that can close a port, with the ports of the other entities before and behind it."""
+    """A connection that can join an open port, with the ports of other entities before and behind it on the path."""
 
     kind: type[Connection]
     before: tuple[tuple[type[Entity], str], ...]
@@ -77,7 +77,7 @@ class Option:
 
     @property
     def partners(self) -> tuple[type[Entity], ...]:
-        """Return the classes of the other entities."""
+        """Return the classes of the entities at the other ports of the connection."""
         return tuple(cls for cls, _ in (*self.before, *self.behind))
 
 
@@ -111,7 +111,7 @@ class _Scene:
     connections: list[Connection] = field(default_factory=list[Connection])
 
     def close(self, link: Link, option: Option, rng: np.random.Generator) -> None:
-        """Add a connection and its other entities."""
+        """Add the connection `option` at the open port `link`, with random entities at its other ports."""
         before = [self._add(*partner, rng) for partner in option.before]
         behind = [self._add(*partner, rng) for partner in option.behind]
         given = {"links": (*before, link, *behind)}

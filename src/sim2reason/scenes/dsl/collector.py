@@ -107,7 +107,7 @@ class Collector:
         self._origin[body.name] = add(self._origin[body.parent], body.at)
 
     def add_coordinate(self, coordinate: Coordinate) -> None:
-        """Add a coordinate to its body unless it is glued; raise SceneError if the body is welded."""
+        """Add a coordinate to its body unless that is glued to its parent; raise SceneError if the body is welded."""
         found = self._bodies[coordinate.body]
         welded = self._is_welded(found)
         if welded and coordinate.speed != 0.0:
@@ -136,7 +136,7 @@ class Collector:
         self._sites[name] = Site(name, body, self.relative(body, where))
 
     def add_pulley(self, name: str, pulley: Rim) -> Rim:
-        """Add a pulley that strings rotate; if it is glued they slide."""
+        """Add a pulley, which strings rotate; if it is glued, strings slide over it."""
         kept = replace(pulley, coordinate=None) if name in self._glued else pulley
         self._rims[pulley.left, pulley.right] = kept
         return kept

@@ -31,7 +31,7 @@ class Link(Model):
     flipped: bool = False
 
     def __str__(self) -> str:
-        """Return the link as in messages."""
+        """Return the link as messages show it: the entity and the port, joined by a dot."""
         return f"{self.entity}.{self.port}"
 
 
@@ -57,7 +57,7 @@ class SentenceWriter(Protocol):
 
     @property
     def finished(self) -> tuple[str, ...]:
-        """Return all earlier sentences."""
+        """Return all earlier sentences of the text."""
         ...
 
 
@@ -70,11 +70,11 @@ class SentenceState(Protocol):
         ...
 
     def with_choice(self, number: int) -> Self:
-        """Return the state with one more chosen wording."""
+        """Return the state with the index of one more chosen wording."""
         ...
 
     def with_kind(self, address: str, kind: type[Model]) -> Self:
-        """Return the state with the class of the value at an address."""
+        """Return the state with the class of the body or connection at an address."""
         ...
 
     def with_value(self, address: str, value: StatedValue) -> Self | None:
@@ -99,7 +99,7 @@ class Routes(Protocol[S]):
     """The protocol of the ports that a connection's sentence may name next."""
 
     def legs(self, kind: "type[Connection]", state: S, links: tuple[Link, ...]) -> Iterator[Leg[S]]:
-        """Return all legs by which a kind of connection can continue after `links`, or begin if there are none."""
+        """Return the ports to which a kind of connection can continue after `links`, or where it can begin if none."""
         ...
 
 
@@ -114,11 +114,11 @@ class SentenceMatcher(Protocol[S]):
         ...
 
     def literal(self, text: str, at: int, wanted: str) -> int | None:
-        """Return the index behind `wanted` if the text has it at index `at`, else None."""
+        """Return the index after `wanted` if the text contains it at index `at`, else None."""
         ...
 
     def template(self, text: str, at: int, template: str, owner: str, state: S) -> Iterator[tuple[int, S]]:
-        """Yield all readings of a template of the part at `owner` at index `at`."""
+        """Yield all readings of the text from index `at` as a template of the part at `owner`: end index and state."""
         ...
 
 
@@ -144,7 +144,7 @@ class Connection(Model):
 
     @classmethod
     def admits(cls, port: Port, index: int, last: int) -> bool:
-        """Return whether the link at `index` may be a port of this type."""
+        """Return whether the connection's link at `index` may lead to this port; `last` is the largest index."""
         del index, last
         return isinstance(port, cls.joins)
 

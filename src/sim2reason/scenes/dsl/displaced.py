@@ -57,7 +57,7 @@ class _Displaced:
         self.began = Frames(mechanism, rest, rest, math, still=True)
 
     def body(self, body: RigidBody) -> RigidBody:
-        """Return the body with its frame aligned with the room."""
+        """Return the body at its new position, with the axes of its frame parallel to those of the room."""
         frame, carrier = self.frames[body.name], self.frames[body.parent]
         return replace(
             body,
@@ -85,7 +85,7 @@ class _Displaced:
         )
 
     def site(self, site: Site) -> Site:
-        """Return the site in the new frame of its body."""
+        """Return the site in the new frame of its body, whose axes are parallel to those of the room."""
         return replace(site, at=self.frames[site.body].turned(site.at)) if site.body is not None else site
 
     def face(self, face: SurfaceContact) -> SurfaceContact:
@@ -94,7 +94,7 @@ class _Displaced:
         return replace(face, normal=self.frames[carrier].turned(face.normal))
 
     def line(self, line: Line) -> Line:
-        """Return the line with remaining slack and wound length moved into its law."""
+        """Return the line with a law that accounts for the slack that remains and the length wound onto pulleys."""
         return replace(line, law=self._law(line))
 
     def _law(self, line: Line) -> LineLaw:

@@ -69,14 +69,14 @@ class Part(Model):
 
     @classmethod
     def is_stated_by_word(cls, parameter: str, value: object) -> bool:
-        """Return whether a word in the lines states a number specially, so that no other line needs to."""
+        """Return whether a special word in the lines, as *smooth* for 0, states a number, so that no other must."""
         words = {name: word for name, word in cls.words.items() if word.parameter == parameter}
         lines = [line for saying in cls.says if not isinstance(saying, PartLines) for line in variants(saying)]
         used = {name for name in words for line in lines if all(f"{{{name}}}" in template for template in line)}
         return any(value in words[name].special for name in used)
 
     def build(self, room: Frame) -> None:
-        """Build the bodies and their possible motions by the methods of the frame.
+        """Add the bodies of the part and their possible motions to a mechanism, by the methods of `room`.
 
         Args:
             room: Frame of the room, or of the body that carries the part.
@@ -215,7 +215,7 @@ def outer_ports(cls: type[Part]) -> Mapping[str, Port]:
 
 
 def stops_of(part: Part, name: str, address: str, *, flipped: bool = False) -> list[Stop]:
-    """Return a port of an instance as its stops, from the inside out."""
+    """Return the stops of the port `name` of a part, several for a chain of ports, from the inside out."""
     head, _, rest = name.partition(".")
     if rest:
         return stops_of(getattr(part, head), rest, f"{address}.{head}", flipped=flipped)
@@ -316,7 +316,7 @@ def declared_numbers(cls: type[Part]) -> set[str]:
 
 
 def stated_numbers(cls: type[Part], slot: Slot) -> set[str]:
-    """Return the declared numbers that a slot states; raise TypeError for an invalid path."""
+    """Return the declared numbers that a placeholder (slot) of a template states; TypeError for an invalid path."""
     if slot.kind in ("text", "agree", "some", "count", "plural"):
         if slot.path and slot.path.split(".")[0] not in cls.model_fields:
             raise TypeError(f"{cls.__name__}: {slot.path!r} is not declared")
@@ -338,7 +338,7 @@ def stated_numbers(cls: type[Part], slot: Slot) -> set[str]:
 
 
 def _texts(word: Word) -> tuple[str, ...]:
-    """Return all texts of a word."""
+    """Return the texts of a word for its special values, and the one for all other values."""
     return (*word.special.values(), *((word.otherwise,) if word.otherwise else ()))
 
 

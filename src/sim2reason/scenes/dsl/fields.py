@@ -148,7 +148,7 @@ class Push:
         return self.profile.uniform
 
     def moved(self, by: Vector) -> "Push":
-        """Return the law about another origin."""
+        """Return the law with its origin displaced by `by`, m."""
         return replace(self, profile=self.profile.moved(by))
 
 
@@ -186,7 +186,7 @@ class Magnetic:
         return False
 
     def moved(self, by: Vector) -> "Magnetic":
-        """Return the law about another origin."""
+        """Return the law with its origin displaced by `by`, m."""
         return replace(self, profile=self.profile.moved(by))
 
 
@@ -261,7 +261,7 @@ class Central:
         return False
 
     def moved(self, by: Vector) -> "Central":
-        """Return the law about another origin."""
+        """Return the law with its origin displaced by `by`, m."""
         return replace(self, center=add(self.center, by))
 
 

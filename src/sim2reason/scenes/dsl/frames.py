@@ -91,7 +91,7 @@ class BodyFrame:
         return Point(place, velocity, bias, gradient, self.lift)
 
     def carried(self, arm: Triple) -> tuple[Triple, Triple]:
-        """Return velocity and bias of a point at `arm` from the origin, in the axes of the room."""
+        """Return velocity and bias (acceleration at q̈ = 0) of a point at `arm` from the origin, in the room's axes."""
         if self.spin is None or self.spin is ZERO:
             return self.velocity, self.bias
         swing = cross(self.spin, arm)
@@ -104,7 +104,7 @@ class BodyFrame:
 
     @property
     def turning(self) -> Turning:
-        """Return the angular velocity, bias and gradient of the frame's rotation."""
+        """Return the angular velocity, its derivative at q̈ = 0 (bias) and its gradient by coordinate, of the frame."""
         gradient = {step.number: step.axis for step in self.steps if step.pivot is not None}
         return Turning(self.spin or ZERO, self.spin_bias, gradient)
 
@@ -171,7 +171,7 @@ class Frames:
         return found
 
     def pieces(self, line: Line) -> tuple[Distance, ...]:
-        """Return the straight segments of a line, from end to end; raises as `distance` does."""
+        """Return the straight segments of a line, end to end; ZeroDivisionError if the ends of one coincide."""
         found = self._pieces.get(line.name)
         if found is None:
             found = tuple([self.distance(first, last) for first, last in pairwise(line.through)])

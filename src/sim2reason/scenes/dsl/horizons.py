@@ -24,7 +24,7 @@ def horizon(entities: Iterable[Entity], gravity: float) -> float:
 
 
 def within_oscillations(duration: float, mechanism: Mechanism) -> float:
-    """Return `duration`, s, or some periods of the stiffest spring if it has too many for the engines."""
+    """Return `duration`, s, or some periods of the stiffest spring if `duration` has too many for the engines."""
     period = stiffest_period(mechanism)
     return duration if duration <= MAX_OSCILLATIONS * period else SIMULATED_OSCILLATIONS * period
 

@@ -109,7 +109,7 @@ DENSITIES: Mapping[Matter, Span] = {
     "planet": (800.0, 6000.0),  # from ice to rock rich in iron
 }
 PLANET = 1e-3  # fraction of the mass of its star: a heavier planet would move the star noticeably
-STRETCH: Span = (0.5, 1.5)  # of the natural length of a spring
+STRETCH: Span = (0.5, 1.5)  # plausible lengths of a spring, as fractions of its natural length
 
 
 def outside(value: float, span: Span) -> bool:

@@ -72,7 +72,7 @@ class Count:
 
 @dataclass(frozen=True, slots=True)
 class Chance:
-    """The probability with which an optional part is drawn if no recipe chooses; without one it never is.
+    """The probability with which an optional part is drawn if no recipe chooses; without this mark, it never is.
 
     Attributes:
         likelihood: Probability, from 0 to 1.
@@ -208,7 +208,7 @@ class Measure:
 
     @property
     def noun(self) -> str:
-        """Return the name in a question; a number in degrees is an angle."""
+        """Return the name of the number in a question: `called`, else *angle* for a unit of degrees, else `name`."""
         return self.called or ("angle" if self.unit == "deg" else self.name)
 
     def of(self, owner: object) -> "Measure":

@@ -286,7 +286,7 @@ class Mechanism(Memo):
         return f"<Mechanism: {', '.join(numbers)}>"
 
     def __str__(self) -> str:
-        """Return the same with a line for each body: its mass, its parent and its coordinates."""
+        """Return the line of `repr` and a line for each body: its mass, its parent and its coordinates."""
         lines = [repr(self)[1:-1]]
         for body in self.bodies:
             parent = body.parent or "the room"

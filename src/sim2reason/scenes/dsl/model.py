@@ -191,7 +191,7 @@ def draw(model: type[M], rng: np.random.Generator, choices: Choices, given: Mapp
 def _accepted(
     model: type[M], rng: np.random.Generator, choices: Choices, given: Mapping[str, object], around: Mapping[str, Any]
 ) -> M:
-    """Return a value that its validators accept; `around` has the values drawn for its container so far."""
+    """Draw values until the validators of the class accept one; `around` has the earlier values of its container."""
     refused = ""
     for _ in range(REDRAWS):
         try:

@@ -80,7 +80,7 @@ class StringEnd(SitePort, StringPort):
 
     @property
     def can_begin(self) -> bool:
-        """Return whether a sentence can start here."""
+        """Return whether the sentence about a string can begin at this end."""
         return bool(self.tied)
 
 
@@ -220,7 +220,7 @@ def reversed_stops(stops: list[Stop]) -> list[Stop]:
 
 
 def travelled(stops: list[Stop]) -> list[Stop]:
-    """Return the stops of an inner rope in the order of travel; its last port was listed from the inside out."""
+    """Return the stops of a string inside an entity in order of travel, with those of its last port reversed."""
     if not isinstance(stops[-1].port, StringEnd):
         inner = next(i for i, stop in enumerate(stops) if i > 0 and isinstance(stop.port, StringEnd | Chain))
         return [*stops[:inner], *reversed_stops(stops[inner:])]

@@ -15,7 +15,7 @@ class Related(Protocol):
 
     @property
     def member(self) -> str:
-        """Return the field whose members an index counts; empty if it is no index."""
+        """Return the field into which this field is an index; empty if it is no index."""
         ...
 
     @property

@@ -120,7 +120,7 @@ class Scene(Model):
                 raise SceneError(f"entities.{named.name}", problem, f"leave {field} out, or connect the port")
 
     def _check_place(self, port: Port, link: Link, place: str) -> None:
-        """Check that the optional fields which decide whether a port exists allow it."""
+        """Raise SceneError if optional fields of the entity exclude the port to which a link leads."""
         held = self.entity(link.entity)
         if port.needs and getattr(held, port.needs) is None:
             problem = f"{link} needs {port.needs}, which {link.entity!r} leaves out"
@@ -130,7 +130,7 @@ class Scene(Model):
             raise SceneError(place, problem, f"leave {port.unless} out")
 
     def _check_order(self, connection: Connection, place: str) -> None:
-        """Check that a path begins and ends at ends, and passes only ports that can be passed."""
+        """Raise SceneError unless a connection begins and ends at ends, and passes only ports that can be passed."""
         last = len(connection.links) - 1
         if last < 1:
             raise SceneError(place, "it has fewer than two ends", "give it two")
@@ -159,7 +159,7 @@ class Scene(Model):
                 leader[first] = second
 
     def entity(self, name: str, place: str = "entities") -> Entity:
-        """Return an entity.
+        """Return the entity with this name.
 
         Args:
             name: Name of the entity.
@@ -302,7 +302,7 @@ class Scene(Model):
         return self.having_all({path: value})
 
     def having_all(self, values: Mapping[str, object]) -> "Scene":
-        """Return the scene with other values at some addresses, validated once; see `having`.
+        """Return the scene with other values at several addresses, validated once, when all are set.
 
         Args:
             values: New values by address.

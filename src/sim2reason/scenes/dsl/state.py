@@ -64,7 +64,7 @@ class State:
 
     @classmethod
     def of(cls, mechanism: Mechanism, times: Array, kinematics: tuple[Array, Array], dynamics: Dynamics) -> Self:
-        """Return a state with known values."""
+        """Return a state whose coordinates, accelerations and forces are known already."""
         return cls(mechanism, times, lambda: kinematics, lambda _, __: dynamics)
 
     @cached_property

@@ -40,7 +40,7 @@ class Slot:
     many: str = ""
 
     def form(self, count: int) -> str:
-        """Return the form that agrees with a count."""
+        """Return the form of the word (for one, two or more) that agrees with a count."""
         if self.kind == "some":
             return self.many if count else self.one
         return (self.one, self.two)[count - 1] if count in (1, 2) else self.many
@@ -108,7 +108,7 @@ class Each:
 
 @dataclass(frozen=True, slots=True)
 class PartLines:
-    """A placeholder for the lines of the part at a field; lines of parts without one come first."""
+    """A placeholder for the lines of the part in a field; lines of parts without a placeholder come first."""
 
     field: str
 
@@ -230,7 +230,7 @@ def assuming(*wordings: str) -> Wordings:
 
 
 def role_of(saying: Saying) -> Role:
-    """Return the function of a line in a text."""
+    """Return the role of a line in a text: a fact, the start of the motion or an assumption."""
     return saying.role if isinstance(saying, Wordings) else "fact"
 
 
@@ -299,7 +299,10 @@ _PATH = re.compile(r"[a-z_0-9.*]+")
 
 @cache
 def slots(template: str) -> tuple[Slot, ...]:
-    """Return the pieces of a template; raise ValueError for a brace outside a slot. Forms may contain slots."""
+    """Split a template into plain text and placeholders (slots); ValueError for a brace outside a slot.
+
+    Forms of a slot may contain slots.
+    """
     found: list[Slot] = []
     depth, begin = 0, 0
     for place, character in enumerate(template):
@@ -343,7 +346,7 @@ def _slot(inside: str) -> Slot:
 
 
 def _forms(text: str) -> list[str]:
-    """Return the forms between slashes, ignoring slashes of nested slots."""
+    """Split the forms of a word, such as *is/are*, at slashes that are not within nested slots."""
     found, depth = [""], 0
     for character in text:
         depth += (character == "{") - (character == "}")

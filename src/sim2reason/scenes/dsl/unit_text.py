@@ -53,7 +53,7 @@ class _UnitReader:
         return self.tokens[self.at - 1][1]
 
     def quotient(self, depth: int = 0) -> list[tuple[str, int]]:
-        """Return a product and any number of single divisors, since a/b c would be ambiguous."""
+        """Parse a product of units divided by any number of single factors, since a/b c would be ambiguous."""
         if depth > MAX_DEPTH:
             raise UnitError("a unit is nested too deeply")
         factors = self.product(depth) if self.peek() != "slash" else []

@@ -232,7 +232,7 @@ class UnitSystem:
 
     @property
     def own(self) -> frozenset[str]:
-        """Return the units that are not SI units."""
+        """Return the units of this system that are not SI units."""
         return frozenset({self.length, self.mass, self.time, *(name for _, name in self.derived)} - {"m", "kg", "s"})
 
     def spell(self, unit: str) -> str:

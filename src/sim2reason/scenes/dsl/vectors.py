@@ -152,7 +152,7 @@ NONE: Triple = (0.0, 0.0, 0.0)
 
 @dataclass(slots=True)
 class Point:
-    """A point of a body; `gradient` by coordinate and `lift` by face hold the nonzero entries."""
+    """A point of a body; its gradient has nonzero entries by coordinate, and by face for moves off it (`lift`)."""
 
     place: Triple  # m
     velocity: Triple  # m/s
@@ -216,7 +216,7 @@ def relative(one: Gradient, other: Gradient) -> dict[int, Triple]:
 
 
 class Region(Protocol):
-    """The protocol of regions in which a force acts; a point is inside where all margins are positive."""
+    """The protocol of regions in which a force acts; at a point inside, the distances to all borders are positive."""
 
     def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
         """Return the distances to the borders, m, positive inside."""
@@ -235,7 +235,7 @@ class HalfSpace:
     offset: float
 
     def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
-        """Return the distance to the plane."""
+        """Return the distance to the plane, m, positive inside."""
         del maths
         return (dot(self.normal, place) - self.offset,)
 
@@ -251,7 +251,7 @@ class BoxRegion:
     sides: tuple[tuple[Vector, float, float], ...]  # (axis, low, high)
 
     def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
-        """Return the distances to the sides, m."""
+        """Return the distances to the sides, m, positive inside."""
         del maths
         found: list[Number] = []
         for axis, low, high in self.sides:
@@ -273,7 +273,7 @@ class DiscRegion:
     axis: Vector = (0.0, 0.0, 1.0)
 
     def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
-        """Return the distance to the border, m."""
+        """Return the distance to the border, m, positive inside."""
         apart = minus(place, self.center)
         along = dot(self.axis, apart)
         aside = minus(apart, times(along, self.axis))

@@ -1,4 +1,4 @@
-"""Scene files: what `load` reads, `dump` writes back equal, always in the same bytes.
+"""Reading and writing of scene files: `load` reads what `dump` writes as an equal scene; the bytes never vary.
 
     scene:
       entities:
@@ -309,7 +309,7 @@ def _glued(body: dict[str, Plain]) -> tuple[str, ...]:
 
 
 def _file_place(place: str, entities: tuple[Named, ...], connections: dict[str, str]) -> str:
-    """Return a place named by a scene, as the path in its file."""
+    """Return the path in the scene file of a value that an error names by its path in the scene."""
     head, *rest = place.split(".")
     if head in connections:
         return connections[head]

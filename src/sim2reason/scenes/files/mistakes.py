@@ -81,7 +81,7 @@ class CanonicalParameters:
     places: dict[str, str]
 
     def in_file(self, place: str) -> str:
-        """Return the path in the file for a path in the parameters."""
+        """Return the path in the file of a value, given its path in the canonical parameters."""
         for new, old in self.places.items():
             if place == new or place.startswith((f"{new}.", f"{new}[")):
                 return old + place.removeprefix(new).removesuffix(".mass")
@@ -103,7 +103,7 @@ def check_position(position: Plain, place: str) -> None:
 
 
 def canonical_parameters(cls: type[Entity], parameters: Plain, place: str) -> CanonicalParameters:
-    """Return parameters with the masses moved to the fields of the class."""
+    """Return parameters with ``mass_type`` and ``mass_values`` replaced by the fields of the entity class."""
     if not isinstance(parameters, dict) or not {MASS_TYPE, MASS_VALUES} & set(parameters):
         return CanonicalParameters(parameters, {})
     held = holders(cls)
@@ -133,7 +133,7 @@ def _blocks(masses: list[Plain]) -> Plain:
 
 
 def _shared(value: Plain, count: int, place: str) -> list[str]:
-    """Return one word for all systems, or a list with one for each."""
+    """Return a kind for each of `count` systems of blocks, from one word for all or a list with one for each."""
     words = value if isinstance(value, list) else [value] * count
     if len(words) != count:
         raise SceneError(place, f"it has {len(words)} members for {count} systems", "give one word, or one for each")
@@ -144,7 +144,7 @@ def _shared(value: Plain, count: int, place: str) -> list[str]:
 
 
 def _masses(value: Plain, count: int, place: str) -> list[tuple[str, list[Plain]]]:
-    """Return the masses of each system with the path in the file; each may be a number or a list."""
+    """Return the masses of each of `count` systems of blocks with their path in the file, from numbers or lists."""
     if not isinstance(value, list):
         problem = "it is missing" if value is None else f"it is {shown(value)}, not a list"
         raise SceneError(place, problem, "list the masses in kg, as [10] or [2.0, 3.0]")
@@ -157,7 +157,7 @@ def _masses(value: Plain, count: int, place: str) -> list[tuple[str, list[Plain]
 
 
 class _System(NamedTuple):
-    """The kind of a system as written in a file, and its keys."""
+    """The kind of a system of blocks as written in a file, and its keys."""
 
     said: dict[str, Plain]
     keys: Collection[str]

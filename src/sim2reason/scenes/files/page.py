@@ -159,7 +159,7 @@ def _ports(cls: type[Entity]) -> Iterator[str]:
 
 
 def _use(port: Port, name: str) -> str:
-    """Return the use of a port by a connection."""
+    """Return the page's text on how connections use a port, which depends on the type of the port."""
     match port:
         case Pass():
             return f"side of `{name}`, which a string passes"

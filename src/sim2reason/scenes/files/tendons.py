@@ -133,7 +133,7 @@ def _end(end: Plain, place: str, classes: Mapping[str, type[Entity]]) -> FileEnd
 
 
 def _named(direction: str, point: str, known: Mapping[tuple[str, str], tuple[str, int | None]]) -> tuple[str, str]:
-    """Return the end meant by a direction along the string: the only end, or the named point."""
+    """Replace a direction along the string, as ``inner_to_outer``, by the entity's only end or the named point."""
     ends = [name for (name, side), (_, passed) in known.items() if not side and passed is None]
     if direction not in WAYS or (not point and len(ends) != 1):
         return direction, point
@@ -173,7 +173,7 @@ def paths(pairs: list[FilePair]) -> Iterator[Path]:
 def _onward(
     number: int, leaves: int, pairs: list[FilePair], by_end: Mapping[tuple[str, str, int | None], tuple[int, int]]
 ) -> list[tuple[int, int]]:
-    """Return the pairs beyond one end of a pair, each with the index of the end where it is entered."""
+    """Return the pairs of ends by which a string goes on beyond one end of a pair, each with its entering end."""
     found: list[tuple[int, int]] = []
     end = pairs[number].ends[leaves]
     while end.side is not None:

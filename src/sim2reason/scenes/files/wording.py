@@ -40,7 +40,7 @@ TEXT: dict[str, Any] = {
 
 @dataclass(frozen=True, slots=True)
 class Wording:
-    """The wording of the text of a scene.
+    """The choices that fix the text of a scene: its seed, symbols for numbers, and omitted sentences.
 
     `seed` selects the wording and the names; at the addresses in `symbols` the text has symbols instead of numbers, as
     for unknowns; sentences on the topics in `without` are omitted.

@@ -101,7 +101,7 @@ class Quantity(ABC):
 
     @classmethod
     def _check(cls, fact: str, beside: set[str]) -> None:
-        """Raise TypeError if a template lacks a placeholder of the subject or of `beside`, or has an unknown one."""
+        """Raise TypeError unless the template `fact` has the placeholders of the subject and of `beside` alone."""
         template: str = getattr(cls, fact)
         used = {name for _, name, _, _ in Formatter().parse(template) if name is not None}
         wanted = {cls.of.slot, *beside}
@@ -118,17 +118,20 @@ class Quantity(ABC):
         return tuple(name for name in self.of.names(mechanism) if self.fits(mechanism, name))
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether a subject of its kind has the quantity; by default True."""
+        """Return whether the subject `name` has the quantity; by default True."""
         del mechanism, name
         return True
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether questions may ask for it of a subject, as for friction on a rough face; by default True."""
+        """Return whether questions may ask for the quantity of a subject, as for friction if the face is rough.
+
+        By default True.
+        """
         del mechanism, name
         return True
 
     def size_phrases(self, mechanism: Mechanism, name: str) -> tuple[str, str, str, str]:
-        """Return the templates for the size: by default `magnitude`, `how`, `indirect` and `states`."""
+        """Return the templates for the size of the quantity: by default `magnitude`, `how`, `indirect` and `states`."""
         del mechanism, name
         return self.magnitude, self.how, self.indirect, self.states
 

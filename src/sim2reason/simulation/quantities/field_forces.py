@@ -62,7 +62,7 @@ def _electric(mechanism: Mechanism, name: str) -> list[Force]:
 
 
 class FieldForce(Quantity):
-    """Base class of the sums of all forces of one kind on a body; used in structured questions only, and never drawn.
+    """Base class of the total force of one kind on a body; for structured questions only, not drawn by recipes.
 
     Class data:
         law: the class of the laws of these forces.

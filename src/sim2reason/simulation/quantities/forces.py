@@ -241,7 +241,7 @@ class RodForce(Quantity):
 
 @quantity
 class RodPull(Quantity):
-    """The force in a light rod that holds a small body on a moving axle; in structured questions only, never drawn."""
+    """The force in a light rod that holds a small body on a moving axle; for structured questions, not for recipes."""
 
     name, unit, symbol = "rod pull", "N", "T"
     of = SuspendedBodies()
@@ -271,7 +271,7 @@ class StringLength(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return Δl in m, (n,)."""
+        """Return the change Δl of the length since the start in m, (n,)."""
         line = state.mechanism.line[subject]
         return state.length(line)[0] - state.began.length(line)
 
@@ -305,5 +305,5 @@ class Tension(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return T ≥ 0 in N, (n,)."""
+        """Return the tension T ≥ 0 in N, (n,)."""
         return state.tension[subject]

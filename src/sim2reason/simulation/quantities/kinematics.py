@@ -160,7 +160,7 @@ class CenterOffset(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return R c in m, (n, 3)."""
+        """Return R c in m, (n, 3), with the rotation R of the body and the centre of mass c in its frame."""
         return state.vector(state.frames[subject].turned(state.mechanism.body[subject].center))
 
 

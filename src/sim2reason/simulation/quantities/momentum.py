@@ -214,7 +214,7 @@ class AxleDistance(Quantity):
 
 @quantity
 class InertiaAboutAxle(CentralQuantity):
-    """The moment of inertia of a body about its fixed axle; in structured questions only, never drawn."""
+    """The moment of inertia of a body about its fixed axle; for structured questions only, not drawn by recipes."""
 
     name, unit, symbol = "moment of inertia about the axle", "kg m^2", "I"
     vector = False

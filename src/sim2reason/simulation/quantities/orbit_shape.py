@@ -1,4 +1,4 @@
-"""The shape of the orbit of a body about a fixed one: used in structured questions only, and never drawn."""
+"""The shape of the orbit of a body about a fixed one: for structured questions only, not drawn by recipes."""
 
 import numpy as np
 
@@ -30,7 +30,7 @@ class Eccentricity(OrbitShape):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return |v × (r × v) / μ − r / |r||, dimensionless, (n,)."""
+        """Return |v × (r × v) / μ − r / |r||, dimensionless, (n,), with μ = G M of the fixed body."""
         place, velocity, strength = _relative(state, subject)
         turning = np.cross(velocity, np.cross(place, velocity)) / strength
         return np.linalg.norm(turning - place / np.linalg.norm(place, axis=1)[:, None], axis=1)
@@ -44,7 +44,7 @@ class SemiMajorAxis(OrbitShape):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return 1 / (2 / r − v² / μ) in m, (n,)."""
+        """Return 1 / (2 / r − v² / μ) in m, (n,), with μ = G M of the fixed body."""
         place, velocity, strength = _relative(state, subject)
         return 1.0 / (2.0 / np.linalg.norm(place, axis=1) - np.sum(velocity**2, axis=1) / strength)
 
@@ -57,7 +57,7 @@ class CircularSpeed(OrbitShape):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return √(μ / r) in m/s, (n,)."""
+        """Return √(μ / r) in m/s, (n,), with μ = G M of the fixed body."""
         place, _, strength = _relative(state, subject)
         return np.sqrt(strength / np.linalg.norm(place, axis=1))
 

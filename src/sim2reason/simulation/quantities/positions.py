@@ -50,7 +50,7 @@ class AxisCoordinate(Quantity):
 
 @quantity
 class XCoordinate(AxisCoordinate):
-    """The x coordinate of a body whose x coordinate at the start the text states."""
+    """The x coordinate of a body, if the text states its initial x coordinate."""
 
     name, symbol = "x coordinate", "x"
     axis = "x"
@@ -64,7 +64,7 @@ class XCoordinate(AxisCoordinate):
 
 @quantity
 class YCoordinate(AxisCoordinate):
-    """The y coordinate of a body whose y coordinate at the start the text states."""
+    """The y coordinate of a body, if the text states its initial y coordinate."""
 
     name, symbol = "y coordinate", "y"
     axis = "y"
@@ -102,7 +102,7 @@ UPRIGHT = 1.0 - 1e-9  # vertical component of a direction that counts as vertica
 
 @quantity
 class Height(Quantity):
-    """The height of a flying body above the ground; used only in structured questions, and never drawn."""
+    """The height of a flying body above the ground; for structured questions only, not drawn by recipes."""
 
     name, unit, symbol = "height above the ground", "m", "h"
     of = Bodies()

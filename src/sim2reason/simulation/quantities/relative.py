@@ -57,7 +57,7 @@ class RelativeSpeed(Quantity):
     order = 1
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether both bodies move; otherwise it is the speed of the moving one."""
+        """Return whether both bodies move; otherwise their relative speed is the speed of the moving one."""
         return all(can_move(mechanism, body) for body in members(name))
 
     @staticmethod
@@ -69,7 +69,7 @@ class RelativeSpeed(Quantity):
 
 @quantity
 class RelativeVelocity(Quantity):
-    """The velocity of the centre of mass of one body relative to that of another; never drawn."""
+    """The velocity of one body's centre of mass relative to another's; not drawn by recipes."""
 
     name, unit, symbol = "relative velocity", "m/s", "u"
     of, vector = RelativeBodies(), True
@@ -105,7 +105,7 @@ class RiderDisplacement(CarriedBodyQuantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return q in m, which is zero at the start, (n,)."""
+        """Return the coordinate of the body on its carrier in m, zero at the start, (n,)."""
         return _own(state.q, state, subject)
 
 
@@ -117,7 +117,7 @@ class RiderVelocity(CarriedBodyQuantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return q̇ in m/s, (n,)."""
+        """Return the rate of the coordinate of the body on its carrier in m/s, (n,)."""
         return _own(state.v, state, subject)
 
 
@@ -129,7 +129,7 @@ class RiderAcceleration(CarriedBodyQuantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return q̈ in m/s², (n,)."""
+        """Return the second derivative of the coordinate of the body on its carrier in m/s², (n,)."""
         return _own(state.a, state, subject)
 
 

@@ -133,7 +133,7 @@ def _about_one_axis(mechanism: Mechanism, name: str) -> bool:
 
 
 def _rolls(mechanism: Mechanism, name: str) -> bool:
-    """Return whether a hinge that turns the body is among those by which it slips on a face."""
+    """Return whether a body can roll on a face: its slip there depends on the angle of one of its hinges."""
     hinges = {hinge for hinge, _ in turning_axes(mechanism, name)}
     return any(hinge in hinges for face in mechanism.faces for hinge, _ in face.slip if not face.turning)
 

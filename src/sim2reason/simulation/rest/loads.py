@@ -22,7 +22,7 @@ DIFFERENCE = 6e-6  # m or rad, for central differences
 
 @dataclass(frozen=True, slots=True)
 class Loads:
-    """The load on each coordinate, and the margin of each row with its gradient; contacts that never slip last."""
+    """The load on each coordinate, and the length left of each constraint (`spare`) with its gradient."""
 
     force: Vector  # (n,)
     spare: Vector  # (rows,)

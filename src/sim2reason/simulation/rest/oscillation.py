@@ -81,7 +81,7 @@ RELATIVE_DIFFERENCE_TOL = (
 
 
 def agree_at_rest(one: Mechanism, other: Mechanism, aspects: Collection[str]) -> bool:
-    """Return whether two mechanisms differ in initial speeds alone, or agree at rest in some aspects.
+    """Return whether two mechanisms differ in initial speeds alone, or agree at rest in the given aspects.
 
     Aspects are ``lengths`` of lines, ``forces``, ``inertia`` and ``stiffness``.
     """

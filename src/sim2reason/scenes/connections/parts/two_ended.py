@@ -59,12 +59,12 @@ class TwoEnded(Connection):
         return cls(links=links, **numbers)  # type: ignore[arg-type]  # each is a field of the class, validated by it
 
     def brings(self, joint: Joint, builder: Builder) -> dict[str, Body]:
-        """Return no bodies."""
+        """Return no bodies, since the connection has none of its own."""
         del joint, builder
         return {}
 
     def describe(self, joint: Joint, writer: SentenceWriter) -> str:
-        """Return the sentence, beginning at the first end with a direction."""
+        """Return the sentence of the connection, which begins at the first end with a direction."""
         if len(joint.stops) != 2:
             raise SceneError(joint.name, f"a {self.key} joins two ports", "lead it past nothing")
         first, last = sorted(joint.stops, key=lambda stop: not self.way(stop.port))
@@ -82,7 +82,7 @@ class TwoEnded(Connection):
 
     @classmethod
     def way(cls, port: SitePort) -> str:
-        """Return the verb phrase of leaving a port with a direction; empty for other ports."""
+        """Return the verb phrase with which a line leaves a port that has a direction; empty for other ports."""
         return port.leaves if cls.leads.wordings and isinstance(port, StringEnd) else ""
 
     @classmethod
@@ -131,7 +131,7 @@ class TwoEnded(Connection):
 
     @classmethod
     def _ends(cls, slot: str, legs: dict[str, Leg[S]], routes: Routes[S], state: S) -> Iterator[Leg[S]]:
-        """Yield the ports that fit one end of the connection; the other end may be known."""
+        """Yield the ports that fit the end `slot` of the connection, given the other end if it is known (`legs`)."""
         other = tuple(leg.link for key, leg in legs.items() if key != slot)
         for leg in routes.legs(cls, state, other or NO_LINK if slot == "b" else ()):
             if leg.link not in other and cls.admits(leg.stops[0].port, "ab".index(slot), 1):
@@ -148,6 +148,6 @@ def _told(cls: type[Connection], template: str) -> set[str]:
 
 @cache
 def _pieces(template: str) -> tuple[tuple[str, str], ...]:
-    """Return a template as texts, each with the end or direction that follows it, or an empty string."""
+    """Split a template into texts, each with the placeholder of an end or direction that follows it, if any."""
     parts = _SLOTS.split(template)
     return tuple((parts[i], parts[i + 1] if i + 1 < len(parts) else "") for i in range(0, len(parts), 2))

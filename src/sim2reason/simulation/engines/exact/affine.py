@@ -24,15 +24,15 @@ TIME = 0  # index of the input that is the time
 
 @dataclass(frozen=True)
 class LinearEquations:
-    """Accelerations and event margins as affine functions base + slopes · x of the state x = (q, q̇), (2n,)."""
+    """Accelerations and event functions, affine in the state x = (q, q̇), (2n,): base + slopes · x."""
 
     base: list[Fraction]  # (n,)
     slopes: list[list[Fraction]]  # (n, 2n)
-    margins: Array  # the slopes of all margins, (m, 2n)
+    margins: Array  # of the event functions, (m, 2n)
 
     @property
     def damped(self) -> bool:
-        """Return whether any acceleration depends on a rate."""
+        """Return whether any acceleration depends on a velocity."""
         n = len(self.base)
         return any(part for row in self.slopes for part in row[n:])
 
@@ -43,14 +43,14 @@ class LinearEquations:
         return eigenpairs([[-part for part in row[:n]] for row in self.slopes])
 
     def accelerations(self, values: Sequence[float]) -> Array:
-        """Return the accelerations (n,) at coordinates and rates (2n,), each rounded once."""
+        """Return the accelerations (n,) at coordinates and rates (2n,), computed exactly and then rounded."""
         x = [Fraction(value) for value in values]
         totals = zip(self.base, self.slopes, strict=True)
         return np.array([float(base + sum(map(_times, row, x), Fraction())) for base, row in totals])
 
 
 def linear_equations(tape: Tape, accelerations: Sequence[Number], margins: Sequence[Number]) -> LinearEquations | None:
-    """Return accelerations and margins as affine functions; None if one is not affine or depends on time."""
+    """Return accelerations and event functions in affine form; None if one is not affine or depends on time."""
     found = _coefficients(tape, [*accelerations, *margins])
     if found is None or any(TIME in each for each in found):
         return None

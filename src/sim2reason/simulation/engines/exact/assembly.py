@@ -55,7 +55,7 @@ def masses_at(mechanism: Mechanism, phase: SwitchState, time: Number) -> dict[st
 
 
 class Assembly:
-    """Mass matrix, loads, constraint rows, slips and gaps of a mechanism for given coordinates, rates and time."""
+    """Mass matrix, loads, constraint equations, slips and gaps of a mechanism for given coordinates, rates and time."""
 
     def __init__(
         self,
@@ -226,7 +226,7 @@ class Assembly:
         return RowTerms(length.along, length.lift, spare, rate, -length.bias)
 
     def separation(self, meeting: CollisionPair) -> Separation:
-        """Return the gap between the two bodies of a collision pair, with its gradient, rate and bias."""
+        """Return the gap of a collision pair with its gradient, rate, and second derivative at q̈ = 0 (bias)."""
         other = self.frames.center(meeting.b)
         one = ORIGIN if meeting.a is None else self.frames.center(meeting.a)
         if meeting.normal is None:

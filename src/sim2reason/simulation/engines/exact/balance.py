@@ -55,7 +55,7 @@ def separating_contacts(problem: Problem, heave: list[Row], found: Solution, sma
 def _rises(
     problem: Problem, heave: list[Row], mode: ContactMode, apart: tuple[int, ...], small: float
 ) -> tuple[tuple[int, ...], frozenset[int]]:
-    """Return the contacts of `apart` that open if exactly these separate, and those that contradict it."""
+    """Assume that the contacts `apart` separate; return those that then do, and those that contradict this."""
     opened, kept = _opened(problem, heave, apart)
     rubbing = tuple(side for grip, side in zip(problem.grips, mode.rubbing, strict=True) if grip.contact not in apart)
     found = search(opened, ContactMode(mode.acting, rubbing))
@@ -67,7 +67,7 @@ def _rises(
 
 
 def _opened(problem: Problem, heave: list[Row], apart: tuple[int, ...]) -> tuple[Problem, list[int]]:
-    """Return the problem with the rises of the contacts `apart` as extra coordinates, and the contacts still closed."""
+    """Return the problem with the contacts `apart` free to open, each with its gap as a coordinate; and the others."""
     kept = [number for number in range(len(problem.press)) if number not in apart]
     place = {number: new for new, number in enumerate(kept)}
 
@@ -118,7 +118,7 @@ class Balance:
 
 @dataclass(slots=True)
 class Demand:
-    """The constraints that may act: `tight` rows, prescribed `sliding` sides, and the preceding contact mode."""
+    """The constraints that may act: indices of tight rows, given directions of slip, and the preceding contact mode."""
 
     tight: list[int]
     sliding: tuple[int, ...]
@@ -160,7 +160,7 @@ def balance(system: System, instant: Instant, demand: Demand) -> Balance:
 
 
 def _kept(problem: Problem, found: Solution, before: ContactMode, small: float) -> ContactMode:
-    """Return the contact mode of a solution without changes from the mode `before` that have no observable effect.
+    """Return a solution's contact mode, but as in `before` where the difference has no observable effect.
 
     A string that was taut stays so under no tension while its ends do not come together, and a contact at rest that is
     not accelerated sticks, though of forces that are not determined some let it slide at no speed.
@@ -176,7 +176,7 @@ def _kept(problem: Problem, found: Solution, before: ContactMode, small: float) 
 
 
 def _open(spare: list[Forces], forces: Forces) -> Forces:
-    """Return the multipliers, with NaN for those that the motion does not determine."""
+    """Return the constraint forces, with NaN for those that the motion does not determine."""
     if not spare:
         return forces
     return Forces(*(_masked(values, [pattern[kind] for pattern in spare]) for kind, values in enumerate(forces)))

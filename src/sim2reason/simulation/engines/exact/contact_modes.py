@@ -43,7 +43,7 @@ class Flips:
     rubbing: list[tuple[int, int]] = field(default_factory=list[tuple[int, int]])
 
     def count(self) -> int:
-        """Return the number of changes."""
+        """Return the number of changes of rows and contacts."""
         return len(self.rows) + len(self.rubbing)
 
     def apply(self, mode: ContactMode) -> ContactMode:
@@ -94,7 +94,7 @@ def _searched(problem: Problem, guess: ContactMode, *, lenient: bool) -> Solutio
 
 
 def linked(problem: Problem, mode: ContactMode) -> ContactMode:
-    """Return the contact mode, corrected so that held rows act and dependent rows act exactly with their leaders."""
+    """Return the mode with two-sided constraints acting, and dependent ones acting exactly if their leaders do."""
     if not any(problem.held):
         return mode
     acting = list(mode.acting)
@@ -124,7 +124,7 @@ def _exhausted(problem: Problem, tried: set[ContactMode], *, lenient: bool) -> S
 
 
 def evaluate(problem: Problem, mode: ContactMode) -> Solution:
-    """Solve the linear system of one contact mode."""
+    """Return the accelerations and forces of one contact mode, whether or not they obey its inequalities."""
     n = len(problem.force)
     active = [number for number, acts in enumerate(mode.acting) if acts]
     problem.budget.spend(EVALUATION + (n + len(active)) ** 3)
@@ -156,12 +156,12 @@ def evaluate(problem: Problem, mode: ContactMode) -> Solution:
 
 
 def _extra(grip: RoughContact, side: int) -> bool:
-    """Return whether the friction of a contact is a separate unknown: it sticks, and several coordinates slip."""
+    """Return whether a contact's friction is an extra unknown: it sticks, and its slip has several coordinates."""
     return side == 0 and grip.coordinate < 0
 
 
 def _system(problem: Problem, mode: ContactMode, active: list[int], faint: float) -> list[Row]:
-    """Return the equations in (x, λ of the acting rows, f of some sticking contacts), one list each, right side last.
+    """Return the equations for accelerations x, multipliers λ of acting rows, and some friction; right side last.
 
     If the slip of a sticking contact depends on one coordinate only, the equation of motion of that coordinate gives
     its friction and is replaced by the condition of zero slip.
@@ -199,7 +199,7 @@ def _spread(values: Row, active: list[int], size: int) -> Row:
 
 
 def _forces(problem: Problem, mode: ContactMode, x: Row, multipliers: Row, load: float) -> Forces:
-    """Return all multipliers, given x, λ and the unknown friction; `load` 0 leaves the loads out."""
+    """Return constraint, friction and normal forces from accelerations and multipliers; `load` 0 omits the loads."""
     count = len(problem.rows)
     acting, held = multipliers[:count], iter(multipliers[count:])
     pulls = [(value, row) for value, row in zip(acting, problem.rows, strict=True) if value != 0.0]
@@ -221,7 +221,7 @@ def _forces(problem: Problem, mode: ContactMode, x: Row, multipliers: Row, load:
 
 
 def scales(problem: Problem, x: Row) -> tuple[float, float]:
-    """Return the thresholds below which a force and an entry of x count as zero."""
+    """Return the thresholds below which a force, and an acceleration or velocity (an entry of x), count as zero."""
     size = max(max(map(abs, x), default=0.0), max(map(abs, problem.targets), default=0.0), 1.0)
     return TOLERANCE * max(problem.load, 1e-3), TOLERANCE * size
 

@@ -1,4 +1,4 @@
-"""Integrator steps with dense output, and the roots of event margins within them."""
+"""Integrator steps with dense output, and the roots of event functions within them."""
 
 from collections.abc import Callable, Sequence
 from itertools import pairwise
@@ -11,7 +11,7 @@ from sim2reason.simulation.engines.exact import dop853
 from sim2reason.simulation.engines.exact.dop853 import Rate, Values
 from sim2reason.simulation.engines.exact.margins import Formulas
 
-ARMED = 1e-9  # value that a margin must exceed after starting at zero before its return to zero is an event
+ARMED = 1e-9  # value that an event function must exceed after starting at zero before its return to zero is an event
 DRIFT = 1e-7  # a margin may start this far below zero, as integration and impacts leave it
 TANGENTS = 12  # pairs of tangents used to locate a minimum
 EDGE = 0.05  # fraction of an interval: fraction near its ends where an intersection of tangents is ignored
@@ -19,12 +19,12 @@ SLOPE_STEP = 1e-6  # fraction of a step: width of the finite difference for a sl
 HALVES = 12  # bisections towards the start in search of a margin that rises from zero
 
 Margin = Callable[[float], float]
-"""An event margin as a function of the fraction of the step."""
+"""An event function, which is zero at the event, over the fraction of the step."""
 Sample = tuple[float, float]
 
 
 class Crossing(NamedTuple):
-    """An interval of the step in which `margin + room` changes from positive to nonpositive."""
+    """The part of a step in which an event function plus `room` changes from positive to nonpositive."""
 
     low: float
     high: float
@@ -32,21 +32,21 @@ class Crossing(NamedTuple):
 
 
 class Watch:
-    """The state of all event margins of a mode: which ones were ever positive, and the slack of the others."""
+    """The state of a mode's event functions: which were ever positive, and how far the others may be negative."""
 
     def __init__(self, start: Sequence[float]) -> None:
-        """Initialize from the margins at the start of a mode; those that start at zero must first become positive."""
+        """Store the event functions at the start of a mode; one that starts at zero must first become positive."""
         self._armed = [margin > ARMED for margin in start]
         self._room = [ARMED - margin if -DRIFT < margin < 0.0 else ARMED if margin >= 0.0 else 0.0 for margin in start]
 
     def passed(self, after: Sequence[float]) -> None:
-        """Record the margins at the end of a step without an event."""
+        """Record which event functions are positive at the end of a step without an event."""
         self._armed = [was or margin > ARMED for was, margin in zip(self._armed, after, strict=True)]
 
     def crossings(
         self, ends: Sequence[Sequence[float]], margins: Callable[[float], Sequence[float]]
     ) -> list[tuple[int, Crossing]]:
-        """Return the first crossing of each margin that has one; `ends` are all margins at 0, ½ and 1 of the step."""
+        """Return the first zero, if any, of each event function; `ends` are all functions at 0, ½ and 1 of the step."""
         known: dict[float, Sequence[float]] = {}
 
         def at(x: float) -> Sequence[float]:
@@ -81,7 +81,7 @@ class Watch:
 
 
 def _dips(margin: Margin, samples: Sequence[Sample]) -> list[Sample]:
-    """Return points between samples at which a margin that is positive at all samples becomes negative.
+    """Return points at which an event function, positive at all samples, is negative between them.
 
     A minimum lies between two samples if the margin falls at the first and rises at the second. The tangents there
     bound the minimum from below if the margin is convex: an intersection above zero excludes an event.
@@ -121,7 +121,7 @@ def _slope(margin: Margin, x: float, value: float, step: float) -> float:
 
 
 def _rise(margin: Margin, samples: Sequence[Sample]) -> list[Sample]:
-    """Return the point, if any, at which a margin that starts at zero is positive before it becomes negative."""
+    """Return the point, if any, where an event function that starts at zero is positive before it is negative."""
     x = next(x for x, value in samples if value < 0.0)
     for _ in range(HALVES):
         x *= 0.5
@@ -157,11 +157,11 @@ class FlowStep:
         return dop853.interpolated(self.values, self.polynomial, x)
 
     def margins(self, x: float) -> tuple[float, ...]:
-        """Return all event margins at a fraction of the step."""
+        """Return all event functions at a fraction of the step."""
         return self.formulas.margins(self.time + x * self.length, self.at(x))
 
     def closing(self, x: float) -> tuple[float, ...]:
-        """Return closing speeds and distances of points that may pass each other, at a fraction of the step."""
+        """Return Δr·Δv, then the distances, of line ends that may pass each other, at a fraction of the step."""
         return self.formulas.closing(self.time + x * self.length, self.at(x))
 
 
@@ -190,7 +190,7 @@ STEP = 1e-8  # m or rad: step of finite differences
 
 
 def motion_scale(rate: Rate, time: float, values: Values, first: Values) -> float:
-    """Return the scale of a small motion, in m or rad, estimated from one instant; 1 if the motion is not small.
+    """Return the amplitude of a small motion, m or rad, estimated from one instant; 1 if the motion is not small.
 
     If forces depend on position, the motion has a time scale τ = 1/√|∂a/∂q|. In this time, speed and acceleration cause
     displacements v τ and a τ². For a circular orbit the result is the radius, for an oscillation the amplitude.

@@ -64,7 +64,7 @@ class Modes:
         return np.concatenate([self.place + s @ self.ways.T, u @ self.ways.T], axis=1)
 
     def least(self, slopes: Array, span: float) -> Array:
-        """Return lower bounds (m,) of the changes, within `span` seconds, of functions with these slopes (m, 2n)."""
+        """Return lower bounds (m,), within `span` seconds, of the changes of functions slopes · (q, q̇), (m, 2n)."""
         effects = (slopes @ self._spread)[:, :, None] * self._ranges(span)[None]
         found: Array = effects.min(axis=2).sum(axis=1)
         return found
@@ -76,13 +76,13 @@ class Modes:
         return found
 
     def bend(self, slopes: Array) -> Array:
-        """Return upper bounds (m,) of the second derivatives of functions with these slopes (m, 2n)."""
+        """Return upper bounds (m,) of the second time derivatives of the functions slopes · (q, q̇), (m, 2n)."""
         size = np.hypot(self.force, self.speed * self.rate)
         found: Array = np.abs(slopes @ self._spread) @ np.concatenate([size, size * self.rate])
         return found
 
     def moves_until(self, span: float) -> float:
-        """Return the time within `span`, in s, during which the motion does not come to rest: all of it."""
+        """Return `span`, in s, since an undamped motion never comes to rest."""
         return span
 
     @property
@@ -123,7 +123,7 @@ class LinearInterval:
 
     @property
     def knots(self) -> Array:
-        """Return the subdivision times within the interval, between which the motion is smooth, s."""
+        """Return the times, s, that divide the interval into equal pieces, each shorter than the fastest period."""
         return self.time + np.arange(1, pieces(self.modes, self.length)) * self.length / pieces(self.modes, self.length)
 
     @property
@@ -176,7 +176,7 @@ def stretch(
 
 
 def _certain(modes: Modes | DampedModes, span: float, left: Array, slopes: Array) -> float:
-    """Return a time until which no margin reaches zero, s, from values at ends of short pieces and bounds of curvature.
+    """Return a time, s, until which no event function is zero, from values at ends of pieces and bounds of curvature.
 
     On a piece of length h, a function f is at least the smaller of its end values minus h²/8 max |f″|.
     """
@@ -210,7 +210,7 @@ def turning_times(modes: Modes | DampedModes, span: float) -> list[tuple[float, 
 
 
 def _turns(modes: Modes | DampedModes, number: int, low: Array, high: Array) -> Array:
-    """Return the turning times of a coordinate, one in each interval, by Newton's method with bisection as fallback."""
+    """Return the times at which a coordinate's speed is zero, one in each interval, by safeguarded Newton iteration."""
     n = len(modes.start) // 2
     sign, time = np.sign(modes.at(low)[:, n + number]), 0.5 * (low + high)
     for _ in range(POLISHES):

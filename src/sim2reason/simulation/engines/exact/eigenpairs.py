@@ -103,7 +103,7 @@ class DampedModes:
         return self.rest + np.real(decayed @ self.ways.T)
 
     def least(self, slopes: Array, span: float) -> Array:
-        """Return lower bounds (m,) of the changes, within `span` seconds, of functions with these slopes (m, 2n)."""
+        """Return lower bounds (m,), within `span` seconds, of the changes of functions slopes · (q, q̇), (m, 2n)."""
         weights = (slopes @ self.ways) * self.begins
         real = np.abs(np.imag(self.rates)) <= ZERO_RATE_RTOL * self.fastest
         sinks = np.real(weights) * np.expm1(np.where(real, np.real(self.rates), 0.0) * span)
@@ -117,12 +117,12 @@ class DampedModes:
         return np.real(decayed @ self.ways[n:].T)
 
     def bend(self, slopes: Array) -> Array:
-        """Return upper bounds (m,) of the second derivatives of functions with these slopes (m, 2n)."""
+        """Return upper bounds (m,) of the second time derivatives of the functions slopes · (q, q̇), (m, 2n)."""
         found: Array = np.abs((slopes @ self.ways) * self.begins) @ np.abs(self.rates) ** 2
         return found
 
     def moves_until(self, span: float) -> float:
-        """Return the time within `span`, in s, during which some speed can exceed the threshold of rest."""
+        """Return how long within `span`, in s, some speed can still exceed the threshold below which bodies rest."""
         n = len(self.start) // 2
         size = float(np.abs(self.ways[n:] * self.begins).sum())
         slowest = float(-np.real(self.rates).max())
@@ -150,7 +150,7 @@ def find_damped_modes(time: float, start: Array, slopes: Exact, base: Array) -> 
 
 
 def _scaled(slopes: Exact, size: Fraction) -> list[list[Fraction]]:
-    """Return the matrix of the first-order system x' = A x, with time measured in units of `size`."""
+    """Return the matrix A of x' = A x for the coordinates and the rates divided by `size`, an inverse time."""
     n = len(slopes)
     above = [[size * (column == n + row) for column in range(2 * n)] for row in range(n)]
     return [*above, *([*(part / size for part in row[:n]), *row[n:]] for row in slopes)]

@@ -35,7 +35,10 @@ def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> T
 
 
 def motion(mechanism: Mechanism, duration: float, tolerance: float = FINEST) -> Motion:
-    """Return the motion from 0 to `duration` seconds or to the event that ends it; raises as `simulate` does."""
+    """Return the motion from 0 to `duration` seconds or to the event that ends it.
+
+    Raises as `simulate` does.
+    """
     run: _Run | None = None
     try:
         run = _Run(mechanism, duration, tolerance)
@@ -57,7 +60,7 @@ def motion(mechanism: Mechanism, duration: float, tolerance: float = FINEST) -> 
 
 
 class _Run(Settling):
-    """A motion under construction, extended from event to event."""
+    """A motion under construction: the present state and the segments so far, extended from event to event."""
 
     def finished(self) -> Motion:
         """Return the complete motion; raise SimulationError if it takes too many events or operations."""
@@ -126,7 +129,7 @@ class _Run(Settling):
         return stop
 
     def _happen(self, margin: Margin) -> bool:
-        """Apply the event of a margin; return whether it ends the motion."""
+        """Apply the event whose event function has reached zero; return whether it ends the motion."""
         number = margin.number
         match margin.kind:
             case "reach":
@@ -178,7 +181,7 @@ class _Run(Settling):
         return {grip.coordinate for grip in self.system.grips}
 
     def _note_turns(self, found: Balance, span: float) -> None:
-        """Record the events at which a speed passes through zero before the next event."""
+        """Record the instants within `span` at which the rate of a frictionless coordinate passes through zero."""
         for number, (speed, a) in enumerate(zip(self.v, found.a, strict=True)):
             if speed * a < 0.0 and TIE < halt(speed, a) < span - TIE and number not in self._rough:
                 self.event_log.record(self.now + halt(speed, a), "turn", self.mechanism.coordinates[number].name)

@@ -71,7 +71,7 @@ class Flow:
         return StepTable(self.steps)
 
     def advance(self, duration: float, longest: float) -> StopReason:
-        """Advance by `duration`, s, or to the first event, or to a point where new pivots must be chosen.
+        """Integrate for `duration`, s, or to the first event, or to where the linear equations need new pivots.
 
         `longest` is the duration of the whole motion. Raises SimulationError if the steps become too costly or too
         short, or if the equations have no value.
@@ -150,7 +150,7 @@ class Flow:
         return far > MIN_RESOLVED_DISPLACEMENT
 
     def _take(self, begin: FlowStep | None, end: float, periods: float = SHORTEST_LEAP) -> bool:
-        """Solve a linear interval by eigenmodes from the first step on, replacing all steps, or from the present."""
+        """Solve a linear interval by eigenmodes, from step `begin` (replacing all) or the present; return success."""
         linear = self.formulas.linear
         if linear is None:
             return False
@@ -188,7 +188,7 @@ class Flow:
         return StopReason(self.time - self.start, due)
 
     def _margins(self) -> Sequence[float]:
-        """Return all margins at the present; infinite if they have no value."""
+        """Return all event functions at the present; infinite if they have no value."""
         try:
             return self.formulas.margins(self.time, self.values)
         except (ZeroDivisionError, OverflowError, ValueError):
@@ -220,7 +220,7 @@ class Flow:
         return StopReason(self.time - self.start, tuple(due)) if length >= 0.0 else None
 
     def _passes(self, step: FlowStep, known: set[int]) -> list[tuple[int, Crossing]]:
-        """Return the points within a step at which two points of a line are nearest, if they coincide there."""
+        """Return the instants within a step at which two points of a line are nearest, if they coincide there."""
         passing = self.formulas.passing
         if not passing:
             return []

@@ -20,7 +20,7 @@ from sim2reason.simulation.engines.exact.margins import Formulas, Margin
 from sim2reason.simulation.engines.exact.system import Instant, System
 from sim2reason.simulation.engines.exact.tape import Symbol, Tape, value_of
 
-ZERO_MARGIN_CHANGE = 1e-9  # a smaller change of a margin counts as zero
+ZERO_MARGIN_CHANGE = 1e-9  # a smaller change of an event function counts as zero
 COINCIDENCE_DISTANCE = 1e-9  # m; the ends of a straight line segment that are closer coincide
 PIVOT = 1e-6  # fraction of its initial size: a pivot that shrinks below this is unusable
 PASSING_DISTANCE = (
@@ -32,7 +32,7 @@ WRITING = 100  # operations to generate the code that executes one operation
 
 
 class VariableEquations:
-    """Equations of motion on a tape for each phase, and their code for each contact mode."""
+    """Equations of motion recorded as symbols for each on/off state, with generated code for each contact mode."""
 
     def __init__(self, system: System) -> None:
         """Start without equations; they are recorded on first use."""
@@ -51,12 +51,12 @@ class VariableEquations:
         return recorded.formulas(instant, mode)
 
     def forget(self, phase: SwitchState, mode: ContactMode) -> None:
-        """Discard the code of a contact mode, so that its pivots are chosen anew."""
+        """Discard the code of a contact mode, so that the pivots of its linear equations are chosen anew."""
         self._recorded[phase].made.pop(mode, None)
 
 
 class _Recorded:
-    """The equations of one phase, recorded on a tape."""
+    """The symbolic equations of motion for one on/off state of forces, engines and springs."""
 
     def __init__(self, system: System, phase: SwitchState) -> None:
         n = system.size
@@ -112,7 +112,7 @@ class _Recorded:
         return Formulas(rate, write, margins, tuple(names), held, tuple(passing), closing, cost, linear, due)
 
     def _patterns(self, mode: ContactMode, free: FreeForces) -> dict[Margin, Number]:
-        """Return the changes of the force margins due to one pattern of undetermined forces."""
+        """Return how one pattern of undetermined forces changes the event functions of rows and contacts."""
         lift: list[Number] = [0.0] * self.system.count
         for number, force in free.rows.items():
             for contact, part in self.rows[number].lift.items():
@@ -155,7 +155,7 @@ class _Recorded:
         slip: tuple[tuple[int, float], ...],
         active: list[int],
     ) -> None:
-        """Add the friction −µN along a slip to the equations, with N given by its own row."""
+        """Add the kinetic friction −µN of a contact, with N from its own equation, to the equations of motion."""
         lift = [*self.assembly.lifted[contact], *(self.rows[i].lift.get(contact, 0.0) for i in active)]
         for k, part in slip:
             factor = weight * part
@@ -250,7 +250,7 @@ class _Recorded:
         return any(line.through == (first, last) and not line.wheels for line in lines)
 
     def _passing(self, watched: list[tuple[Margin, Number]]) -> dict[int, Number]:
-        """Return ½ d/dt of squared distances that never change sign; their zeros are the times of nearest approach."""
+        """Return Δr·Δv of each pair of line ends that may pass each other; it is zero at their nearest approach."""
         runs, frames = list(self.system.runs), self.assembly.frames
         found: dict[int, Number] = {}
         for place, (margin, _) in enumerate(watched):

@@ -22,7 +22,7 @@ ROUNDING = 1e-12  # threshold of round-off
 
 
 def crossing(c: float, b: float, a: float) -> float:
-    """Return the first time at which the margin c + bτ + aτ²/2 reaches zero, in s, or infinity.
+    """Return the first time at which the event function c + bτ + aτ²/2 reaches zero, in s, or infinity.
 
     A margin within `TOUCHING` of zero counts as zero: its event is due at once if it decreases, else when it
     returns. Roots are computed in the form without cancellation.
@@ -207,7 +207,7 @@ class ConstantEquations:
         return _Pair(meeting, _plain(apart), slides, lifts)
 
     def instant(self, time: float, q: Row, v: Row, phase: SwitchState) -> Instant:
-        """Return the equations at one instant: constant apart from margins, with one row for each pair that sticks."""
+        """Return the equations at one instant: constant except distances to events, with a row per stuck pair."""
         spare, rates = list[float](), list[float]()
         for row, reel, room in zip(self._rows, self._reels, self._spare, strict=True):
             spare.append(room - row.rate(q) - reel * time)
@@ -252,7 +252,7 @@ class ConstantEquations:
         return StopReason(soonest, tuple(margin for time, margin in due if time <= soonest + TIE))
 
     def _changes(self, instant: Instant, found: Balance) -> list[tuple[float, Margin]]:
-        """Return the times at which constraints tighten, contacts stop sliding and pairs collide, with the margins."""
+        """Return the times, s, at which constraints tighten, sliding stops or pairs collide, with event functions."""
         due: list[tuple[float, Margin]] = []
         for number in range(len(self._rows)):
             if not found.mode.acting[number]:
@@ -268,7 +268,7 @@ class ConstantEquations:
         return due
 
     def _finishes(self, instant: Instant, found: Balance) -> list[tuple[float, Margin]]:
-        """Return the times, s, of events that end the motion, with their margins."""
+        """Return the times, s, of events that end the motion, each with its event function."""
         due: list[tuple[float, Margin]] = []
         for number, (length, run) in enumerate(self._runs):
             time = crossing(length + run.rate(instant.q), run.rate(instant.v), run.rate(found.a))
@@ -281,7 +281,7 @@ class ConstantEquations:
 
 
 def _sparse(along: Mapping[int, Number]) -> Gradient:
-    """Return a gradient that supports only the evaluation of rates."""
+    """Return a gradient in sparse form alone, from which only rates of change can be computed."""
     return Gradient([], [], tuple([(number, float(part)) for number, part in sorted(along.items()) if part]))
 
 

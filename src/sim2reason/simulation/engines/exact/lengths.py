@@ -19,7 +19,7 @@ class SwitchState(NamedTuple):
 
 @dataclass(slots=True)
 class PathLength:
-    """A length with its rate, its second derivative at q̈ = 0, and its gradient."""
+    """The length of a line with its rate, its second derivative at q̈ = 0, and its gradient."""
 
     value: Number
     rate: Number
@@ -33,7 +33,7 @@ ORIGIN = Point((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), {}, {})
 
 @dataclass(slots=True)
 class RowTerms:
-    """A constraint row: along·q̈ + Σ lift·rise ≤ target, or = if it is two-sided."""
+    """A constraint along·q̈ + Σ lift·(acceleration off a face) ≤ target, or = if it is two-sided."""
 
     along: Mapping[int, Number]
     lift: Mapping[int, Number]
@@ -44,7 +44,7 @@ class RowTerms:
 
 @dataclass(slots=True)
 class Separation:
-    """The gap of a collision pair, with the gradient, rate and bias of its change."""
+    """The gap of a collision pair, with its gradient, rate, and second derivative at q̈ = 0 (bias)."""
 
     gap: Number
     rate: Number

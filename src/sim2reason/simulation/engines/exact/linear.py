@@ -87,7 +87,7 @@ def _null(pivots: list[tuple[int, Row]], size: int, column: int) -> Row:
 
 @dataclass(slots=True)
 class Gradient:
-    """The gradient of a length with respect to the coordinates and to the rises of the contacts."""
+    """The gradient of a length with respect to the coordinates and to distances of bodies from their faces."""
 
     along: Row  # (n,)
     lift: Row  # (c,)
@@ -158,7 +158,7 @@ class Problem:
 
 
 class Forces(NamedTuple):
-    """The constraint forces of one solution, or of one pattern by which they can change."""
+    """The constraint forces of one solution, or one combination of them that does not affect the motion."""
 
     rows: Row
     friction: Row
@@ -167,7 +167,7 @@ class Forces(NamedTuple):
 
 @dataclass(slots=True)
 class Solution:
-    """The solution x for one contact mode; `spare` are force patterns that do not change the motion."""
+    """Accelerations x and forces of one contact mode, with the force patterns (`spare`) that do not change x."""
 
     mode: ContactMode
     x: Row
@@ -181,7 +181,7 @@ Equation = list[Number]  # coefficients, the right side last
 
 
 class Unknowns(NamedTuple):
-    """The solution of one contact mode; `pivots` are the divisors, `free` the undetermined force patterns."""
+    """The symbolic solution of one contact mode, with the pivots (divisors) and the undetermined force patterns."""
 
     x: list[Number]
     rows: dict[int, Number]  # multipliers of the acting rows
@@ -225,7 +225,7 @@ def solve_symbolic(equations: list[Equation], size: int, active: list[int], stic
 
 
 def _symbols_substituted(solved: list[tuple[int, Equation]], found: list[Number], *, load: bool) -> list[Number]:
-    """Return all unknowns, given the free ones; without `load` the right sides are zero."""
+    """Return all unknowns by back substitution, given the free ones; without `load` the right sides are zero."""
     width = len(found)
     for column, row in reversed(solved):
         total: Number = row[width] if load else 0.0

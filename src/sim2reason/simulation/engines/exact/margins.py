@@ -1,4 +1,4 @@
-"""Event margins of a contact mode, and the code that evaluates them."""
+"""Event functions of a contact mode, each zero at its event, and the code that evaluates them."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ MAX_CONDITIONS = 4000  # largest number of combined conditions
 
 
 class Condition(NamedTuple):
-    """The condition base + Σ part·z ≥ least, with the indices of the given conditions it combines."""
+    """A linear condition base + Σ part·z ≥ least on free forces z, with the conditions that it combines, by index."""
 
     base: float
     parts: tuple[float, ...]
@@ -23,7 +23,7 @@ class Condition(NamedTuple):
 
 
 def greatest_least(bases: Sequence[float], parts: Sequence[Sequence[float]]) -> tuple[float, frozenset[int]]:
-    """Return the maximum over all z of the least margin, and the margins that limit it; infinity if unbounded.
+    """Return the maximum over z of the least base + Σ parts·z, and the functions that limit it; infinity if unbounded.
 
     Fourier–Motzkin elimination: any two conditions in which a free force has opposite signs combine, with weights of
     sum 1, into one without it.
@@ -60,19 +60,19 @@ class Margin(NamedTuple):
 
 
 class StopReason(NamedTuple):
-    """The duration of a contact mode and the margins due at its end; none if the requested time was reached."""
+    """The duration of a contact mode and the event functions that end it; none if the requested time was reached."""
 
     elapsed: float
     due: tuple[Margin, ...]
 
 
 ENDS = frozenset({"reach", "limit", "normal"})
-"""The kinds of margins that end the simulated motion."""
+"""The kinds of event functions whose events end the simulated motion."""
 
 
 @dataclass(frozen=True)
 class Formulas:
-    """The generated code of one contact mode: rates for the integrator, forces for samples, event margins.
+    """The generated code of one contact mode: rates for the integrator, forces for samples, event functions.
 
     If the motion leaves forces undetermined, the conditions on them are `braced`: they count as one margin, the last
     one, which states how well all can be met at once.
@@ -91,7 +91,10 @@ class Formulas:
 
     @cached_property
     def sampled_forces(self) -> Callable[..., tuple[Any, ...]]:
-        """Return the function that evaluates a, rows, normal and friction on arrays of samples, generated on demand."""
+        """Return the function for accelerations, constraint, normal and friction forces on arrays of samples.
+
+        Its code is generated on demand.
+        """
         return self.write_forces()(np)
 
     @cached_property
@@ -100,12 +103,12 @@ class Formulas:
         return None if self.braced or self.held else self.find_linear()
 
     def margins(self, time: float, values: Sequence[float]) -> tuple[float, ...]:
-        """Return all event margins in the order of `watched`."""
+        """Return all event functions in the order of `watched`."""
         found = self.code(time, values)
         return (*found[: len(self.watched) - 1], self._brace(found)[0]) if self.braced else found
 
     def due(self, margin: Margin, time: float, values: Sequence[float]) -> tuple[Margin, ...]:
-        """Return the margins that a due margin represents; several for the combined margin of undetermined forces."""
+        """Return the event functions that are zero; several if `margin` combines those of undetermined forces."""
         if margin.kind != "brace":
             return (margin,)
         return tuple(self.braced[i] for i in sorted(self._brace(self.code(time, values))[1]))

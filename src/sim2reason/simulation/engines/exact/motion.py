@@ -102,7 +102,7 @@ class EventLog:
 
 @dataclass(slots=True)
 class Segment:
-    """A motion segment of one mode: q + vτ + aτ²/2 with constant multipliers (NaN if undetermined).
+    """A motion segment of one contact mode: q + vτ + aτ²/2 with constant forces (NaN if undetermined).
 
     If the equations change, `flow` holds the motion and forces, and the other fields hold the initial values.
     """

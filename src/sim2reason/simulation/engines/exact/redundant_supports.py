@@ -14,7 +14,7 @@ ALLOWED = 1e-9  # fraction of the largest load: admissible residual
 
 
 def admissible_forces(problem: Problem, mode: ContactMode, x: Row) -> tuple[Row, Row] | None:
-    """Return admissible multipliers λ of the acting rows and friction f of all contacts for this x, or None.
+    """Return forces λ of acting rows and friction f that obey all inequalities at accelerations x; None if none do.
 
     Admissible means λ ≥ 0 except for two-sided rows, |f| ≤ µN and N ≥ 0. As equations with nonnegative unknowns:
     λ = p − r if it may have either sign; f = p − r, µN = p + r + spare for a sticking contact, N = spare for any other.
@@ -49,7 +49,7 @@ def admissible_forces(problem: Problem, mode: ContactMode, x: Row) -> tuple[Row,
 
 
 def _stacked(problem: Problem, along: Array, lift: Array, sticking: list[int]) -> Array:
-    """Return the matrix with columns λ, then p and r of each sticking contact, then the spare of every contact."""
+    """Return the matrix of force balance, with a column for each nonnegative unknown: λ, p and r, then spare."""
     n, rows = along.shape
     c, k = len(lift), len(sticking)
     matrix = np.zeros((n + c, rows + 2 * k + c))

@@ -79,7 +79,7 @@ class Settling:
     """A motion under construction: the present state, the recorded segments and the present contact mode."""
 
     def __init__(self, mechanism: Mechanism, duration: float, tolerance: float) -> None:
-        """Initialize at the start of the motion; raises as `System` does."""
+        """Validate the mechanism, raising as `System` does, and set the state at the start of the motion."""
         self.tolerance = tolerance
         self.system = System(mechanism)
         self.steady = None if self.system.changing else ConstantEquations(self.system)
@@ -105,7 +105,7 @@ class Settling:
     # -- impacts ---------------------------------------------------------------------------------
 
     def impact(self, instant: Instant) -> set[int] | None:
-        """Compute all impacts at an instant; return the rows that jerked, or None at the end of the motion."""
+        """Compute all impacts at an instant; return the constraints that tighten with a jerk, None if motion ends."""
         full = [i for i, spare in enumerate(instant.spare) if spare <= TOUCHING or self.kinds[i].both or self._acts(i)]
         full = [i for i in full if not self._is_due("force", i)]
         full = [i for i in full if self.kinds[i].follows < 0 or self.kinds[i].follows in full]
@@ -181,7 +181,7 @@ class Settling:
     # -- forces ----------------------------------------------------------------------------------
 
     def settle(self, instant: Instant, snapped: set[int], rates: Sequence[float]) -> Balance | None:
-        """Compute the forces and record changes; return None at the end. `rates` are those of rows before impacts."""
+        """Compute the forces, record changes of contact; None at the end. `rates`: of row lengths before impacts."""
         before = self.mode
         found = self.balance(instant, snapped, rates)
         touching = (i for i, near in enumerate(instant.pairs) if near.touching)
@@ -210,7 +210,7 @@ class Settling:
         return None
 
     def balance(self, instant: Instant, snapped: set[int], rates: Sequence[float] | None) -> Balance:
-        """Compute the forces, with rows and contacts that are due in their prescribed state.
+        """Compute the forces, with rows and contacts whose event has just occurred in the state after that event.
 
         `rates` are those of rows before any impact; None if no row is tight.
         """
@@ -233,11 +233,11 @@ class Settling:
         )
 
     def _least(self, grip: RoughContact) -> float:
-        """Return the slip that counts as zero: exactly zero if it is the rate of one coordinate, else `REST_RATE`."""
+        """Return the largest slip speed that counts as zero: 0 if it is one coordinate's rate, else `REST_RATE`."""
         return 0.0 if self.curved is None and grip.coordinate >= 0 else REST_RATE
 
     def _is_tight(self, instant: Instant, number: int, rates: Sequence[float]) -> bool:
-        """Return whether a row may act: its length has reached the bound and does not recede.
+        """Return whether a constraint may act: its length has reached the bound and does not recede.
 
         An acting row continues to act despite integration drift, unless an impact makes it recede.
         """
@@ -249,7 +249,7 @@ class Settling:
         return instant.spare[number] <= TOUCHING and abs(instant.rates[number]) <= self.still
 
     def _acts(self, number: int) -> bool:
-        """Return whether a row acted in the preceding segment, so that integration drift is possible."""
+        """Return whether a constraint acted in the preceding segment, so that integration drift is possible."""
         return bool(self.segments) and self.mode.acting[number]
 
     def _is_due(self, kind: str, number: int) -> bool:

@@ -1,4 +1,4 @@
-"""The numerical equations of a mechanism at an instant, as a `Problem`, and the distances to events."""
+"""The numerical equations of a mechanism at an instant, as a complementarity problem, and the distances to events."""
 
 import math
 from collections.abc import Mapping
@@ -59,7 +59,7 @@ class Near:
 
 @dataclass(frozen=True, slots=True)
 class Loads:
-    """The inertia and applied loads of a `Problem`."""
+    """The mass matrix and applied loads of the complementarity problem of forces at one instant."""
 
     mass: list[Row]
     lifted: list[Row]

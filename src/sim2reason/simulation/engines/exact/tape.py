@@ -33,7 +33,7 @@ class Symbol:
 
     @property
     def value(self) -> float:
-        """Return the value at the current point of the tape."""
+        """Return the value at the inputs that `Tape.stand` received last."""
         return self.tape.values[self.id]
 
     def __add__(self, other: Number) -> Number:
@@ -202,7 +202,7 @@ class Tape:
 
 @dataclass(frozen=True, slots=True)
 class _Code:
-    """Generated code for one shape of equations, with the indices of its parameters and its length."""
+    """Generated code of equations that may differ in constants, with the indices of these and the operation count."""
 
     make: Callable[..., Any]
     parameters: tuple[int, ...]
@@ -217,7 +217,7 @@ def _written(
     outputs: tuple[tuple[int, Said], ...],
     guards: tuple[tuple[int, Said], ...],
 ) -> _Code:
-    """Generate the code of a tape with its constants as parameters, so that mechanisms of one shape share it.
+    """Generate the code of a tape with its constants as parameters, so that equations alike except in these share it.
 
     Outputs and guards are nodes with a number; an output that is no node has the index −1.
     """
@@ -234,7 +234,7 @@ def _written(
 
 
 class _Writer:
-    """Writer of the nodes that some outputs need, in order; nodes used only once are written inline."""
+    """Writer of code for the recorded operations that some outputs need; results used only once are written inline."""
 
     def __init__(
         self, names: Sequence[str], nodes: Sequence[Node], constants: Sequence[Said], outputs: Sequence[int]
@@ -284,11 +284,11 @@ class _Writer:
         self._text[number] = (name, 0)
 
     def name(self, number: int) -> str:
-        """Return the text of a node."""
+        """Return the code for the result of a recorded operation."""
         return self._text[number][0]
 
     def constant(self, number: Said) -> str:
-        """Return the text of a constant: literal if it belongs to the shape, else a parameter."""
+        """Return the code for a constant: the constant itself if it is a text, else the name of a parameter."""
         return number if isinstance(number, str) else self.parameters.setdefault(number, f"c{len(self.parameters)}")
 
 

@@ -20,7 +20,7 @@ MAX_OVERLAP_ITERATIONS = 24  # largest number of iterations of overlaps and cree
 MAX_NORMAL_ITERATIONS = 60  # largest number of iterations of the normal forces behind the friction
 PATIENT = 30  # rounds after which small forces may keep changing
 FORCE_RTOL = 1e-10  # fraction of the largest force: smaller differences count as equal
-EQUAL = 1e-7  # the same for forces that are not unique
+EQUAL = 1e-7  # fraction of the largest force or acceleration: equality of forces that are not unique
 MIN_OVERLAP = 1e-12  # m; an overlap that still creates a constraint row
 
 
@@ -85,7 +85,7 @@ def _mixed(history: list[tuple[Array, Array]]) -> Array:
 
 
 def _turns(model: CompiledModel, demand: ForceDemand, normal: Array) -> ForceBalance:
-    """Iterate overlaps and creep for given normal forces behind the friction."""
+    """Return the forces at given friction limits, iterated until MuJoCo's soft constraints act as rigid ones."""
     limits = np.where((demand.sliding == 0.0) & ~demand.locked, model.static_friction * normal, 0.0)
     applied = demand.applied.copy()
     np.subtract.at(applied, model.rubs, demand.sliding * model.friction * normal)
@@ -117,7 +117,7 @@ def _same(a: ForceBalance, b: ForceBalance, close: float) -> bool:
 
 
 def _corrected(model: CompiledModel, demand: ForceDemand, found: ForceBalance, limits: Array) -> tuple[Array, Array]:
-    """Return the overlaps and creep for which the given forces cause no acceleration beyond the targets."""
+    """Return the constraint overlaps, m, and joint speeds at which MuJoCo's soft constraints yield these forces."""
     overlap = np.full(model.slots, MIN_OVERLAP)
     if not len(found.rows):
         return overlap, np.zeros(model.size)

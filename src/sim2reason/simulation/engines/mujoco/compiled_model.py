@@ -72,7 +72,7 @@ class CompiledModel:
         self._begin(spec)
 
     def _number_rows(self) -> NDArray[np.intp]:
-        """Return the slots by MuJoCo's type of constraint and index of the joint or tendon."""
+        """Return the library's index (slot) of each constraint, by MuJoCo's type and joint or tendon index."""
         most = max(self.size, int(self._model.ntendon), int(self._model.neq), 1)
         table = np.zeros((16, most), dtype=np.intp)
         kinds = mujoco.mjtConstraint
@@ -140,14 +140,14 @@ class CompiledModel:
     # ---- what acts
 
     def stand(self, q: Array) -> None:
-        """Define the present lengths of strings and gaps at `q` as their limits."""
+        """Define the lengths of strings and gaps at coordinates `q` as the limits of their constraints."""
         self._data.qpos[:] = q
         mujoco.mj_fwdPosition(self._model, self._data)
         self._lengths = np.array(self._data.ten_length)
         self._heights, self._places = np.array(q[self.faces]), np.array(q[self.rubs])
 
     def overlap(self, overlaps: Array) -> None:
-        """Shift the limit of every slot so that it is overstepped by this distance, m, at the state set by `stand`."""
+        """Shift the limit of every constraint so that the state set by `stand` violates it by this distance, m."""
         ranges = self._model.tendon_range
         ranges[self.tendons, 1] = self._lengths[self.tendons] - overlaps[self.strings]
         ranges[self.pairs, 1] = self._lengths[self.pairs] - overlaps[self.hits]
@@ -210,12 +210,12 @@ class CompiledModel:
         return np.array(self._data.ten_length)[self.paths] - self.start[self.paths]
 
     def rows(self) -> Integers:
-        """Return the slot of each constraint row that acts at present."""
+        """Return, for each constraint row of MuJoCo that acts at present, the index of its constraint (slot)."""
         data = self._data
         return self._slot_of_row[data.efc_type[: data.nefc], data.efc_id[: data.nefc]]
 
     def forces(self, rows: Integers) -> Array:
-        """Return the force in every slot, N, given the slots of the rows."""
+        """Return the force of every constraint, N, zero for idle ones; `rows` are the indices of the acting ones."""
         found = np.zeros(self.slots)
         found[rows] = self._data.efc_force[: len(rows)]
         return found

@@ -24,7 +24,7 @@ STEPS = 100_000  # largest number of steps
 CLOSER = 20  # times that a step is shortened to end at a contact
 CROWD = 5e-3  # s; repeated impacts of one body, or jerks of one string, within this time end the motion
 TIE = 1e-9  # s; events closer than this are simultaneous
-END_SIMULTANEITY_TOL = 1e-7  # s; the same for ends of the motion, as lengths are known to 1e-8 m and may change slowly
+END_SIMULTANEITY_TOL = 1e-7  # s; ends of the motion this close are simultaneous, as lengths have errors of 1e-8 m
 REST_SPEED = 1e-8  # m/s or rad/s; residual round-off of a speed that is zero
 SHORT = 1e-7  # s; the last step ends this long before two sites coincide, as a string has no direction there
 STEADY = 1e-4  # fraction of the largest load; forces are constant between events
@@ -43,7 +43,7 @@ def run(mechanism: Mechanism, times: Array) -> Trace:
 
 
 class ConstantLoop:
-    """A motion under construction, extended from event to event."""
+    """A motion under construction: the present state and the steps so far, extended from event to event."""
 
     def __init__(self, mechanism: Mechanism, duration: float) -> None:
         """Compile the mechanism and set its initial state."""

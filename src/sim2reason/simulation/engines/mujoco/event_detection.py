@@ -1,4 +1,4 @@
-"""Detection of events between impacts, by margins that decrease to zero as bodies move.
+"""Detection of events between impacts, by event functions that decrease to zero as bodies move.
 
 Gradients are MuJoCo's own, computed once: in a mechanism whose strings do not bend they are constant.
 Each margin is extrapolated as a quadratic function of time from its value, rate and second derivative. This is exact
@@ -26,14 +26,14 @@ ZERO_GRADIENT_TOL = 1e-9  # smaller entries of a gradient are round-off
 
 
 class Margins(NamedTuple):
-    """Event margins with their rates and second derivatives, (k,) each."""
+    """Event functions with their rates and second derivatives, (k,) each."""
 
     value: Array
     rate: Array
     second: Array
 
     def used_up(self) -> Array:
-        """Return the time until each margin reaches zero, s; infinity if it never does."""
+        """Return the time until each event function reaches zero, s; infinity if it never does."""
         f, b, c = self
         near = f <= TOUCHING
         root = np.sqrt(np.maximum(b * b - 2.0 * c * f, 0.0))
@@ -56,7 +56,7 @@ class Encounter(NamedTuple):
 
     @property
     def gaps(self) -> Margins:
-        """Return the gaps as margins: exact quadratics of time on a line, or in a plane at constant relative velocity.
+        """Return each gap, or in a plane (r² − d²)/2d, as an event function quadratic in time, with its derivatives.
 
         In a plane the gap is not quadratic, but (|D|² − d²)/2d is; it has the same zero, and the same rate there.
         """
@@ -72,7 +72,7 @@ class Encounter(NamedTuple):
 
 
 class EventDetector:
-    """The event margins of one mechanism."""
+    """The event functions of one mechanism: string slack, travel limits, line lengths and gaps between bodies."""
 
     def __init__(self, model: CompiledModel) -> None:
         """Read the initial geometry.
@@ -134,11 +134,11 @@ class EventDetector:
                 raise SceneError(pair.names[0], f"it overlaps {pair.b} at the start", "move them apart")
 
     def finish(self, q: Array, v: Array, a: Array) -> Margins:
-        """Return the margins of the events that end the motion."""
+        """Return the event functions of the events that end the motion."""
         return Margins(self._offsets + self._ends @ q, self._ends @ v, self._ends @ a)
 
     def strings(self, q: Array, v: Array, a: Array) -> Margins:
-        """Return the margins of the strings: the distances by which they may still lengthen."""
+        """Return the event functions of the strings: the lengths by which they may still grow."""
         return Margins(self.slack - self._strings @ q, -self._strings @ v, -self._strings @ a)
 
     def approach(self, q: Array, v: Array, a: Array) -> Encounter:

@@ -47,7 +47,7 @@ def extrapolate_step(rate: Rate, time: float, values: Array, first: Array, h: fl
 
 
 def _midpoint(rate: Rate, time: float, values: Array, first: Array, h: float, substeps: int) -> Array:
-    """Return the result of the midpoint rule without Gragg's final smoothing, which an even number needs not."""
+    """Return the result of the midpoint rule; even `substeps` do not need Gragg's final smoothing."""
     step = h / substeps
     before, here = values, values + step * first
     for number in range(1, substeps):

@@ -32,7 +32,7 @@ def is_tiny(mechanism: Mechanism) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class OwnUnits:
-    """Units of mass and time, measured in kg and s or in the units of a mechanism."""
+    """The units of mass and time of a simulation, as multiples of the original units of the mechanism."""
 
     mass: float
     time: float

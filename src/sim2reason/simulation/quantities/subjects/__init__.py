@@ -57,7 +57,7 @@ class Subject(ABC):
         """
 
     def fills(self, mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Return the replacement of each placeholder in `extras`; by default there are none."""
+        """Return the texts for the further placeholders (`extras`) in a quantity's phrases; by default none."""
         del mechanism, name, mentions
         return {}
 

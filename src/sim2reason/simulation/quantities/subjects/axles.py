@@ -41,7 +41,7 @@ class Axles(Subject):
         return is_stated_for_all(need, mechanism, said)
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
-        """Return the sense up, and right if the axle is horizontal and points away from the reader."""
+        """Return the direction up, and right if the axle is horizontal and points away from the reader."""
         up = Sense(UP, UPWARD, VERTICAL, fixed=True, share=OFF_AXIS_SHARE)
         right = Sense(RIGHT, ACROSS, HORIZONTAL, fixed=True, share=OFF_AXIS_SHARE)
         return [up, right] if abs(mechanism.body[name].coordinates[0].axis[1]) > 1.0 - DIRECTION_TOL else [up]

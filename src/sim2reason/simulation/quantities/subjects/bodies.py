@@ -54,7 +54,7 @@ class Bodies(Subject):
         return f"the centre of mass of {phrase}" if swings else phrase
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
-        """Return the senses up, up the slope, and along the axes that the text defines."""
+        """Return the directions up, up the slope, and along the axes that the text defines."""
         own = [c for c in mechanism.body[name].coordinates if c.label in AXES and c.kind == "slide"]
         path = center_path(mechanism, name)
         if own and len(own) == len(path.ways):
@@ -89,7 +89,7 @@ def moves_in_plane(mechanism: Mechanism, name: str) -> bool:
 
 
 def _of_path(path: CenterPath) -> list[Sense]:
-    """Return the senses with English names; right is included only if the text fixes it by a label."""
+    """Return the directions up, or up the slope, of a centre of mass that can rise; none for any other path."""
     if not path.rises:
         return []
     if not path.straight:
@@ -188,7 +188,7 @@ class WholeScene(Subject):
         return is_stated_for_all(need, mechanism, said)
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
-        """Return the senses of the text if they are the same for all bodies with a mass; else none."""
+        """Return the directions that the text can name if they are the same for all bodies with a mass; else none."""
         del name
         each = [Bodies().senses(mechanism, body.name) for body in mechanism.bodies if body.mass > 0.0]
         return each[0] if each and all(senses == each[0] for senses in each) else []

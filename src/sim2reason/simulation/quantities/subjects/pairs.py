@@ -76,6 +76,6 @@ class RelativeBodies(Subject):
         return all(Bodies().gives(need, mechanism, body, said) for body in members(name))
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
-        """Return the senses that both bodies have."""
+        """Return the directions that the text can name for both bodies."""
         one, other = (Bodies().senses(mechanism, body) for body in members(name))
         return [sense for sense in one if sense in other]

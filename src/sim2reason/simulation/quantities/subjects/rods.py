@@ -163,7 +163,7 @@ class Rods(Subject):
         return is_stated_for_all(need, mechanism, said)
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
-        """Return the sense of tension."""
+        """Return the direction in which the force of a rod counts as positive, tension."""
         del mechanism, name
         return [Sense("tension", (0.0, 0.0, 0.0))]
 

@@ -41,7 +41,7 @@ class DipoleForce:
         return False
 
     def moved(self, by: Vector) -> "DipoleForce":
-        """Return the law about another origin."""
+        """Return the law with its origin displaced by `by`, m."""
         return replace(self, center=add(self.center, by))
 
 

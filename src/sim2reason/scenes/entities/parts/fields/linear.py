@@ -55,7 +55,7 @@ class LinearElectric(ElectricField):
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, object], rng: np.random.Generator) -> Mapping[str, object]:
-        """Return the axis parallel to the field."""
+        """Return the axis along which the strength changes, made parallel to the drawn direction of the field."""
         del rng
         return {"axis": str(drawn["way"])[-1]}
 

@@ -20,7 +20,7 @@ from sim2reason.simulation.trace import Event, Trace
 
 PIECES = 24  # fraction of the duration: the longest step, so that its ends determine the motion between,
 STRIDE, MIN_SAMPLE_STEPS = 5 / 3, 10  # or this many intervals between samples, if there are at least so many steps
-FIRST = 0.05  # fraction of such a piece: the first step after a separation, so that the gap is open before it can close
+FIRST = 0.05  # fraction of the longest step: the first step after a separation, so that the gap opens before it closes
 STEPS = 4000  # largest number of steps
 MIN_STEP = 1e-11  # fraction of the duration: the shortest step
 SEGMENTS = 500  # largest number of motion segments
@@ -123,7 +123,7 @@ class EventDrivenLoop(InstantSolver):
                 self.events.append(Event(when, "turn", (coordinate.name,)))
 
     def _happen(self, due: list[EventMargin]) -> bool:
-        """Apply the events that are due; return False if one ends the motion."""
+        """Apply the events that have been reached; return False if one ends the motion."""
         together = any(each.kind == "reach" for each in due)  # what two points at one place seem to do is nothing
         for each in due:
             number = each.number

@@ -12,11 +12,11 @@ from sim2reason.simulation.budget import Budget
 
 SINGULAR_VALUE_RTOL = 1e-10  # fraction of the largest: a smaller singular value counts as zero
 MAX_VERTICES = 3000  # largest number of vertices to examine
-SLIP = 1e-9  # fraction of the largest margin: violation of a condition tolerated at a vertex
+SLIP = 1e-9  # fraction of the largest value of a condition: violation tolerated at a vertex
 
 
 def maximize_least_condition(solution: Array, free: Array, conditions: Array) -> Array:
-    """Return the solution plus the combination of the rows of `free` (k, size) that maximizes the least condition.
+    """Return the solution plus the null vectors in `free` that make the least entry of conditions · solution largest.
 
     It lies where k + 1 of the conditions (m, size) are equal, so all such corners are tried. Where nothing bounds it,
     the solution stays as it is.
@@ -80,7 +80,7 @@ class ForceProblem:
 
 
 class Faces(NamedTuple):
-    """The joints along which bodies rise from their faces, the slips of these (faces, joints), and their friction."""
+    """The faces: the joints by which bodies leave them, gradients of slip (faces, joints), friction coefficients."""
 
     rises: list[int]
     slips: Array
@@ -89,7 +89,7 @@ class Faces(NamedTuple):
 
 @dataclass(frozen=True)
 class ForceSolution:
-    """Accelerations and all forces of one contact mode; `open_rows` and the like mark undetermined forces."""
+    """Accelerations and all forces of one contact mode; `unknown` marks forces that the motion does not determine."""
 
     way: ContactMode
     x: Array
@@ -123,7 +123,7 @@ def system(
     way: ContactMode,
     acts: ActiveSet,
 ) -> tuple[Array, Array]:
-    """Return the equations of one contact mode: for accelerations, `held` rows, normal forces, friction."""
+    """Return a contact mode's matrix and right side for accelerations, `held` rows, normal forces and friction."""
     n, first, second = len(loads), len(held), len(held) + len(acts.closed)
     size = n + second + len(acts.sticking)
     matrix, wanted = np.zeros((size, size)), np.zeros(size)
@@ -171,7 +171,7 @@ def solve_mode(instant: ForceProblem, way: ContactMode) -> ForceSolution | None:
 
 
 def _conditions(instant: ForceProblem, acts: ActiveSet, size: int) -> Array:
-    """Return the quantities that must not be negative, as rows over all unknowns: pulls, normal forces, grips."""
+    """Return, as rows over all unknowns, what must not be negative: tensions, normal forces, unused static friction."""
     n, first = len(instant.loads), len(acts.rows)
     normal = {i: n + first + place for place, i in enumerate(acts.closed)}
     found = [[(n + place, 1.0)] for place, i in enumerate(acts.rows) if not instant.both[i]]
@@ -210,7 +210,7 @@ def solve_regular(matrix: Array, wanted: Array) -> Array | None:
 
 
 def _least(matrix: Array, wanted: Array) -> tuple[Array | None, Array]:
-    """Return a least-squares solution, or None, and a basis of the null space (free unknowns, all)."""
+    """Return the solution, None if there is none, and a basis of the null space, (k, unknowns)."""
     if not len(wanted):
         return wanted, np.zeros((0, 0))
     scale = np.maximum(np.abs(matrix).max(axis=1), 1e-300)
@@ -228,7 +228,7 @@ def _least(matrix: Array, wanted: Array) -> tuple[Array | None, Array]:
 
 @record()
 class Row:
-    """A constraint row, usually one-sided: J·q̈ ≤ target, spare ≥ 0, with spare shrinking at `rate`."""
+    """A constraint, usually one-sided: J·q̈ ≤ target once the length left, `spare`, is zero; it shrinks at `rate`."""
 
     kind: str  # string, rod, prop, foot, hold, stuck
     name: str

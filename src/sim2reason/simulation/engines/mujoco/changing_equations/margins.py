@@ -1,4 +1,4 @@
-"""Event margins of a contact mode, and the location of events within a step."""
+"""Event functions of a contact mode, each zero at its event, and the location of events within a step."""
 
 from collections.abc import Callable, Iterator
 from math import sqrt
@@ -27,7 +27,7 @@ DISTANCES = frozenset({"gap", "reach", "border", "strain"})
 
 
 class EventMargin(NamedTuple):
-    """The value of an event margin with its kind, index and side."""
+    """The value of an event function, which is zero at the event, with its kind, index and side."""
 
     kind: str
     number: int
@@ -36,7 +36,7 @@ class EventMargin(NamedTuple):
 
 
 class ActingModel:
-    """A model in one contact mode, with its rates, forces and event margins."""
+    """A model in one contact mode, with its rates, forces and event functions."""
 
     def __init__(self, model: ConstrainedModel, record: MotionRecord, situation: SwitchState, way: ContactMode) -> None:
         """Store the model and contact mode without computing anything."""
@@ -72,7 +72,7 @@ class ActingModel:
         return self.record.forces(self.way)
 
     def knot(self, time: float, values: Array) -> tuple[Knot, list[EventMargin]]:
-        """Return the knot at the end of a step, and all margins there."""
+        """Return the record of the end of a step (time, state, rates), and all event functions there."""
         n = self.model.size
         if self._unbound:
             return Knot(time, values, self.rate(time, values)), self.margins()
@@ -92,14 +92,14 @@ class ActingModel:
         return self.model.closeness()
 
     def margins(self) -> list[EventMargin]:
-        """Return all event margins at the present state of the model."""
+        """Return all event functions at the present state of the model."""
         return [*self._places(), *self._switches()] if self._unbound else self._margins(self.forces())
 
     def _margins(self, forces: ForceSolution) -> list[EventMargin]:
         return [*self._rows(forces), *self._faces(forces), *self._places(), *self._switches()]
 
     def distances(self) -> list[EventMargin]:
-        """Return the margins that are distances, which require no forces."""
+        """Return the event functions that are distances, which require no forces."""
         return [due for due in [*self._places(), *self._switches()] if due.kind in DISTANCES]
 
     def _rows(self, forces: ForceSolution) -> Iterator[EventMargin]:
@@ -151,8 +151,8 @@ class ActingModel:
 
 
 TOLERANCE = 2e-8  # relative tolerance of a step
-DRIFT = 1e-5  # a margin may start this far below zero, as steps and impacts leave it
-ARMED = 1e-7  # value that a margin must exceed after starting at or below zero before it can be due
+DRIFT = 1e-5  # an event function may start this far below zero, as steps and impacts leave it
+ARMED = 1e-7  # value that an event function that starts at or below zero must exceed before it can signal
 TIE = 1e-7  # fraction of the duration: events closer than this are simultaneous
 SOUGHT = 12  # attempts to end a step at an event
 EVENT_TIME_RTOL = 1e-13  # fraction of the duration: accuracy of an event time
@@ -163,14 +163,14 @@ HALVINGS = 30  # attempts to find a point of a step with a negative distance
 
 
 def _room(margin: float, ready: bool) -> float:  # noqa: FBT001 - one of a pair
-    """Return the depth below zero at which a margin is due; larger if it starts at or below zero."""
+    """Return the depth below zero at which an event function signals an event; larger if it starts at or below zero."""
     if ready or margin < -DRIFT:
         return 0.0
     return ARMED + max(0.0, -margin)
 
 
 class EventSearch:
-    """The search for events within one step, from the margins at both ends and which of them were ever positive."""
+    """The search for events in a step, from the event functions at both ends and which were ever positive."""
 
     def __init__(
         self,
@@ -185,7 +185,7 @@ class EventSearch:
         self._span = step[1].time - step[0].time
 
     def due(self, duration: float) -> tuple[Knot, list[EventMargin]] | None:
-        """Return the end of the step at its first event, and the margins due there; None if nothing is due."""
+        """Return the step's end at its first event, and the event functions that signal it; None without event."""
         start, before = self._step[0], self._ends[0]
         if self._worst(before) < 0.0:
             return start, [due for due, r in zip(before, self._room, strict=True) if due.value + r < 0.0]
@@ -207,7 +207,7 @@ class EventSearch:
         return here, self._simultaneous(margins, duration)
 
     def _change(self, x: float, margins: list[EventMargin]) -> float:
-        """Return the change of the step fraction to the zero of the least margin, by Newton's method.
+        """Return the Newton correction of the step fraction at which the least event function is zero.
 
         The approach speed of two points is known; once they separate, they have met before.
         """
@@ -220,19 +220,19 @@ class EventSearch:
         return -short / slope if slope else 0.0
 
     def _arm(self, x: float) -> bool:
-        """Update which margins became positive at a fraction of the step; return whether any did."""
+        """Update which event functions became positive by a fraction of the step; return whether any did."""
         risen = [room > 0.0 and due.value > ARMED for room, due in zip(self._room, self._between(x), strict=True)]
         self._room = [0.0 if rose else room for rose, room in zip(risen, self._room, strict=True)]
         return any(risen)
 
     def _simultaneous(self, margins: list[EventMargin], duration: float) -> list[EventMargin]:
-        """Return the margins that are due, or will be within the tolerance of simultaneous events."""
+        """Return the event functions that have reached zero, or will within the tolerance of simultaneous events."""
         speeds = [abs(b.value - a.value) / self._span for a, b in zip(*self._ends, strict=True)]
         near = [max(1e-9, TIE * duration * speed) for speed in speeds]
         return [due for due, r, close in zip(margins, self._room, near, strict=True) if due.value + r <= close]
 
     def _worst(self, margins: list[EventMargin]) -> float:
-        """Return the least margin value; if two points of a line have met, that of their distance alone."""
+        """Return the least event function; if two points of a line have met, that of their distance alone."""
         left = [(due.value + r, due.kind) for due, r in zip(margins, self._room, strict=True)]
         met = min((value for value, kind in left if kind == "reach"), default=1.0)
         return met if met < 0.0 else min(left, default=(1.0, ""))[0]
@@ -248,7 +248,7 @@ class EventSearch:
         return self._crossing(0.0, high)
 
     def _crossing(self, low: float, high: float) -> float:
-        """Return the upper end of a short interval of the step in which the least margin changes sign.
+        """Return the end of a short interval of the step in which the least event function changes sign.
 
         Guesses are those of C. Ridders, A new algorithm for computing a single root, IEEE Trans. Circuits Syst. 26
         (1979), and are bracketed at once.
@@ -297,16 +297,16 @@ class EventSearch:
         return None
 
     def _distances(self, x: float) -> list[float]:
-        """Return the distances among the margins at a fraction of the step."""
+        """Return the event functions that are distances at a fraction of the step."""
         self._stand(x)
         return [due.value for due in self._acting.distances()]
 
     def _left(self, x: float) -> float:
-        """Return the least margin value at a fraction of the step, by interpolation between its ends."""
+        """Return the least event function at a fraction of the step, by interpolation between its ends."""
         return self._worst(self._between(x))
 
     def _between(self, x: float) -> list[EventMargin]:
-        """Return all margins at a fraction of the step."""
+        """Return all event functions at a fraction of the step."""
         self._stand(x)
         return self._acting.margins()
 

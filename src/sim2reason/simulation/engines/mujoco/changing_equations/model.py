@@ -270,7 +270,7 @@ class ConstrainedModel:
         return gap, float(gradient @ self.v), gradient, float(normal @ (other.bias - one.bias))
 
     def borders(self, number: int) -> list[float]:
-        """Return the margins of the region of a force; none if it acts everywhere."""
+        """Return the distances, m, to the borders of a force's region, positive inside; none if it acts everywhere."""
         force = self.mechanism.forces[number]
         if force.region is None:
             return []

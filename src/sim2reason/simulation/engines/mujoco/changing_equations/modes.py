@@ -104,7 +104,7 @@ def _ways(instant: ForceProblem, guess: ContactMode) -> Iterator[ContactMode]:
 
 
 def replace_rows(instant: ForceProblem, guess: ContactMode) -> ContactMode:
-    """Return a guess without disallowed rows, with two-sided rows acting, and with slipping faces as prescribed."""
+    """Return the guess with disallowed rows idle, two-sided ones acting, and already slipping faces as they slip."""
     rows = tuple(
         (acts or both) and ok for acts, both, ok in zip(guess.rows, instant.both, instant.allowed, strict=True)
     )
@@ -127,7 +127,7 @@ def _linked(instant: ForceProblem, way: ContactMode) -> ContactMode:
 
 
 def replace_tuple(way: ContactMode, rows: tuple[bool, ...]) -> ContactMode:
-    """Return the contact mode with other rows."""
+    """Return the contact mode with another choice of the constraint rows that act."""
     return way._replace(rows=rows)
 
 

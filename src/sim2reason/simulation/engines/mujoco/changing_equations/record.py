@@ -20,7 +20,7 @@ from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
 )
 from sim2reason.simulation.engines.mujoco.changing_equations.model import ConstrainedModel
 
-PASSING_DISTANCE = 1e-6  # m; the same if the ends may pass each other, as the sign is unknown
+PASSING_DISTANCE = 1e-6  # m; ends of a line coincide if closer, if they may pass each other (unknown sign)
 COINCIDENCE_DISTANCE = 1e-9  # m; ends of a line that are closer coincide
 
 
@@ -40,7 +40,7 @@ class Knot:
 
 @dataclass
 class ModeInterval:
-    """The knots of one contact mode, in order of time."""
+    """An interval of one contact mode: its forces, and the recorded ends of steps (knots) in order of time."""
 
     way: ContactMode
     found: ForceSolution
@@ -82,7 +82,7 @@ class Quintic:
 
 
 def interpolate_knots(knots: Sequence[Knot], times: Array) -> Array:
-    """Return positions and velocities at times, (m, 2·joints), by Hermite interpolation through knots."""
+    """Return positions and velocities at times, (m, 2·joints), by Hermite interpolation between ends of steps."""
     n, origin = len(knots[0].values) // 2, knots[0].time
     h = knots[-1].time - origin
     if h <= 0.0:
@@ -97,7 +97,7 @@ def interpolate_knots(knots: Sequence[Knot], times: Array) -> Array:
 
 
 def _beside(knots: Sequence[Knot], place: int) -> Sequence[Knot]:
-    """Return both ends of a step, and the next knots on both sides if those steps are of similar size."""
+    """Return the recorded ends of a step, and those of neighbouring steps if these are of similar size."""
     first, last = place, min(place + 1, len(knots) - 1)
     span = knots[last].time - knots[first].time
     for _ in range(2):
@@ -147,7 +147,7 @@ class MotionRecord:
         return moving
 
     def run_length(self, number: int) -> float:
-        """Return the distance of a segment's ends, m; negative after they have passed through each other on a line."""
+        """Return the distance of the ends of a line segment, m; negative once they have passed through each other."""
         first, last = self.runs[number]
         apart, way = self._model.place(last) - self._model.place(first), self._ways[number]
         return float(
@@ -155,7 +155,7 @@ class MotionRecord:
         )
 
     def run_rate(self, number: int) -> float:
-        """Return the rate of change of the distance of a segment's ends at the present state, m/s."""
+        """Return the rate of change of the distance of the ends of a line segment at present, m/s."""
         first, last = (self._model.site(name) for name in self.runs[number])
         apart, parting = last.place - first.place, last.velocity - first.velocity
         way, far = self._ways[number], float(np.linalg.norm(apart))
@@ -165,7 +165,7 @@ class MotionRecord:
 
     @property
     def last(self) -> Knot:
-        """Return the latest knot."""
+        """Return the recorded end of the latest step."""
         return self.stretches[-1].knots[-1]
 
     def start(self, way: ContactMode, found: ForceSolution, situation: SwitchState) -> None:
@@ -177,7 +177,7 @@ class MotionRecord:
         self.stretches[-1].knots.append(knot)
 
     def state(self, times: Array) -> State:
-        """Return the motion at `times`, s, with forces recomputed; beyond the end the last knot is repeated."""
+        """Return the motion at `times`, s, with forces recomputed; after the end the last state is repeated."""
         model, mechanism = self._model, self._model.mechanism
         lines = [line.name for line in mechanism.constraints]
         n, m = model.size, len(times)

@@ -11,7 +11,7 @@ from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.mechanism import Mechanism, RigidBody
 from sim2reason.simulation.engines.mujoco.specification import TINY, Element, mujoco
 
-ROUND = 1e-10  # of a body's largest moment of inertia, added to all three, as MuJoCo checks A + B ≥ C exactly
+ROUND = 1e-10  # fraction of a body's largest moment of inertia, added to all three, as MuJoCo checks A + B ≥ C exactly
 
 
 class ConstrainedSpecification:
