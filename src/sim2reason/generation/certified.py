@@ -74,7 +74,7 @@ class CertifiedPart:
 
 
 def worked_solution(request: Request, found: CertifiedQuestion) -> Solution:
-    """Return the worked solution of a certified question in the units of its text; an empty one states why.
+    """Return the worked solution of a question in the units of its text; without an answer, it states the reason.
 
     For several parts this is the solution of all parts.
     """

@@ -208,7 +208,7 @@ class ScaledPiece(Piece):
     """A group of entities drawn to scale, whose shape the layout does not change."""
 
     def __init__(self, name: str, plan: DrawingPlan, group: frozenset[str]) -> None:
-        """Draw the group once, for all positions."""
+        """Draw the group once; a layout only moves this drawing."""
         super().__init__(name, plan)
         self.setting = DrawingContext(plan, group)
         self.picture = scaled(self.setting)
@@ -216,7 +216,7 @@ class ScaledPiece(Piece):
         self.outlines = [found for shape in solid if len(found := hull(outline(shape))) > 1]
 
     def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
-        """Return the port's site, or the point where the strand leaves the body there."""
+        """Return the point where a string leaves the group: at the port, or at the outline of the body there."""
         return self.setting.edge(knot.leaves if second else knot.arrives, way)
 
     def hulls(self) -> list[Polygon]:

@@ -64,7 +64,7 @@ def _paths(found: list[Given]) -> str:
 
 
 def _is_indifferent(candidate: Candidate, given: Given) -> bool:
-    """Return whether answers of this kind never depend on a number, as a period on the amplitude of a spring."""
+    """Return whether a change of a number cannot change answers of this kind, such as of the amplitude for a period."""
     other = shifted(candidate.study, given, candidate.until)
     return other is not None and candidate.kind.indifferent(candidate.question.query, candidate.study, other)
 
