@@ -29,7 +29,7 @@ MAX_DEPTH = 100  # levels of nested lists and objects in one item
 
 
 class BenchmarkFile(Record):
-    """The record of a benchmark file with which a dataset shares no text."""
+    """The name and checksum of a benchmark file with which a dataset shares no text."""
 
     name: str
     sha256: str

@@ -101,13 +101,13 @@ class Shard(Record):
 
 
 class RefusedPositions(Record):
-    """The positions without an item for one cause: their number, and the first of them."""
+    """The positions that hold no item for one reason, such as duplicates: their number, and the first few."""
 
     total: int = 0
     first: tuple[RefusedPosition, ...] = ()
 
     def with_more(self, found: Iterable[RefusedPosition]) -> "RefusedPositions":
-        """Return the record with later positions added."""
+        """Return the record with further positions without an item added."""
         more = tuple(found)
         return RefusedPositions(total=self.total + len(more), first=(*self.first, *more)[:FIRST]) if more else self
 

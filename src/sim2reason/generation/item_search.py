@@ -48,7 +48,7 @@ def form_problem(
     refused: Counter[str],
     name: str,
 ) -> CertifiedQuestion | None:
-    """Return the problem in a mode, with its parts or options; None, counted in `refused`, if impossible.
+    """Return a question as a problem of a mode, with parts or options; None, counted in `refused`, if impossible.
 
     The order of options depends only on `name`.
     """

@@ -91,7 +91,7 @@ class Request:
 
     @classmethod
     def named(cls, name: str, weights: Weights = (), tolerance: float = TOLERANCE, needs: tuple[str, ...] = ()) -> Self:
-        """Return the request of an id, with these weights, tolerance and needs; DrawError for an invalid id."""
+        """Return the request with an id; weights, tolerance and needs are not part of an id and must be given."""
         match = _ID.fullmatch(name)
         if match is None:
             raise DrawError(f"{name!r} is no id; one looks like pulley-easy-numeric-0-4")

@@ -45,7 +45,7 @@ class MirroredLaw:
         return self.law.constant
 
     def moved(self, by: Vector) -> "MirroredLaw":
-        """Return the law shifted to another origin."""
+        """Return the mirrored force law after a shift of its origin."""
         return MirroredLaw(self.law.moved(polar(by)))
 
 
@@ -56,11 +56,11 @@ class MirroredRegion:
     region: Region
 
     def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
-        """Return the margins at the mirrored position."""
+        """Return the distances of a position from the borders of the mirrored region."""
         return self.region.margins(polar(place), maths)
 
     def moved(self, by: Vector) -> "MirroredRegion":
-        """Return the region shifted by a vector."""
+        """Return the mirrored region shifted by a vector."""
         return MirroredRegion(self.region.moved(polar(by)))
 
 

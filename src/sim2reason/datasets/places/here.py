@@ -93,7 +93,7 @@ def here(crew: WorkerPool) -> Generator[Run, None, None]:
 
 
 def _workers(crew: WorkerPool) -> int | None:
-    """Return the requested number of workers; 1 if the caller's program registers members."""
+    """Return the requested number of worker processes; 1 if the caller's program registers own components."""
     own = further_members().get(PROGRAM, ())
     if own and (crew.workers or 1) > 1:
         raise DatasetError(

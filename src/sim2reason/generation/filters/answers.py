@@ -92,7 +92,7 @@ def _least(candidate: Candidate) -> float:
 
 
 def _stated(candidate: Candidate, unit: str) -> Iterator[float]:
-    """Yield the numbers in the text with a unit; for any unit, also g and the question's numbers."""
+    """Yield the numbers in the text with this unit; also g and the question's numbers, whatever their unit."""
     for parameter in candidate.study.scene.parameters:
         open_to_all = not parameter.hidden and parameter.path not in candidate.question.left_open
         alike = parameter.measure.unit == unit or parameter.path.startswith("world.")

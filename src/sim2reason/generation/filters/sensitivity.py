@@ -70,7 +70,7 @@ def _is_indifferent(candidate: Candidate, given: Given) -> bool:
 
 
 def _cancelling(mechanism: Mechanism, subject: str) -> set[str]:
-    """Return the addresses of numbers that may cancel: mass and charge of the subject, and radii of rolling bodies."""
+    """Return the addresses of numbers that may cancel: the subject's mass and charge, and its radius if it rolls."""
     body = _lone(mechanism, subject)
     rolls = body in mechanism.contacts and len(mechanism.contacts[body].slip) > 1
     return {f"{body}.mass", f"{body}.charge", *([f"{body}.radius"] if rolls else [])}

@@ -37,7 +37,7 @@ SIGNS = ("plus", "minus", "dash")
 
 @dataclass(frozen=True, slots=True)
 class Equality:
-    """Two sides that the text equates, as text and as functions of the symbols."""
+    """An equation in the text of a solution: both sides as text and as functions of the symbols."""
 
     text: str
     sides: tuple[Node, Node]
@@ -56,7 +56,7 @@ class Equality:
         return sum(abs(size) for size in found if size is not None)
 
     def rounding(self, values: Mapping[str, float], excess: float) -> float:
-        """Return the change of the excess if each term and number changed by its own magnitude."""
+        """Return by how much left minus right side may differ from zero if all numbers are rounded."""
         sizes = [self.sizes(values)]
         for name in self.symbols:
             moved = self.excess({**values, name: values[name] * (1.0 + STEP)})
@@ -71,7 +71,7 @@ class Equality:
 
 @dataclass(frozen=True, slots=True)
 class ReadText:
-    """The parsed text: equalities, formulas that do not parse, and values of symbols.
+    """The result of reading a solution's text: equations, formulas that do not parse, and values of symbols.
 
     `values` are the stated numbers, and those that follow for quantities that cancel, such as tensions.
     """
@@ -83,7 +83,7 @@ class ReadText:
 
     @property
     def broken(self) -> list[str]:
-        """Return the equalities that do not hold, or contain undetermined symbols."""
+        """Return the equations that do not hold for the values in the text, or contain symbols without a value."""
         wrong = [e.text for e in self.equalities if e.symbols - self.values.keys() or not e.holds(self.values)]
         return wrong + [held.text for held in self.sums if not held.holds(self.values)]
 
@@ -153,7 +153,7 @@ def _excess(formula: str, table: frozenset[str]) -> Callable[[Mapping[str, float
 
 
 def _follow(equalities: list[Equality], values: dict[str, float]) -> None:
-    """Determine symbols without numbers from equalities in which they are the only unknown, linearly.
+    """Compute symbols without stated numbers from equations that are linear in them and have no other unknown.
 
     Among several such equalities, the one with the smallest magnification of rounding errors is used.
     """

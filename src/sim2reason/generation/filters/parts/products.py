@@ -82,7 +82,7 @@ def _sum(terms: Sequence[Factor]) -> float | None:
 
 
 def _plain(factor: Factor, candidate: Candidate, view: View) -> Iterator[float]:
-    """Yield the powers of a number, with a multiple of one half as exponent; for an angle, of its functions."""
+    """Yield a number raised to its measured power if that is a multiple of ½; of an angle, its sine and so on."""
     if factor.unit != ANGLE:
         halves = _halves(factor.power)
         yield from [factor.value ** (halves / 2.0)] if halves else []
@@ -127,7 +127,7 @@ def _halves(power: float) -> int | None:
 
 
 def factors_of(candidate: Candidate, view: View) -> list[Factor] | None:
-    """Return the numbers on which the answer depends; None for a vector, or if the answer ceases to exist."""
+    """Return the numbers on which the answer depends, with powers; None for a vector or a missing answer."""
     study, question, found = candidate.study, candidate.question, list[Factor]()
     for given in givens(study.scene, question.left_open):
         other = shifted(study, given, candidate.until)

@@ -50,7 +50,7 @@ class Variation:
 
     @property
     def story(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
-        """Return the events before that time, in order; turning points are omitted."""
+        """Return the events up to the latest time on which the answer depends, in order, without turning points."""
         return self.study.trace.story(self.until)
 
     @property
