@@ -243,7 +243,7 @@ def _same(read: Read, shards: int, alike: Others) -> Others:
 
 
 def _alike(read: Read, shards: int, distance: float, same: Others) -> Others:
-    """Return, for each item, the position of an earlier kept variant that is too close."""
+    """Return, for each item, the position of an earlier kept item with the same problem and close numbers."""
     problems = _repeated(read, shards, PROBLEM)
     alike = np.full(len(same), NOBODY, dtype=np.int64)
     for begin, end in _stretches(read, shards, problems):

@@ -150,7 +150,7 @@ class Manifest(Record):
         return self.sealed().seal == self.seal
 
     def empty_cells(self) -> Iterator[str]:
-        """Yield a line for each mode, kind and recipe that is unexpectedly empty."""
+        """Yield a line for each combination of mode, kind and recipe without an item, though requested often."""
         yield from empty(self.cells)
         unfilled = self.refused["unfilled"].total if "unfilled" in self.refused else 0
         if not self.rows and unfilled:

@@ -96,7 +96,7 @@ class PulleyPiece(Piece):
                     yield there.piece
 
     def _clear(self, block: PathKnot) -> bool:
-        """Return whether the string passes beyond the pulley as seen from the face, so that no bracket crosses it."""
+        """Return whether a string passes on the outer side of the pulley, so that no bracket to a plane crosses it."""
         ways = self.plan.ends.get(block.item, ())
         if self.bend is None or not ways:
             return False

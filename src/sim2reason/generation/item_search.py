@@ -146,7 +146,7 @@ class ItemSearch:
         return sorted((first, *others), key=self._is_last)
 
     def _is_last(self, kind: str) -> bool:
-        """Return whether a kind is to be tried last: rarely offered, mostly rejected, or in need of other means."""
+        """Return whether a kind is tried last: seldom possible, mostly rejected, or needing disallowed mathematics."""
         known = self._known[kind] >= KNOWN or self._absent[kind] >= ABSENT
         return known or self._refused[kind] >= REFUSED or self._unsuited[kind] >= HOPELESS
 

@@ -255,7 +255,7 @@ class QuestionSearch:
         return _Told(candidate, description, prompt.shape)
 
     def _leaving_out(self, topics: frozenset[Topic]) -> Description:
-        """Return the text without some topics, cached because many questions omit the same ones."""
+        """Return the scene's text without sentences on some topics, cached because many questions omit the same."""
         if topics not in self._texts:
             self._texts[topics] = self.description.leaving_out(topics)
         return self._texts[topics]

@@ -46,12 +46,12 @@ class Equality:
     close: float = ROUNDED_RTOL
 
     def excess(self, values: Mapping[str, float]) -> float | None:
-        """Return left minus right side; None where a side has no value."""
+        """Return the left minus the right side of the equation; None where a side has no value."""
         left, right = (arithmetic.value(side, values) for side in self.sides)
         return None if left is None or right is None else left - right
 
     def sizes(self, values: Mapping[str, float]) -> float:
-        """Return the sum of the magnitudes of all terms."""
+        """Return the sum of the magnitudes of all terms of both sides."""
         found = (arithmetic.value(term, values) for term in self.terms)
         return sum(abs(size) for size in found if size is not None)
 
@@ -166,7 +166,7 @@ def _follow(equalities: list[Equality], values: dict[str, float]) -> None:
 
 
 def _solved(equality: Equality, values: Mapping[str, float]) -> tuple[float, str, float] | None:
-    """Return the error magnification, the only unknown of a linear equality, and its value; else None."""
+    """Return the error magnification, name and value of an equation's only unknown; None if it is not linear."""
     missing = [*(equality.symbols - values.keys())]
     if len(missing) != 1:
         return None

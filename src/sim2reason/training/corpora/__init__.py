@@ -51,7 +51,7 @@ class Corpus(BaseModel, ABC):
 
     @abstractmethod
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:
-        """Yield all rows in a fixed order; omitted ones are counted by reason in `left_out`.
+        """Yield all prompts with completions in a fixed order; omitted ones are counted by reason in `left_out`.
 
         Raises:
             TrainingError: a file that is missing, damaged, or holds something else.

@@ -55,7 +55,7 @@ class Arithmetic(Corpus):
         return drawn_rows(self.problems, self.rows_of, self.items, self.workers, left_out, "no arithmetic")
 
     def rows_of(self, request: Request) -> list[Row] | None:
-        """Return the rows of one problem; None if there is no such problem."""
+        """Return the prompts and arithmetic solutions of one problem and its variants; None if no problem is found."""
         certified = ItemSearch(request).find()
         if certified is None:
             return None

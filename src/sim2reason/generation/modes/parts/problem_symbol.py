@@ -55,7 +55,7 @@ class Variation:
 
     @property
     def finer(self) -> "Variation | None":
-        """Return the variation simulated with the smallest steps; None if it has no answer, or already has them."""
+        """Return the variation simulated with the smallest steps; None without an answer, or if it already is."""
         scene, trace = self.study.scene, self.study.trace
         if not trace.tolerance:
             return None

@@ -61,7 +61,7 @@ class Variations:
                 yield found
 
     def widely(self, rng: np.random.Generator, width: float, unanswered: list[SimulatedScene]) -> Iterator[Variation]:
-        """Yield many random variations; fewer where motions need integration, which costs ten times as much."""
+        """Yield many problems with random numbers; fewer if the motion must be integrated, which is far slower."""
         tries, wanted = WIDELY[bool(changing(self.study.mechanism))]
         yield from islice(self.drawn(rng, width, tries, unanswered), wanted)
 
@@ -248,7 +248,7 @@ class Variations:
 
     @staticmethod
     def _waits(query: Query) -> bool:
-        """Return whether the motion determines the time of the answer."""
+        """Return whether the moment asked about is an event or a reached value, whose time follows from the motion."""
         return query.moment is not None and bool(query.moment.event or query.moment.channels)
 
     def _ends(self, query: Query) -> tuple[float, ...]:
