@@ -41,7 +41,7 @@ class Variants(NamedTuple):
 
 
 def variant(item: Item) -> Variant:
-    """Return the problem that an item is a variant of, and the logarithms of its numbers."""
+    """Return an item's problem without the magnitudes of its numbers, and the logarithms of these magnitudes."""
     if item.answer.formula is not None and not item.parts:
         return Variant(problem(item), ())
     values = *_stated(item), *_asked(item)

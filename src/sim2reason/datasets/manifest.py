@@ -140,13 +140,13 @@ class Manifest(Record):
     """The SHA-256 of this manifest with an empty seal."""
 
     def sealed(self) -> "Manifest":
-        """Return the manifest with its seal set."""
+        """Return the manifest with its seal: the checksum of all its other contents."""
         bare = self.model_copy(update={"seal": ""}).text()
         return self.model_copy(update={"seal": sha256(bare.encode()).hexdigest()})
 
     @property
     def is_whole(self) -> bool:
-        """Return whether the seal matches the contents."""
+        """Return whether the seal, a checksum, matches the contents of the manifest."""
         return self.sealed().seal == self.seal
 
     def empty_cells(self) -> Iterator[str]:
@@ -175,7 +175,7 @@ def load(path: Path) -> Manifest:
 
 
 def load_sealed(path: Path) -> Manifest:
-    """Read a manifest and verify its seal; DatasetError if it was changed."""
+    """Read a manifest and verify its checksum (seal); DatasetError if it was changed."""
     manifest = load(path)
     if not manifest.is_whole:
         raise DatasetError(f"{path / MANIFEST}: changed since it was written; see: sim2reason verify {path}")

@@ -35,7 +35,7 @@ class Arranger:
         strands: Sequence[Strand],
         make: Callable[[str, DrawingPlan], Piece],
     ) -> None:
-        """Store the names of the pieces and the strands between or inside them."""
+        """Store the names of the drawn pieces, and the straight string segments between or inside them."""
         self.plan, self.names, self.strands, self.make = plan, names, strands, make
         self.outer = [strand for strand in strands if not strand.inner]
         self.groups = self._mirror_groups()
@@ -74,7 +74,7 @@ class Arranger:
         return name in self.plan.paths.home.values() or has_faces(self.plan.scene.bodies.get(name))
 
     def _swaps(self) -> list[str]:
-        """Return the names of the pulleys and free strands whose left and right sides can be exchanged."""
+        """Return the names of pulleys and undirected string segments whose left and right can be exchanged."""
         rims = dict.fromkeys(k.item for s in self.outer for k in (s.a, s.b) if k.rim and not self._directed(k.piece))
         free = [_key(strand) for strand in self.outer if strand.way is None]
         return [*rims, *free]

@@ -109,7 +109,7 @@ def drawing(scene: Scene, description: Description | None = None, *, numbers: bo
 
 
 def _drawn(scene: Scene, description: Description, *, numbers: bool) -> Drawing:
-    """Draw a scene without disguising its unknown lengths."""
+    """Draw a scene without replacing lengths and angles that the text leaves unknown."""
     sizes = Sizes(width=1.6, height=1.4) if numbers else Sizes()
     parts: list[Sketch] = []
     for component in components(scene):
@@ -139,7 +139,7 @@ def make(scaled: Mapping[str, Piece], name: str, plan: DrawingPlan) -> Piece:
 
 
 def _parts(plan: DrawingPlan, component: Component, scaled: Iterable[str]) -> Iterable[tuple[list[str], list[Strand]]]:
-    """Yield the groups of pieces that strings connect, with their strands."""
+    """Yield the groups of pieces that strings connect, each with the straight string segments between them."""
     strands = plan.paths.strands
     names = list(
         dict.fromkeys([*scaled, *_standing(plan, component.arranged), *(k.piece for s in strands for k in (s.a, s.b))])
@@ -179,7 +179,7 @@ def _finished(layout: Layout, plan: DrawingPlan) -> Sketch:
 
 
 def _strokes(scene: Scene, name: str, a: complex, b: complex) -> Iterator[LineShape]:
-    """Yield the shapes of a strand, drawn as its connection looks."""
+    """Yield the shapes of a string segment, drawn as a string, spring or rod by its connection."""
     look = scene.joints[name].connection.look if name in scene.joints else "string"
     if look == "spring":
         line = next((line for line in scene.mechanism.lines if line.whole == name), None)

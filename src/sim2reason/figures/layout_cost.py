@@ -57,7 +57,7 @@ class Layout:
 
     @property
     def strands(self) -> list[tuple[Strand, complex, complex]]:
-        """Return all strands with their end points."""
+        """Return all straight string segments with their end points in the drawing."""
         return [
             (j.strand, self.at[j.strand.a.piece] + j.start, self.at[j.strand.b.piece] + j.stop)
             for j in self.pose.joints

@@ -154,7 +154,7 @@ class Paths:
 
     @cached_property
     def strands(self) -> list[Strand]:
-        """Return all strands, string by string."""
+        """Return the straight segments of all strings, string by string."""
         return [
             Strand(name, number, a, b, self._way(a, b))
             for name, knots in self.knots.items()
@@ -179,7 +179,7 @@ class Paths:
         return body if body is not None and body in self.scene.bodies else site
 
     def piece(self, site: str) -> str:
-        """Return the name of the piece on which a site lies."""
+        """Return the name of the drawn piece to which an attachment point belongs."""
         owner = site.rpartition(".")[0]
         if owner_of(site) in self.home:
             return self.home[owner_of(site)]

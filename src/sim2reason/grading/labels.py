@@ -83,7 +83,7 @@ def _textual(token: Token) -> bool:
 
 
 def names(side: Sequence[Token]) -> list[tuple[str, str]]:
-    """Return the symbols on a side, each with its subscript.
+    """Return the symbols on one side of an equation, each with its subscript.
 
     A sign of change is a name only if it is alone, and so is the number e.
     """
@@ -112,12 +112,12 @@ def _is_lone_constant(side: Sequence[Token]) -> bool:
 
 
 def has_numbers(side: Sequence[Token]) -> bool:
-    """Return whether a side contains a number."""
+    """Return whether one side of an equation contains a number."""
     return any(token.kind in _NUMBERS for token in side) and not _is_lone_constant(side)
 
 
 def _words(side: Sequence[Token]) -> list[Token]:
-    """Return the English words on a side, except in exponents, where *max* is a mark."""
+    """Return the English words on one side of an equation, except in exponents, where *max* is a mark."""
     found: list[Token] = []
     depth, raised = 0, False
     for token, before in zip(side, [None, *side], strict=False):
@@ -151,7 +151,7 @@ def _is_letter(side: Sequence[Token]) -> bool:
 
 
 def _outside(side: Sequence[Token]) -> list[Token]:
-    """Return the tokens outside parentheses; braces do not count."""
+    """Return the tokens of one side of an equation outside parentheses; braces do not count."""
     depth, outside = 0, list[Token]()
     for token in side:
         depth += (token.kind == "open" and token.text in "([") - (token.kind == "close" and token.text in ")]")
@@ -236,12 +236,12 @@ def check(sides: Sequence[Sequence[Token]]) -> None:
 
 
 def _is_call(side: Sequence[Token]) -> bool:
-    """Return whether a side is a name with its argument in parentheses, as in ``v(2 s)``."""
+    """Return whether one side of an equation is a name with its argument, as in ``v(2 s)``."""
     return bool(side) and side[0].kind in _NAMES and is_bare(side)
 
 
 def is_compound(side: Sequence[Token]) -> bool:
-    """Return whether a side is an expression of one symbol, not its name: ``2T``, ``-a``, ``v^2``."""
+    """Return whether one side of an equation is an expression of one symbol, not its name: ``2T``, ``-a``."""
     kinds = {token.kind for token in side}
     changed = bool(kinds & {"minus", "dash", "slash", "fraction", "root", "number", "part", "over", "function"})
     return len(set(names(side))) == 1 and (changed or _is_power(side))
@@ -258,7 +258,7 @@ def is_mixed_sum(side: Sequence[Token]) -> bool:
 
 
 def is_plain(side: Sequence[Token]) -> bool:
-    """Return whether a side begins with a number and has no operator: a value with a possible unit."""
+    """Return whether one side of an equation is a number, perhaps with a unit, without operators."""
     first = 1 if len(side) > 1 and side[0].kind in _SIGNS else 0
     return side[first].kind == "number" and all(token.kind not in _OPERATORS for token in side[first + 1 :])
 

@@ -96,7 +96,7 @@ def _refuse_hedges(tokens: Tokens) -> None:
 
 
 def _said(tokens: Tokens) -> Tokens:
-    """Return the tokens without an initial word for *approximately*."""
+    """Return the tokens of a statement without an initial word for *approximately*."""
     if tokens[0].text.lower() in remarks.APPROXIMATELY:
         skip = 2 if len(tokens) > 1 and tokens[1].kind == "stop" else 1
         return tokens[skip:]
@@ -222,7 +222,7 @@ def _chosen(sides: list[Tokens], relations: Sequence[Token]) -> Statement:
 
 
 def _is_name_of(last: Tokens, before: Tokens) -> bool:
-    """Return whether the last side is only the name of the value before it, as in *9.8 m = h*."""
+    """Return whether the last side of an equation only names the value before it, as in *9.8 m = h*."""
     if not last or any(token.kind in _NO_NAME for token in last):
         return False
     return labels.is_bare(last) and not labels.is_bare(before)

@@ -216,7 +216,7 @@ class _Lexer:
         return self.labelled(run, label), subscript.end()
 
     def plain_subscript(self, run: str, subscript: re.Match[str], finish: int) -> tuple[Pieces | None, int]:
-        """Split ``m_1g`` as m₁ g, as LaTeX does; but ``v_max`` or ``m1`` is one name if the table has it."""
+        """Split ``m_1g`` into m₁ and g, as LaTeX prints it; ``v_max`` or ``m1`` is one name if it is a known symbol."""
         label = (subscript[3] or subscript[4]).translate(SCRIPTS)
         start = subscript.end() - len(label)
         for length in range(len(label), 0, -1):

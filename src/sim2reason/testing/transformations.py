@@ -16,7 +16,7 @@ from sim2reason.simulation.trace import Trace
 
 
 def polar(vector: Triple) -> Triple:
-    """Return the mirror image of a polar vector: a position, velocity, force or direction."""
+    """Return the mirror image of a polar vector, such as a position, velocity, force or direction."""
     return (-vector[0], vector[1], vector[2])
 
 
@@ -233,7 +233,7 @@ def movable(mechanism: Mechanism) -> Iterator[Coordinate]:
 
 
 def carried(mechanism: Mechanism, root: str) -> set[str | None]:
-    """Return a body with all that it carries, directly or indirectly."""
+    """Return the names of a body and all bodies that it carries, directly or indirectly."""
     found: set[str | None] = {root}
     for body in mechanism.bodies:
         if body.parent in found:

@@ -108,7 +108,7 @@ def _radius(setting: DrawingContext, ends: tuple[str, str], middle: complex, fou
 
 
 def strokes(setting: DrawingContext, line: Line, look: str, points: list[complex]) -> Iterator[Shape]:
-    """Yield the shapes of a line through its sites."""
+    """Yield the shapes of a string, spring or rod that passes through several points."""
     for number, (a, b) in enumerate(pairwise(points)):
         if abs(b - a) < COINCIDENCE_TOLERANCE:
             continue

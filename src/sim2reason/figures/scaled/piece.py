@@ -91,7 +91,7 @@ def _bearing(setting: DrawingContext, body: RigidBody, found: Sketch) -> None:
 
 
 def _turned(setting: DrawingContext) -> Iterator[tuple[str, str]]:
-    """Yield the sites where a string leaves a body, each with the site of the fixed pulley it leads to."""
+    """Yield the points where a string leaves a body towards a fixed pulley, each with its point on that pulley."""
     for line in setting.mechanism.lines:
         for one, other in ((line.through[:2]), line.through[:-3:-1]):
             ends = setting.mechanism.site[one].body, setting.mechanism.site[other].body

@@ -90,7 +90,7 @@ class DrawingContext:
         return self.view.at(self.place(address))
 
     def site(self, name: str) -> complex:
-        """Return the position of a site on the page."""
+        """Return the position on the page of an attachment point (site) of a body or of the ground."""
         return self.view.at(vector(self.frames.site(name).place))
 
     def velocity(self, address: str) -> complex:

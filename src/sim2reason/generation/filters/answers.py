@@ -24,7 +24,7 @@ class Agreement(Filter):
     order = 0
 
     def reason(self, candidate: Candidate) -> str:
-        """Return why the question kind cannot certify the answer."""
+        """Return the reason why the answer is not certified by both engines; empty if it is."""
         query = candidate.question.query
         return KINDS[query.kind].doubt(query, candidate.study, candidate.certificate)
 

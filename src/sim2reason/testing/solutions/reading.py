@@ -127,7 +127,7 @@ def read(text: str, known: Mapping[str, float] | None = None) -> ReadText:
 
 
 def _ending(match: re.Match[str], table: frozenset[str]) -> Iterator[Equality]:
-    """Yield the equality in the line with the box: a symbol equals a three-digit number, or a formula.
+    """Yield the equation in the line with the boxed answer: a symbol with a three-digit number or a formula.
 
     In other units than the rest, the number is stated in both.
     """
@@ -143,7 +143,7 @@ def _ending(match: re.Match[str], table: frozenset[str]) -> Iterator[Equality]:
 
 
 def _excess(formula: str, table: frozenset[str]) -> Callable[[Mapping[str, float]], float | None] | None:
-    """Return left minus right side of an equation as a function; None if it does not parse."""
+    """Return left minus right side of an equation as a function of its symbols; None if it does not parse."""
     try:
         left, right, *_ = [_side(part, table) for part in formula.split("=")]
     except Refused:
@@ -224,6 +224,6 @@ def _terms(tokens: list[Token]) -> Iterator[list[Token]]:
 
 
 def _name(chain: str, table: frozenset[str]) -> str:
-    """Return the symbol equated with the rest; empty for a formula."""
+    """Return the symbol that an equation equates with its other sides; empty if no side is a single symbol."""
     tokens = tokenize(chain.partition("=")[0].strip(), table)
     return tokens[0].text if len(tokens) == 1 and tokens[0].kind == "symbol" else ""

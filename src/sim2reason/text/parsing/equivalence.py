@@ -113,7 +113,7 @@ class _Rows:
         self._rows.append(row)
 
     def _spread(self, point: Point) -> Array:
-        """Return the gradient of a point's three coordinates, (3, number of coordinates and rises)."""
+        """Return the gradient of a point's three coordinates, (3, n), by coordinates and distances from surfaces."""
         found = np.zeros((3, self._width))
         for number, axis in point.gradient.items():
             found[:, number] += axis

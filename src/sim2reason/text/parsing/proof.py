@@ -42,7 +42,7 @@ class MissingClosingError(TextError):
 
 
 class ScriptedWriter(Writer):
-    """A writer that follows a script of wordings, and then takes the first wording."""
+    """A writer that repeats the wordings of a parsed text, and then takes the first wording of each sentence."""
 
     def __init__(
         self,
@@ -52,7 +52,7 @@ class ScriptedWriter(Writer):
         order: tuple[str, ...] = (),
         without: Collection[Topic] = (),
     ) -> None:
-        """Store the script of a parse: the indices of the wordings of all sentences that the text contains.
+        """Store the wordings of all sentences in the parsed text, by their indices.
 
         Symbols in `given` are written as symbols. Sentences on an initial state that the text omits are skipped.
         """

@@ -236,7 +236,7 @@ def _described(scene: Scene) -> str:
 
 
 class _Grammar:
-    """The sentence order of a text: sentences of entities, strings after their entities, then closings."""
+    """The order of sentences in a text: those of entities, strings after their entities, then closing sentences."""
 
     def __init__(self, matcher: Matcher) -> None:
         self._matcher = matcher
@@ -274,7 +274,7 @@ class _Grammar:
                     yield from self.scenes(place + 1, then)
 
     def _closings(self, place: int, number: int, state: ParseState) -> Iterator[ParseState]:
-        """Yield the parses of the closings from index `number` on; each may be present or absent."""
+        """Yield the parses of the closing sentences from number `number` on; each may be present or absent."""
         if place == len(self._matcher.pieces):
             yield state
             return

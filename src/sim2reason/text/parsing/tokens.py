@@ -86,7 +86,7 @@ def parse_table(
 
 
 def _grid(piece: str) -> _Grid | None:
-    """Return a table divided into cells; None if its rows have different lengths."""
+    """Return the noun, headings, letters and numbers of a table; None if its rows have different lengths."""
     rows = [[cell.strip() for cell in row.strip("|").split("|")] for row in piece.split("\n")]
     head = rows[0]
     if len(rows) < 3 or rows[1] != ["---"] * len(head) or any(len(row) != len(head) for row in rows):

@@ -264,7 +264,7 @@ def closings(scene: Scene) -> list[Closing]:
 
 
 def is_assumption(sentence: str) -> bool:
-    """Return whether a sentence is a closing that states an assumption about the whole motion."""
+    """Return whether a closing sentence states an assumption about the whole motion, such as taut strings."""
     return _assumptions().fullmatch(sentence) is not None
 
 

@@ -70,7 +70,7 @@ class Writer(Terms):
         return self.scene.builder
 
     def sentences(self) -> list[str]:
-        """Return all sentences: for each string its new entities and itself, then the closings."""
+        """Return all sentences: for each string its new entities and the string itself, then the closing sentences."""
         told: list[str] = []
         done: set[str] = set()
         for name in self._string_order():

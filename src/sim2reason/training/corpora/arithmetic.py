@@ -94,7 +94,7 @@ class Drills(Corpus):
     """In one row."""
 
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:
-        """Yield all rows."""
+        """Yield all drills, each as a prompt with its completion."""
         del left_out
         rng = generator("drills", self.seed)
         for _ in range(self.items):

@@ -94,6 +94,6 @@ class Rollouts:
 
 
 def _cut(tokens: list[int], ends: frozenset[int]) -> list[int]:
-    """Return the tokens up to the first end token."""
+    """Return the tokens of a completion up to its first end token, inclusive."""
     end = next((place for place, token in enumerate(tokens) if token in ends), len(tokens))
     return tokens[: end + 1]

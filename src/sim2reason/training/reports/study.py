@@ -126,7 +126,7 @@ def _arms(study: TrainingStudy, name: str, responses: str, held: Mapping[Arm, tu
 
 
 def _values(held: Means) -> list[float]:
-    """Return the values in the order of the problems' names."""
+    """Return the points of all problems, ordered by the problems' names."""
     return [held[item] for item in sorted(held)]
 
 

@@ -242,7 +242,7 @@ class SftFolder:
         return found[max(found)] if found else None
 
     def rewind(self) -> int:
-        """Remove everything after the last complete checkpoint; return its step, zero without one."""
+        """Remove everything later than the last complete checkpoint; return its step, zero without one."""
         last = self.checkpoint()
         step = int(last.name.removeprefix(CHECKPOINT)) if last else 0
         for path in self.checkpoints.glob(f"{CHECKPOINT}*"):

@@ -83,7 +83,7 @@ class TrainingStudy(BaseModel):
         return SEEDS.validate_python(self.arms[arm]["seeds"]) if "seeds" in self.arms[arm] else self.seeds
 
     def first(self, arm: str) -> ReinforcementLearning:
-        """Return the configuration of an arm with its first seed."""
+        """Return the configuration of the run of an arm with the arm's first seed."""
         return self.configs[Arm(arm, self.seeds_of(arm)[0])]
 
     @cached_property

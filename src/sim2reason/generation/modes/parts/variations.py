@@ -66,7 +66,7 @@ class Variations:
         yield from islice(self.drawn(rng, width, tries, unanswered), wanted)
 
     def across(self, rng: np.random.Generator, width: float, tries: int) -> Iterator[Variation]:
-        """Yield problems whose question asks about the other side of the start, such as −x instead of x.
+        """Yield problems that ask about a value on the other side of the initial one, such as 1.25 instead of 0.8.
 
         None are drawn for numbers that are restricted to one side.
         """

@@ -130,7 +130,7 @@ def _known(sentence: str) -> list[tuple[str, float]] | None:
 
 
 def _lettered(text: str, form: Form, said: Content) -> str:
-    """Return a form's text; its only letter is replaced by A if the sentence has no letter."""
+    """Return a library sentence; its only letter of a body is replaced by A if the user's sentence has none."""
     if said.letters or len(form.content.letters) != 1:
         return text
     return re.sub(rf"\b{form.content.letters[0]}\b", FIRST_LETTER, text, count=1)
