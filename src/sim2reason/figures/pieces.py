@@ -146,7 +146,7 @@ class Piece(ABC):
     mirrors = False  # whether it may be drawn mirrored, since no text says which way it faces
 
     def __init__(self, name: str, plan: DrawingPlan) -> None:
-        """Store the address of the piece (see `Paths.piece`) and the plan."""
+        """Store the plan, and the piece's name: the address of its main body, or of a fixed point without a body."""
         self.name, self.plan = name, plan
 
     @abstractmethod

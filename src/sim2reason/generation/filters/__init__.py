@@ -201,7 +201,7 @@ class SceneFilter(Filter):
 
     @abstractmethod
     def scene_reason(self, study: SimulatedScene) -> str:
-        """Return the reason to reject the scene, in the form of `Filter.reason`; empty to keep it."""
+        """Return the reason to reject the scene, in a few words; empty to keep it."""
 
     def reason(self, candidate: Candidate) -> str:
         """Return the reason to reject the scene of the question."""

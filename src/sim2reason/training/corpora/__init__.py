@@ -47,7 +47,7 @@ class Corpus(BaseModel, ABC):
     """Settings that change no row."""
 
     def check(self) -> None:
-        """Check before a run that the input of the corpus exists; it raises the errors of `rows`."""
+        """Check before a run that the input of the corpus exists; TrainingError or DatasetError if not."""
 
     @abstractmethod
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:

@@ -52,7 +52,7 @@ class TrainingFolder:
         self.evaluation, self.report = path / "evaluation", path / "report" / "report.json"
 
     def claim(self, config: ReinforcementLearning) -> None:
-        """Claim the folder for a configuration, as `run_plan.claim` does."""
+        """Write the plan of a new run, or check that the folder holds a run with equal settings."""
         prepared = self.held_out, self.initial, *SftFolder(self.warm_start).prepared
         claim(self.path / RL_PLAN, config.decisive, config.check, prepared)
 

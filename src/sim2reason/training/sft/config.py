@@ -196,7 +196,7 @@ class SftFolder:
         self.model, self.adapter = path / "model", path / "adapter"
 
     def claim(self, config: FineTuning) -> None:
-        """Claim the folder for a configuration, as `run_plan.claim` does."""
+        """Write the plan of a new run, or check that the folder holds a run with equal settings."""
         claim(self.path / SFT_PLAN, config.decisive, config.check, self.prepared)
 
     @property

@@ -37,7 +37,7 @@ class Decoder:
     """A decoder of prompts with one model, whose weights may change between two calls."""
 
     def __init__(self, model: Any) -> None:  # noqa: ANN401 - of transformers
-        """Store a model, which computes in the type of its weights; PolicyError as in `check_recordable`."""
+        """Store the model; PolicyError for one whose layers need several attention masks, as with sliding windows."""
         check_recordable(model.config)
         self._model = model
         self._held: _RecordedPass | None = None
