@@ -162,7 +162,7 @@ def _rows(journal: Journal) -> int:
 
 
 def _write(journal: Journal, overlap: FindsOverlap, positions: range, outcomes: Sequence[Attempt]) -> None:
-    """Write the shard of a completed range after its existing positions."""
+    """Write the items of a completed range of positions into its shard, after those that the shard already has."""
     number = positions.start // journal.plan.config.shard
     found = [(outcome.position, outcome.item) for outcome in outcomes if outcome.item is not None]
     overlaps = {position: shared for position, item in found if (shared := overlap(item.prompt))}

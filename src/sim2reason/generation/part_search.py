@@ -55,7 +55,7 @@ class _Part:
         return self.certified.question
 
     def follows(self, other: "_Part") -> bool:
-        """Return whether this part uses the other part's answer."""
+        """Return whether this part's solution uses the answer to the other part."""
         return _leads(other.question, other.solution, self.question, self.solution)
 
 

@@ -194,7 +194,7 @@ class DrawingContext:
         return at + far * way
 
     def regions(self) -> Iterator[tuple[Region, str]]:
-        """Yield the regions that bound forces, without repetitions, each with a body on which the force acts."""
+        """Yield the regions of space to which forces are limited, each once, with a body on which the force acts."""
         found: list[Region] = []
         for force in self.mechanism.forces:
             if force.region is not None and self.owns(force.body) and force.region not in found:

@@ -209,7 +209,7 @@ class SftFolder:
         return result_in(self.path, FineTuned)
 
     def finish(self, result: FineTuned) -> None:
-        """Write the result."""
+        """Write the result of the run into its folder."""
         finish(self.path, result)
 
     def draw(self, config: FineTuning, avoid: frozenset[str] = frozenset()) -> None:

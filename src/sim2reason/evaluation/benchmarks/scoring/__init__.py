@@ -28,7 +28,7 @@ class Award:
 
     @classmethod
     def unreadable(cls, why: str) -> "Award":
-        """Return zero points for a response without a readable answer."""
+        """Return an award of zero points for a response without a readable answer."""
         return cls(0.0, readable=False, why=why)
 
     @classmethod
