@@ -29,7 +29,7 @@ class cached_property(functools.cached_property[T]):  # noqa: N801 - it stands f
 
 
 class Memo:
-    """An object that keeps results derived from it under names, so that each is computed once."""
+    """The base of objects that cache values computed from them, each under a name."""
 
     @cached_property
     def _known(self) -> dict[Hashable, object]:

@@ -151,7 +151,7 @@ def solvable_command(dataset: Path, policy: Path, k: int, between: str, seed: in
 
 
 def _bounds(text: str) -> tuple[float, float]:
-    """Return the two numbers of an option."""
+    """Return the two numbers of the option --between: the open interval of accepted pass rates."""
     try:
         low, high = map(float, text.split(","))
     except ValueError:

@@ -149,7 +149,7 @@ def _given(order: Order) -> Order:
 
 
 def _part(text: str) -> tuple[int, int]:
-    """Return the index of the part, counted from zero, and the number of parts."""
+    """Return the K of a --shard option K/N, counted from zero, and the N."""
     number, _, parts = text.partition("/")
     if not (number.isdecimal() and parts.isdecimal()):
         raise click.UsageError(f"--shard: {text!r} is no part; write K/N, as in 3/8.")

@@ -17,7 +17,7 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 
 class Printing(click.Option):
-    """An option that only affects output, and has no counterpart in the Python function."""
+    """An option that only affects what a command prints, and has no counterpart in the Python function."""
 
 
 def names(ctx: click.Context, param: click.Parameter, value: str) -> Names:

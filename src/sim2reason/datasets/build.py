@@ -69,7 +69,7 @@ def _illustrated(journal: Journal, manifest: Manifest) -> Manifest:
 
 
 class _Totals:
-    """The sums over all shards."""
+    """The sums, over all shards, of the counts that the manifest states."""
 
     def __init__(self) -> None:
         self.rows = 0
@@ -113,7 +113,7 @@ Part = tuple[int, int]
 
 
 class Work(TypedDict, total=False):
-    """The options of execution, which do not affect the result."""
+    """Options of a build that do not affect the dataset, such as the number of workers."""
 
     workers: int | None
     """How many processes; by default one for each core of the place."""
@@ -194,7 +194,7 @@ def ignore_attempt(attempt: Attempt) -> None:
 
 
 def _standing(out: Path, config: Config) -> Manifest | None:
-    """Return the manifest of a complete dataset with this configuration, or None; the folder may be read-only."""
+    """Return the manifest of a complete, undamaged dataset with this configuration, or None; it writes nothing."""
     if (out / FOLDER).exists() or not (out / MANIFEST).is_file():
         return None
     try:

@@ -112,7 +112,7 @@ def _front(manifest: Manifest) -> Iterator[str]:
 
 
 def _splits(manifest: Manifest) -> list[str]:
-    """Return the splits with files, or all splits if none has any."""
+    """Return the names of the splits that have files, or of all splits if none has any."""
     rows = manifest.counts.get("split", {})
     return [split for split in manifest.config.split if rows.get(split)] or [*manifest.config.split]
 

@@ -53,7 +53,7 @@ def _summed(found: Iterable[tuple[Key, int, int]]) -> tuple[Cell, ...]:
 
 
 def enough(cells: int) -> int:
-    """Return the number of requests from which an empty cell is not an accident.
+    """Return the number of requests from which it is no accident that none of them gave an item.
 
     If each request is kept with probability at least p, all n fail with probability at most (1 − p)^n, the binomial
     distribution's P(0). The sum over all cells is limited to `FALSE_ALARM`, by Bonferroni's inequality.
@@ -62,7 +62,7 @@ def enough(cells: int) -> int:
 
 
 def empty(cells: Iterable[Cell]) -> Iterator[str]:
-    """Yield a line for each empty cell with too many requests to be an accident."""
+    """Yield a line for each mode, kind and recipe without an item, after too many requests for an accident."""
     found = tuple(cells)
     for cell in found:
         if cell.kept == 0 and cell.asked >= enough(len(found)):

@@ -29,7 +29,7 @@ MAX_DEPTH = 100  # levels of nested lists and objects in one item
 
 
 class BenchmarkFile(Record):
-    """The record of a benchmark file with which a dataset shares no text."""
+    """The name and checksum of a benchmark file with which a dataset shares no text."""
 
     name: str
     sha256: str
@@ -175,7 +175,7 @@ class Overlap(NamedTuple):
 
 
 class Benchmarks:
-    """The runs of words in files of benchmarks."""
+    """The word sequences in files of benchmarks, which no problem of a dataset may contain."""
 
     def __init__(self, paths: Sequence[Path | str], run: int = RUN) -> None:
         """Read the files; DatasetError for an unreadable, empty or too large file."""
@@ -205,7 +205,7 @@ class Benchmarks:
                 raise DatasetError(f"{path}: holds no text; give the file that holds the benchmark's questions")
 
     def overlap(self, text: str) -> Overlap | None:
-        """Return the first run of words that a text shares with a benchmark, and its first item; else None."""
+        """Return the first word sequence that a text shares with a benchmark, with the benchmark's item; else None."""
         own = words(text)
         runs = _runs(own, self._run)
         places = np.searchsorted(self._hashes, runs)

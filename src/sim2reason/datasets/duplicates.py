@@ -23,14 +23,14 @@ _AGAIN = 0xBF58476D1CE4E5B9
 
 
 class Variant(NamedTuple):
-    """A problem without the magnitudes of its numbers, and their logarithms."""
+    """A problem's text without the magnitudes of its numbers, and the logarithms of those magnitudes."""
 
     problem: str
     logarithms: tuple[float, ...]
 
 
 class Variants(NamedTuple):
-    """The items of problems with several variants, in order of position."""
+    """The items whose problems differ from another item's only in numbers, with the logarithms of their numbers."""
 
     positions: NDArray[np.int64]
     problems: NDArray[np.uint64]
@@ -41,7 +41,7 @@ class Variants(NamedTuple):
 
 
 def variant(item: Item) -> Variant:
-    """Return the problem that an item is a variant of, and the logarithms of its numbers."""
+    """Return an item's problem without the magnitudes of its numbers, and the logarithms of these magnitudes."""
     if item.answer.formula is not None and not item.parts:
         return Variant(problem(item), ())
     values = *_stated(item), *_asked(item)
@@ -74,7 +74,7 @@ def hashed(variant: Variant) -> int:
 
 
 def too_close(found: Variants, distance: float) -> Iterator[tuple[int, int]]:
-    """Yield the positions of items too close to an earlier kept one, each with that item's position."""
+    """Yield the positions of items whose numbers are too close to an earlier kept item's, each with its position."""
     starts = np.concatenate([[0], np.cumsum(found.counts, dtype=np.int64)])
     limit = np.float32(log1p(distance))
     stay: dict[int, list[int]] = {}
@@ -88,7 +88,7 @@ def too_close(found: Variants, distance: float) -> Iterator[tuple[int, int]]:
 
 
 def _first(found: Variants, starts: NDArray[np.int64], row: int, others: list[int], limit: np.float32) -> int | None:
-    """Return the first of some items whose numbers all differ by less than the limit."""
+    """Return the first of some rows with the same problem whose numbers all differ by less than the limit."""
     rows = np.array(others, dtype=np.int64)
     rows = rows[found.problems[rows] == found.problems[row]]  # two problems may meet in a cell by chance
     places = np.arange(int(found.counts[row]))
@@ -98,7 +98,7 @@ def _first(found: Variants, starts: NDArray[np.int64], row: int, others: list[in
 
 
 def _neighbours(found: Variants, starts: NDArray[np.int64], limit: float) -> Iterator[tuple[int, list[int]]]:
-    """Yield items that share a cell with others, in order, with the items of their shared cells.
+    """Yield items that share a grid cell with others in the space of their numbers, with the cells' numbers.
 
     For d numbers there are d + 1 grids with cells of d + 1 times the limit, each shifted by the limit from the previous
     one. Along each axis at most one grid has an edge between two numbers within the limit, so such items share a cell
@@ -127,7 +127,7 @@ def _neighbours(found: Variants, starts: NDArray[np.int64], limit: float) -> Ite
 def _cells(
     found: Variants, starts: NDArray[np.int64], rows: NDArray[np.int64], grid: int, limit: float
 ) -> NDArray[np.uint64]:
-    """Return the hashes of the cells of some items in one grid; they depend on the problem too."""
+    """Return the hash of each item's cell in one grid over the logarithms of its numbers, and of its problem."""
     counts = found.counts[rows]
     ends = np.cumsum(counts, dtype=np.int64)
     place = np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - counts, counts)  # of a number among its item's
@@ -163,7 +163,7 @@ NOBODY = -1
 
 
 class Marks(NamedTuple):
-    """The hashes and numbers of a shard's items that the search for duplicates needs."""
+    """Hashes of the items of a shard, and the logarithms of their numbers, for the detection of duplicates."""
 
     table: Table
     """A row for each item, see `POSITION`."""
@@ -188,7 +188,7 @@ Others = NDArray[np.int64]
 
 
 def marks(items: Sequence[tuple[int, Item]], *, scenes: bool) -> Marks:
-    """Return the marks of items at their positions; with hashes of whole scenes if no two may share one."""
+    """Return the hashes and numbers of items for the detection of duplicates; `scenes` adds hashes of scenes."""
     columns = OWN + (3 if scenes else 2)
     found = [variant(item) for _, item in items]
     rows = [
@@ -223,7 +223,7 @@ def find_duplicates(read: Read, shards: int, items: int, distance: float) -> Ite
 
 
 def _same(read: Read, shards: int, alike: Others) -> Others:
-    """Return, for each item, the position of an equal earlier one that is kept."""
+    """Return, for each item, the position of an equal item that comes before it and is kept; −1 if none."""
     columns = range(OWN, read(0).table.shape[1]) if shards else range(0)
     repeated = [_repeated(read, shards, column) for column in columns]
     first = [np.full(len(values), NOBODY, dtype=np.int64) for values in repeated]
@@ -243,7 +243,7 @@ def _same(read: Read, shards: int, alike: Others) -> Others:
 
 
 def _alike(read: Read, shards: int, distance: float, same: Others) -> Others:
-    """Return, for each item, the position of an earlier kept variant that is too close."""
+    """Return, for each item, the position of an earlier kept item with the same problem and close numbers."""
     problems = _repeated(read, shards, PROBLEM)
     alike = np.full(len(same), NOBODY, dtype=np.int64)
     for begin, end in _stretches(read, shards, problems):
@@ -265,7 +265,7 @@ def _stretches(read: Read, shards: int, problems: Table) -> Iterator[tuple[int, 
 
 
 def _variants(read: Read, shards: int, problems: Table, same: Others) -> Variants:
-    """Return the variants of some problems, without duplicates."""
+    """Return the items of some problems with the logarithms of their numbers, without exact duplicates."""
     tables: list[Table] = []
     held: list[Logarithms] = []
     for number in range(shards):
@@ -290,5 +290,5 @@ def _hash(key: str) -> int:
 
 
 def _repeated(read: Read, shards: int, column: int) -> Table:
-    """Return the sorted values of a column that several items share."""
+    """Return the values, sorted, that occur more than once in a column of the hashes of all items."""
     return repeated_values(np.concatenate([np.zeros(0, np.uint64), *(read(n).table[:, column] for n in range(shards))]))

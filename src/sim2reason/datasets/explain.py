@@ -100,7 +100,7 @@ def explain(
 
 
 class RefusalRecord:
-    """The first `SHOWN` refused questions of a search as lines of text, and the number of all."""
+    """The refused questions of a search as lines of text: the first 40, and the number of all."""
 
     def __init__(self) -> None:
         """Start an empty record."""
@@ -176,7 +176,7 @@ def _wrong_answers(item: Item) -> Iterator[str]:
 
 
 def _labelled(parts: Sequence[T], whole: T) -> Iterator[tuple[str, T]]:
-    """Yield the value of each part with its label, or of the whole problem without parts."""
+    """Yield each part's value with its label, such as (a); without parts, the value of the whole problem."""
     labels = [f"({label}) " for label in LABELS]
     yield from zip(labels, parts, strict=False) if parts else [("", whole)]
 

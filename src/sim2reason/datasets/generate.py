@@ -151,7 +151,7 @@ def generate(
 
 
 def configured(**order: Unpack[Order]) -> Config:
-    """Return the configuration for the options; it raises the errors of `generate`."""
+    """Return the configuration of a dataset for the given options; DatasetError or UnknownNameError if invalid."""
     unknown = [name for name in order if name not in Order.__annotations__]
     if unknown:  # as Python says of all other functions
         known = ", ".join(sorted(Order.__annotations__))

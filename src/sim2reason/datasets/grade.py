@@ -23,7 +23,7 @@ MAX_DEPTH = 40  # levels of nested groups, lists and wrappers
 
 @runtime_checkable
 class ItemRow(Protocol):
-    """Columns by name: a mapping, or a pandas Series."""
+    """A row of a table with values by column name: a mapping, or a pandas Series."""
 
     def keys(self) -> Iterable[object]:
         """Return the names of the columns."""
@@ -35,7 +35,7 @@ class ItemRow(Protocol):
 
 
 class NamedRow(Protocol):
-    """Columns by name in a named tuple, as from ``itertuples`` of pandas."""
+    """A row of a table as a named tuple, such as those from ``itertuples`` of pandas."""
 
     def _asdict(self) -> Mapping[str, object]:
         """Return the values by column."""
@@ -66,7 +66,7 @@ def _unnamed(row: object) -> object:
 
 
 def plain(value: object, depth: int = MAX_DEPTH) -> object:
-    """Return a value of numpy, pandas or pyarrow as plain Python; an empty group becomes None.
+    """Return a value of numpy, pandas or pyarrow as plain Python; a mapping with only empty values becomes None.
 
     Values nested deeper than any item's column are unchanged.
     """
@@ -99,7 +99,7 @@ class Response(BaseModel):
 
 
 class GradedResponse(NamedTuple):
-    """A response with its score, and the properties by which it is grouped."""
+    """A response with its score, and the recipe and kind by which results are grouped."""
 
     response: Response
     score: Score
@@ -259,7 +259,7 @@ class Tally(NamedTuple):
 
 
 class Tallies:
-    """Counts of outcomes and rewards of responses, by group."""
+    """Counts of outcomes and sums of rewards over responses: of all, by recipe and by kind."""
 
     def __init__(self) -> None:
         """Start without counts."""

@@ -41,7 +41,7 @@ class RunPlan(Record):
         return cls(config=config, versions=versions())
 
     def differences(self, other: "RunPlan") -> list[str]:
-        """Return the differences of another plan in words; additional items do not count."""
+        """Return, in words, how another run's plan differs; additional items do not count as a difference."""
         mine, theirs = _flat(self), _flat(other)
         names = sorted(mine.keys() | theirs.keys())
         if self.config.items <= other.config.items:
@@ -83,13 +83,13 @@ class Journal:
         return self.plan.config.positions(number, self.positions)
 
     def _last_position(self) -> int:
-        """Return the position after the last one tried, from the records."""
+        """Return the first position after the last one that an earlier run tried."""
         numbers = (int(path.stem) for path in self.folder.glob("*.json") if path.stem.isdecimal())
         last = self.shard(max(numbers, default=0))
         return last.positions[1] if last is not None else 0
 
     def _claim(self) -> Manifest | None:
-        """Return the manifest of a finished dataset that this plan extends, or None."""
+        """Return the manifest of a finished dataset that this run extends, or None; DatasetError for other contents."""
         if self.folder.is_symlink():
             raise DatasetError(f"{self.folder}: is a link; choose a new folder")
         strangers = sorted(path.name for path in self.out.iterdir() if not self._is_fresh(path))
@@ -107,7 +107,7 @@ class Journal:
         return manifest
 
     def _is_fresh(self, path: Path) -> bool:
-        """Return whether `out` was left by an interrupted run before its plan was written."""
+        """Return whether a path is only the remains of a run that was interrupted before it wrote its plan."""
         if path != self.folder or not path.is_dir():
             return False
         return all(held.name.startswith(f"{PLAN}.") and held.suffix == TEMPORARY for held in path.iterdir())
@@ -153,7 +153,7 @@ class Journal:
         return _read(self._record(number), Shard)
 
     def marks(self, number: int) -> Marks | None:
-        """Return the stored duplicate marks of a shard, or None."""
+        """Return the stored hashes and numbers of a shard's items, for the detection of duplicates, or None."""
         try:
             with self._marks(number).open("rb") as file:
                 return Marks(np.load(file, allow_pickle=False), np.load(file, allow_pickle=False))
@@ -161,7 +161,7 @@ class Journal:
             return None
 
     def keep(self, number: int, marks: Marks) -> None:
-        """Store the duplicate marks of a shard."""
+        """Store the hashes and numbers of a shard's items, for the detection of duplicates."""
 
         def write(path: Path) -> None:
             with path.open("wb") as file:

@@ -101,13 +101,13 @@ class Shard(Record):
 
 
 class RefusedPositions(Record):
-    """The positions without an item for one cause: their number, and the first of them."""
+    """The positions that hold no item for one reason, such as duplicates: their number, and the first few."""
 
     total: int = 0
     first: tuple[RefusedPosition, ...] = ()
 
     def with_more(self, found: Iterable[RefusedPosition]) -> "RefusedPositions":
-        """Return the record with later positions added."""
+        """Return the record with further positions without an item added."""
         more = tuple(found)
         return RefusedPositions(total=self.total + len(more), first=(*self.first, *more)[:FIRST]) if more else self
 
@@ -140,17 +140,17 @@ class Manifest(Record):
     """The SHA-256 of this manifest with an empty seal."""
 
     def sealed(self) -> "Manifest":
-        """Return the manifest with its seal set."""
+        """Return the manifest with its seal: the checksum of all its other contents."""
         bare = self.model_copy(update={"seal": ""}).text()
         return self.model_copy(update={"seal": sha256(bare.encode()).hexdigest()})
 
     @property
     def is_whole(self) -> bool:
-        """Return whether the seal matches the contents."""
+        """Return whether the seal, a checksum, matches the contents of the manifest."""
         return self.sealed().seal == self.seal
 
     def empty_cells(self) -> Iterator[str]:
-        """Yield a line for each mode, kind and recipe that is unexpectedly empty."""
+        """Yield a line for each combination of mode, kind and recipe without an item, though requested often."""
         yield from empty(self.cells)
         unfilled = self.refused["unfilled"].total if "unfilled" in self.refused else 0
         if not self.rows and unfilled:
@@ -175,7 +175,7 @@ def load(path: Path) -> Manifest:
 
 
 def load_sealed(path: Path) -> Manifest:
-    """Read a manifest and verify its seal; DatasetError if it was changed."""
+    """Read a manifest and verify its checksum (seal); DatasetError if it was changed."""
     manifest = load(path)
     if not manifest.is_whole:
         raise DatasetError(f"{path / MANIFEST}: changed since it was written; see: sim2reason verify {path}")

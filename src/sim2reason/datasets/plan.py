@@ -158,7 +158,7 @@ class Config(Record):
         return tuple(starmap(cell, product(range(levels * modes), range(len(self.recipes)))))
 
     def barren_from(self, behind_last: int) -> int:
-        """Return the position after which no new items are expected; the last item is at `behind_last` - 1."""
+        """Return the position from which generation gives up, if the last item is at `behind_last` - 1."""
         tries, turns = (BARREN, TURNS) if behind_last else (FIRST_TRIES, 1)
         return behind_last + max(tries, turns * len(self._cells))
 
@@ -263,7 +263,7 @@ def _known(named: Callable[[Given], tuple[str, ...]]) -> AfterValidator:
 
 
 class Chosen(BaseModel):
-    """The settings that select problems, a base of other settings classes."""
+    """Settings that select problems (recipes, modes and so on), as a base class of other settings."""
 
     recipe: Annotated[Given, _known(recipes_named)] = ALL
     difficulty: Annotated[Given, _known(difficulties_named)] = ALL

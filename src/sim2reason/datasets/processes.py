@@ -30,7 +30,7 @@ SIGNALS = signal.SIGINT, signal.SIGTERM
 
 @contextmanager
 def deaf_children() -> Generator[None, None, None]:
-    """Make processes started in the block ignore `SIGNALS`; signals in this process wait for the block's end."""
+    """Make processes started in the block ignore interrupts; those of this process wait for the block's end."""
     resource_tracker.ensure_running()  # it would lift the block while it starts
     before = signal.pthread_sigmask(signal.SIG_BLOCK, SIGNALS)
     try:

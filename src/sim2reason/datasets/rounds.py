@@ -20,14 +20,14 @@ BATCH = 10  # items: half a second of work, so that communication costs little
 
 
 class WorkQueue:
-    """A queue of batches that collects their results and retries failed positions one by one.
+    """A queue of batches of positions to make; it collects the results, and retries failed positions singly.
 
     After a crash or a timeout, each position of the batch is retried alone, so that only the faulty one is lost; its
     result records the failure.
     """
 
     def __init__(self, config: Config, missing: Iterable[range | None]) -> None:
-        """Plan the missing positions, each range of one shard; None means to wait for earlier ones."""
+        """Queue the positions to make, each range within one shard; None means to wait until all before are done."""
         self._config = config
         self._open: dict[int, tuple[range, list[Attempt]]] = {}
         self._fresh = self._cut(missing)
@@ -47,16 +47,16 @@ class WorkQueue:
 
     @property
     def open(self) -> bool:
-        """Return whether some issued range is incomplete."""
+        """Return whether some range of positions that workers have begun is incomplete."""
         return bool(self._open)
 
     def next(self) -> Batch | None:
-        """Return the next batch; None if none is available before a reply."""
+        """Return the next batch of positions; None if workers must first finish earlier ones."""
         positions = [self._again.popleft()] if self._again else next(self._fresh, ())
         return [(k, self._config.request(k)) for k in positions] or None
 
     def settle(self, batch: Batch, reply: Reply) -> Iterator[tuple[range, list[Attempt]]]:
-        """Accept a reply, and yield each range that it completes with its results in order."""
+        """Accept the results of a batch, and yield each range of positions that is complete now, with its results."""
         if isinstance(reply, str):
             reply = list(self._retry(batch, reply))
         self.done += len(reply)
@@ -114,13 +114,13 @@ def make_all(journal: Journal, run: Run, overlap: FindsOverlap, advance: Advance
 def make_positions(
     journal: Journal, numbers: range, run: Run, overlap: FindsOverlap, advance: Advance, watch: Watch
 ) -> None:
-    """Make the missing positions of some shards, without replacing positions that have no item."""
+    """Make the missing positions of some shards; positions without an item are not replaced by others."""
     queue = WorkQueue(journal.plan.config, _missing(journal, numbers, advance))
     _work(journal, queue, run, overlap, advance, watch)
 
 
 def _told_before(done: int) -> None:
-    """Ignore the number of positions finished in an earlier round, to avoid counting them twice."""
+    """Ignore progress on positions of an earlier round, which was already reported."""
     del done
 
 
@@ -147,7 +147,7 @@ def _work(journal: Journal, queue: WorkQueue, run: Run, overlap: FindsOverlap, a
 
 
 def _lengthened(journal: Journal) -> range:
-    """Extend the journal by the next round, and return its shards; empty if all is done."""
+    """Add positions to replace those without an item, and return their shards; empty if there are enough items."""
     config, shards = journal.plan.config, journal.shards
     barren_from = config.barren_from(_behind_last_item(journal))
     end = max(journal.positions, min(journal.positions + config.items - _rows(journal), barren_from))
@@ -162,7 +162,7 @@ def _rows(journal: Journal) -> int:
 
 
 def _write(journal: Journal, overlap: FindsOverlap, positions: range, outcomes: Sequence[Attempt]) -> None:
-    """Write the shard of a completed range after its existing positions."""
+    """Write the items of a completed range of positions into its shard, after those that the shard already has."""
     number = positions.start // journal.plan.config.shard
     found = [(outcome.position, outcome.item) for outcome in outcomes if outcome.item is not None]
     overlaps = {position: shared for position, item in found if (shared := overlap(item.prompt))}
@@ -198,7 +198,7 @@ def _why(rejected: Counts) -> str:
 
 
 def _behind_last_item(journal: Journal) -> int:
-    """Return the position after the last one with an item."""
+    """Return the first position after the last one that holds an item."""
     for number in reversed(range(journal.shards)):
         positions = marks_of(journal, number).table[:, POSITION]
         if len(positions):
@@ -226,7 +226,7 @@ def _leave_out(journal: Journal, number: int, found: Sequence[Duplicate]) -> Non
 def _left_out(
     before: Sequence[RefusedPosition], config: Config, found: Sequence[Duplicate]
 ) -> tuple[RefusedPosition, ...]:
-    """Return the removed positions of a shard, earlier and new ones, in order."""
+    """Return the positions of a shard without an item, after the duplicates found now are added, in order."""
     more = [
         RefusedPosition.of(
             each.position,

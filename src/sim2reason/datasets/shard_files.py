@@ -90,7 +90,7 @@ Placed = Sequence[tuple[int, Item]]
 
 
 def put_shard(journal: Journal, shard: Shard, items: Placed) -> None:
-    """Write the files of a shard with `items`, then its record with the data that depends on them."""
+    """Write the files of a shard with these items, then its record with their counts and hashes."""
     config = journal.plan.config
     homes = [(split_of(item, config.split), item) for _, item in items]
     by_split = {name: [item for home, item in homes if home == name] for name in config.split}
@@ -105,7 +105,7 @@ def put_shard(journal: Journal, shard: Shard, items: Placed) -> None:
 
 
 def lengthened(shard: Shard, by: Shard) -> Shard:
-    """Return the record of two adjacent ranges, without the data that depends on items."""
+    """Return the record of two adjacent ranges as one shard, still without files and counts of items."""
     refused = {kind: (*getattr(shard, kind), *getattr(by, kind)) for kind in REFUSALS}
     changed = {
         "positions": (shard.positions[0], by.positions[1]),
@@ -131,7 +131,7 @@ def items_of(journal: Journal, shard: Shard) -> list[tuple[int, Item]]:
 
 
 def marks_of(journal: Journal, number: int) -> Marks:
-    """Return the duplicate marks of a shard, computed from its files if not stored."""
+    """Return the hashes and numbers of a shard's items, for the detection of duplicates, computed if not stored."""
     known, shard = journal.marks(number), shard_of(journal, number)
     if known is None or len(known.table) != shard.rows:
         known = marks(items_of(journal, shard), scenes=len(journal.plan.config.split) > 1)

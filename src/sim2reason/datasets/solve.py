@@ -208,7 +208,7 @@ def _answered(problem: str, search: QuestionSearch, question: PosedQuestion, fou
 
 
 def _only_in_parts(target: Target) -> bool:
-    """Return whether a quantity with a worked solution has no words of its own, as a height above the ground has not.
+    """Return whether a quantity can be solved for, but has no name in sentences, such as a height above ground.
 
     The magnitude and the components of other quantities have words, unless these would not tell them apart.
     """

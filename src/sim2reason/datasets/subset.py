@@ -15,7 +15,7 @@ __all__ = ["put_subset"]
 
 
 def put_subset(source: Dataset, out: Path, keeps: Callable[[Item], bool], filter_name: str, why: str) -> Manifest:
-    """Write the items that `keeps` accepts into the folder `out`, shard by shard, and the manifest last.
+    """Write the items that `keeps` accepts as a new dataset into the folder `out`, with the manifest last.
 
     Items stay in their shards, so that they are found by their ids as before; removed ones are counted under
     `filter_name`, by recipe, and the card states `why`.

@@ -134,7 +134,7 @@ class Stats(Record):
 
 
 class _Numbers:
-    """The extremes and a rounded histogram of numbers."""
+    """The smallest and largest of some numbers, and counts of the numbers rounded to three digits."""
 
     def __init__(self) -> None:
         self.least, self.greatest = float("inf"), float("-inf")

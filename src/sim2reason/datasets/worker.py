@@ -23,7 +23,7 @@ Batch = Sequence[tuple[int, Request]]
 
 @dataclass(frozen=True, slots=True)
 class Attempt:
-    """The result for one position: an item or None, and the error as `failure`."""
+    """The outcome of one request at a position: the item or None, rejections, and an exception as `failure`."""
 
     position: int
     item: Item | None

@@ -31,7 +31,7 @@ PolicySource = Policy | Mapping[str, object] | Path | str
 
 
 class PolicyPass(Record):
-    """The dataset, policy and seed that determine the answers of a pass."""
+    """The record of a policy's pass over a dataset: the dataset, policy and seed that determine the answers."""
 
     dataset: str
     """The SHA-256 of its manifest."""

@@ -43,7 +43,7 @@ class PassRate(Record):
 
 
 class Solvable(Record):
-    """The result of a pass, stored in ``solvable.json``."""
+    """The result of filtering a dataset by pass rates, as stored in ``solvable.json``."""
 
     plan: PolicyPass
     tries: int

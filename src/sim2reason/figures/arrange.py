@@ -35,7 +35,7 @@ class Arranger:
         strands: Sequence[Strand],
         make: Callable[[str, DrawingPlan], Piece],
     ) -> None:
-        """Store the names of the pieces and the strands between or inside them."""
+        """Store the names of the drawn pieces, and the straight string segments between or inside them."""
         self.plan, self.names, self.strands, self.make = plan, names, strands, make
         self.outer = [strand for strand in strands if not strand.inner]
         self.groups = self._mirror_groups()
@@ -50,7 +50,7 @@ class Arranger:
     # -- what can be turned round ------------------------------------------------------------------
 
     def _mirror_groups(self) -> list[frozenset[str]]:
-        """Return the groups of pieces that must face the same way because an inclined or level strand joins them."""
+        """Return the groups of pieces that are mirrored together because an inclined or level string joins them."""
         leader = {name: name for name in self.names}
         for strand in self.outer:
             if (
@@ -74,7 +74,7 @@ class Arranger:
         return name in self.plan.paths.home.values() or has_faces(self.plan.scene.bodies.get(name))
 
     def _swaps(self) -> list[str]:
-        """Return the names of the pulleys and free strands whose left and right sides can be exchanged."""
+        """Return the names of pulleys and undirected string segments whose left and right can be exchanged."""
         rims = dict.fromkeys(k.item for s in self.outer for k in (s.a, s.b) if k.rim and not self._directed(k.piece))
         free = [_key(strand) for strand in self.outer if strand.way is None]
         return [*rims, *free]
@@ -88,7 +88,7 @@ class Arranger:
     # -- one try -----------------------------------------------------------------------------------
 
     def ways(self, turned: frozenset[str], swapped: frozenset[str]) -> list[complex]:
-        """Return the directions of all strands in order, with a chosen direction for each free strand."""
+        """Return the direction of each straight string segment, with a chosen one where the scene fixes none."""
         known = [self._turned(strand, turned) for strand in self.strands]
         return [way if way is not None else self._free(number, known, swapped) for number, way in enumerate(known)]
 
@@ -99,7 +99,7 @@ class Arranger:
         return mirrored(strand.way) if strand.a.piece in turned or strand.b.piece in turned else strand.way
 
     def _free(self, number: int, known: Sequence[complex | None], swapped: frozenset[str]) -> complex:
-        """Choose the direction of a strand between pulleys, hands and hooks: level, else down, else sideways."""
+        """Choose the direction of a string segment between pulleys, hands, hooks: level, else down, else sideways."""
         strand = self.strands[number]
         side = -1.0 if _key(strand) in swapped else 1.0
         if strand.a.rim and strand.b.rim:
@@ -113,7 +113,7 @@ class Arranger:
         return self.strands[one].string == self.strands[other].string
 
     def _leaves_up(self, number: int, way: complex) -> bool:
-        """Return whether a neighbouring free strand leaves the common pulley upwards."""
+        """Return whether a neighbouring string segment leaves the pulley that both share upwards."""
         return (way.imag > 0.0) != self.strands[number].a.rim
 
     def _bent(
@@ -123,7 +123,7 @@ class Arranger:
         turned: frozenset[str] = frozenset(),
         swapped: frozenset[str] = frozenset(),
     ) -> DrawingPlan:
-        """Return the plan with all bends and ends of strings that follow from the directions."""
+        """Return the plan with the directions of all segments at each bend and each end of a string."""
         bends: dict[str, Bend] = {}
         ends: dict[str, tuple[complex, ...]] = {}
         before: tuple[Strand, complex] | None = None
@@ -137,7 +137,7 @@ class Arranger:
         return replace(plan, bends=bends, ends=ends, mirrored=turned)
 
     def pose(self, choice: Choice) -> Pose:
-        """Return the shapes of all pieces for a choice of orientations and pulley sizes."""
+        """Return all pieces for a candidate's orientations and pulley sizes, before they are placed."""
         flips, wider = choice[: self.flips], choice[self.flips + len(self.outer) :]
         if (flips, wider) not in self._poses:
             turned = frozenset[str]().union(*(group for group, flip in zip(self.groups, flips, strict=False) if flip))
@@ -149,7 +149,7 @@ class Arranger:
         return self._poses[flips, wider]
 
     def _lengths(self, strand: Strand) -> tuple[float, ...]:
-        """Return the candidate lengths of a strand, excluding the part on its pieces."""
+        """Return the lengths to try for a string segment between two pieces, without its part over the pieces."""
         bodies = self.plan.scene.bodies
         ends = [bodies.get(knot.piece) for knot in (strand.a, strand.b)]
         if all(not knot.rim and body is not None for knot, body in zip((strand.a, strand.b), ends, strict=True)):
@@ -158,7 +158,7 @@ class Arranger:
         return FACE_END_LENGTHS if sloped else FREE
 
     def place(self, choice: Choice) -> Layout:
-        """Place all pieces by following the strands from piece to piece."""
+        """Place all pieces by following the string segments, with a candidate's lengths, from piece to piece."""
         pose = self.pose(choice)
         outer = [joint for joint in pose.joints if not joint.strand.inner]
         numbers = choice[self.flips : self.flips + len(outer)]
@@ -180,7 +180,7 @@ class Arranger:
     # -- the search --------------------------------------------------------------------------------
 
     def best(self) -> Layout:
-        """Return the best layout of several descents; the first one starts from the shortest strands."""
+        """Return the best layout of several local searches; the first one starts from the shortest string segments."""
         random = Random(0)  # noqa: S311 - it chooses where to look
         found = self._descend((0,) * len(self.counts))
         idle = 0
@@ -194,13 +194,13 @@ class Arranger:
         return found
 
     def _drawn(self, random: Random) -> Iterator[int]:
-        """Yield a random choice, biased to short strands and small pulleys."""
+        """Yield the components of a random candidate layout, biased to short string segments and small pulleys."""
         for number, count in enumerate(self.counts):
             wheel = number >= self.flips + len(self.outer)
             yield int(random.random() * (1.3 if wheel else min(4, count)))
 
     def _descend(self, choice: Choice) -> Layout:
-        """Improve each component of a choice in turn until no change reduces the cost."""
+        """Change one orientation, length or pulley size of a candidate after another until the cost no longer falls."""
         layout, better = self.place(choice), True
         while better:
             better = False

@@ -60,7 +60,7 @@ SIZES = {"velocity": "speed", "displacement": "distance from the start"}  # magn
 
 @dataclass(frozen=True)
 class Curve:
-    """One line of a panel, with its values before and after the cut."""
+    """One curve of a panel: its name, and its values at all plotted times."""
 
     name: str
     values: Array
@@ -142,7 +142,7 @@ def panels(state: State, mentions: dict[str, str], said: frozenset[str] | None =
 
 
 def _disambiguated(curves: list[tuple[str, Curve]]) -> tuple[Curve, ...]:
-    """Return the curves with the names of their quantities where two quantities share a panel and subject."""
+    """Return the curves, with the quantity added to the name where two quantities of one subject share a panel."""
     names = [curve.name for _, curve in curves]
     return tuple(
         replace(curve, name=f"{curve.name}, {quantity}") if names.count(curve.name) > 1 else curve
@@ -151,7 +151,7 @@ def _disambiguated(curves: list[tuple[str, Curve]]) -> tuple[Curve, ...]:
 
 
 def _superfluous(panel: Panel, traced: set[str]) -> bool:
-    """Return whether trajectories show a panel better, or it has too many pairs of bodies to be legible."""
+    """Return whether to omit a panel: trajectories show the same better, or it has too many curves to read."""
     names = {curve.name for curve in panel.curves}
     return len(names) > MAX_CURVES or (panel.title.startswith(SIZES["displacement"]) and names <= traced)
 
@@ -226,7 +226,7 @@ def _worth(trace: Trace, duration: float) -> list[Event]:
 
 
 def _is_unmentioned(event: Event, mechanism: Mechanism) -> bool:
-    """Return whether the text mentions neither of the directions in which a body reverses."""
+    """Return whether an event is a reversal whose directions the text does not mention."""
     if event.kind != "turn" or not event.subjects or event.subjects[0] not in mechanism.number:
         return False
     own = mechanism.coordinates[mechanism.number[event.subjects[0]]]

@@ -24,7 +24,7 @@ from sim2reason.text.prose.description import Description, describe
 
 @dataclass(frozen=True, slots=True)
 class Component:
-    """Connected entities and connections: names of `arranged` ones, and groups that are drawn to scale.
+    """A connected part of a scene: the names of entities with adaptable lengths, and the groups drawn to scale.
 
     The entities of a group, with the connections between them, are drawn as one piece.
     """
@@ -33,7 +33,7 @@ class Component:
     groups: tuple[frozenset[str], ...]
 
     def home(self) -> Mapping[str, str]:
-        """Return the name of the piece of each entity that is drawn to scale."""
+        """Return the name of the drawn group, by entity or connection that it contains."""
         return {name: min(group) for group in self.groups for name in group}
 
 
@@ -45,7 +45,7 @@ def components(scene: Scene) -> list[Component]:
 
 
 def _component(scene: Scene, owners: frozenset[str]) -> Component:
-    """Return the component of some entities: arranged, to scale, or both, joined by strings."""
+    """Return a connected part of a scene, divided into entities with adaptable lengths and groups drawn to scale."""
     scaled = {name for name in owners if _is_entity(scene, name) and not _can_be_arranged(scene, name)}
     if not scaled:
         return Component(owners, ())
@@ -63,7 +63,7 @@ def _is_entity(scene: Scene, name: str) -> bool:
 
 
 def _can_be_arranged(scene: Scene, name: str) -> bool:
-    """Return whether an entity may be drawn with other lengths, and all its bodies have looks for that."""
+    """Return whether an entity may be drawn with adapted lengths, and all its bodies have shapes for such drawings."""
     bodies = [body for address, body in scene.bodies.items() if address.startswith(f"{name}.")]
     return scene.entity(name).schematic and all(type(body.look) in PIECES for body in bodies)
 
@@ -109,7 +109,7 @@ def drawing(scene: Scene, description: Description | None = None, *, numbers: bo
 
 
 def _drawn(scene: Scene, description: Description, *, numbers: bool) -> Drawing:
-    """Draw a scene without disguising its unknown lengths."""
+    """Draw a scene without replacing lengths and angles that the text leaves unknown."""
     sizes = Sizes(width=1.6, height=1.4) if numbers else Sizes()
     parts: list[Sketch] = []
     for component in components(scene):
@@ -127,7 +127,7 @@ def _drawn(scene: Scene, description: Description, *, numbers: bool) -> Drawing:
 
 
 def make(scaled: Mapping[str, Piece], name: str, plan: DrawingPlan) -> Piece:
-    """Return the piece at an address: the group drawn to scale, or a piece by its body's look."""
+    """Return the drawn piece with a name: a group drawn to scale, or else one by the look of its body."""
     if name in scaled:
         return scaled[name]
     look = plan.scene.bodies[name].look if name in plan.scene.bodies else None
@@ -139,7 +139,7 @@ def make(scaled: Mapping[str, Piece], name: str, plan: DrawingPlan) -> Piece:
 
 
 def _parts(plan: DrawingPlan, component: Component, scaled: Iterable[str]) -> Iterable[tuple[list[str], list[Strand]]]:
-    """Yield the groups of pieces that strings connect, with their strands."""
+    """Yield the groups of pieces that strings connect, each with the straight string segments between them."""
     strands = plan.paths.strands
     names = list(
         dict.fromkeys([*scaled, *_standing(plan, component.arranged), *(k.piece for s in strands for k in (s.a, s.b))])
@@ -154,7 +154,7 @@ def _parts(plan: DrawingPlan, component: Component, scaled: Iterable[str]) -> It
 
 
 def _standing(plan: DrawingPlan, owners: frozenset[str]) -> Iterator[str]:
-    """Yield the pieces that need no string: those with faces, free blocks, and pulleys without strings."""
+    """Yield the names of the pieces that are drawn even without a string: planes, free blocks and unused pulleys."""
     carried = plan.paths.carriers
     rims = {knot.item for knots in plan.paths.knots.values() for knot in knots if knot.rim}
     for address, body in plan.scene.bodies.items():
@@ -179,7 +179,7 @@ def _finished(layout: Layout, plan: DrawingPlan) -> Sketch:
 
 
 def _strokes(scene: Scene, name: str, a: complex, b: complex) -> Iterator[LineShape]:
-    """Yield the shapes of a strand, drawn as its connection looks."""
+    """Yield the shapes of a string segment, drawn as a string, spring or rod by its connection."""
     look = scene.joints[name].connection.look if name in scene.joints else "string"
     if look == "spring":
         line = next((line for line in scene.mechanism.lines if line.whole == name), None)

@@ -49,7 +49,7 @@ FLAT = 1e-6
 
 @dataclass(frozen=True)
 class Facet:
-    """A face of a piece with the bodies and sites on it, by their distances from its upper end."""
+    """A face of a plane or wedge, with the distances of its blocks from its upper end and its pulleys at the ends."""
 
     uphill: complex
     normal: complex
@@ -65,10 +65,10 @@ class Facet:
 
 @draws(FixedPlane, MovingSlope)
 class FacePiece(Piece):
-    """A body with one face, or two faces that meet at its top, which is the origin."""
+    """A plane, wedge or prism with its blocks: one face, or two that meet at the top, which is the origin."""
 
     def __init__(self, name: str, plan: DrawingPlan) -> None:
-        """Place all blocks and sites on the faces in the order of the mechanism."""
+        """Distribute the blocks and pulleys over the faces in the order that they have in the mechanism."""
         super().__init__(name, plan)
         body = plan.scene.bodies[name]
         self.fixed = is_plane(body)
@@ -104,7 +104,7 @@ class FacePiece(Piece):
             yield Facet(uphill, normal, {block: s for s, block in sorted(members)}, foot, top)
 
     def _sites(self, uphill: complex) -> list[tuple[float, str]]:
-        """Return the sites on the face that strings pass, with their positions along it."""
+        """Return the points of the body on a face at which strings bend, each with its position along the face."""
         rims = {knot.item for knots in self.plan.paths.knots.values() for knot in knots if knot.rim}
         sites = [s for s in self.plan.paths.mechanism.sites if s.body == self.name and s.name in rims]
         return [(dot(flat(s.at), uphill), s.name) for s in sites if abs(cross(flat(s.at), uphill)) < 1e-6]
@@ -120,7 +120,7 @@ class FacePiece(Piece):
         return Facet(face.uphill, face.normal, places, face.foot, face.top, length)
 
     def _stand(self) -> None:
-        """Extend the shorter face to the level of the longer one unless that stretches it too much."""
+        """Extend the shorter of two faces to the floor below the longer one, unless that stretches it too much."""
         deep = max(face.length * face.uphill.imag for face in self.faces)
         stretched: list[Facet] = []
         for face in self.faces:
@@ -155,7 +155,7 @@ class FacePiece(Piece):
         return 0.5 * self.plan.sizes.height - self.plan.sizes.small * dot(bend.touches(along), face.normal)
 
     def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
-        """Return the point on a small pulley's rim, or at the side of a block, where a strand begins."""
+        """Return the point where a string segment begins: on a small pulley's rim, or at the side of a block."""
         if knot.rim:
             return self.wheel(knot.item) + self.plan.sizes.small * self.plan.bends[knot.item].rim(second=second)
         if knot.item not in self.plan.paths.carriers:
@@ -165,7 +165,7 @@ class FacePiece(Piece):
         return self.center(knot.item) + 0.5 * side * self.plan.sizes.width * face.uphill
 
     def lead(self, knot: PathKnot, way: complex) -> float:
-        """Return the length from a block to the end of its face, or from a small pulley to the end of the floor."""
+        """Return the length of a string segment above its own piece, up to the end of the face or of the floor."""
         start = self.anchor(knot, way, second=False)
         if knot.rim:
             left, _, right, _ = box([*self.outline(), 0j])

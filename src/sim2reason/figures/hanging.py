@@ -34,7 +34,7 @@ class BlockPiece(Piece):
     """A hanging block."""
 
     def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
-        """Return the middle of the side at which the strand begins."""
+        """Return the middle of the block's side at which a string segment begins."""
         del knot, second
         sizes = self.plan.sizes
         steep = abs(way.imag) * sizes.width >= abs(way.real) * sizes.height
@@ -77,7 +77,7 @@ class PulleyPiece(Piece):
     """A pulley; `address` is that of the body, which for a movable pulley is not the name of the piece."""
 
     def __init__(self, name: str, plan: DrawingPlan) -> None:
-        """Find the pulley that belongs to a massless carrier."""
+        """Find the pulley of this piece (it may hang from a massless carrier), its size, and where it is fixed."""
         super().__init__(name, plan)
         own = [knot.item for knots in plan.paths.knots.values() for knot in knots if knot.piece == name and knot.rim]
         self.address = own[0] if own else name
@@ -96,7 +96,7 @@ class PulleyPiece(Piece):
                     yield there.piece
 
     def _clear(self, block: PathKnot) -> bool:
-        """Return whether the string passes beyond the pulley as seen from the face, so that no bracket crosses it."""
+        """Return whether a string passes on the outer side of the pulley, so that no bracket to a plane crosses it."""
         ways = self.plan.ends.get(block.item, ())
         if self.bend is None or not ways:
             return False
@@ -105,7 +105,7 @@ class PulleyPiece(Piece):
         return dot(self.bend.touches(way), out) > 0.0
 
     def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
-        """Return the point on the rim, or at the axle, where a strand begins."""
+        """Return the point on the rim, or on the axle, where a string segment begins."""
         del way
         if not knot.rim or self.bend is None:
             return 0j

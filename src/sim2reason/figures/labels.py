@@ -196,13 +196,13 @@ def place_labels(
 
 
 def _seen(label: Label, strokes: Sequence[Stroke], grounds: Sequence[tuple[int, Polygon]]) -> list[Stroke]:
-    """Return the strokes at a label that no filled shape hides, including the outline of the hiding shape."""
+    """Return the outline segments at a label's position that no filled shape in front of them hides."""
     above = max((n for n, polygon in grounds if inside(label.at, polygon)), default=-1)
     return [stroke for stroke in strokes if stroke.order >= above]
 
 
 def _options(wanted: LabelRequest) -> Iterator[Option]:
-    """Yield the candidate positions of a label, then those around its anchors, the nearest first."""
+    """Yield the candidate positions of a label: the wanted ones, then those with a leader line, nearest first."""
     made = partial(Label, wanted.text, subject=wanted.subject, size=wanted.size, name=wanted.name)
     for number, place in enumerate(wanted.places):
         yield Option(made(at=place), LATER * number, wanted.places[0])
@@ -217,7 +217,7 @@ def _options(wanted: LabelRequest) -> Iterator[Option]:
 
 
 def _crowded(option: Option, others: Sequence[Option]) -> float:
-    """Return the cost of overlaps of a label and its leader line with other labels and leader lines."""
+    """Return the cost of a label's overlaps with other labels, also of crossings with their leader lines."""
     mine, found = _wider(option.label.box), 0.0
     for label, _, _, leader in others:
         shared = common(mine, label.box)
@@ -237,7 +237,7 @@ def _led(option: Option, strokes: Sequence[Stroke]) -> float:
 
 
 def _alone(option: Option, strokes: Sequence[Stroke], blocks: Sequence[Polygon]) -> float:
-    """Return the cost of a candidate position without other labels; outlines at the preferred position are free."""
+    """Return the cost of a label's position on its own: its rank, outlines under it, and blocks it does not name."""
     mine = _wider(option.label.box)
     left, low, right, high = mine
     corners = (complex(left, low), complex(right, low), complex(right, high), complex(left, high))

@@ -15,7 +15,7 @@ ACROSS, UPWARDS, RAGGED, MOST_RAGGED = 0.5, 0.6, 0.8, 2.5  # for each unit of wi
 
 @dataclass(frozen=True)
 class DrawnJoint:
-    """A strand with its ends relative to the pieces that it joins, and its length over these pieces."""
+    """A string segment between two pieces: its ends relative to them, and the length of its part over the pieces."""
 
     strand: Strand
     way: complex
@@ -25,10 +25,10 @@ class DrawnJoint:
 
 
 class Pose:
-    """The shapes of all pieces for one choice of orientations and sizes, independent of position."""
+    """All pieces in one choice of orientations and sizes, with their outlines, before they are placed."""
 
     def __init__(self, pieces: Mapping[str, Piece], strands: Sequence[Strand], ways: Sequence[complex]) -> None:
-        """Compute the hulls and ends of strands that all choices of lengths share."""
+        """Compute the outlines of pieces and the ends of string segments, which do not depend on segment lengths."""
         self.pieces = pieces
         self.joints = [self._joint(strand, way) for strand, way in zip(strands, ways, strict=True)]
         self.solids = {name: [(p, box(p)) for p in piece.hulls()] for name, piece in pieces.items()}
@@ -44,7 +44,7 @@ class Pose:
 
 @dataclass
 class Layout:
-    """A pose with the positions of all pieces."""
+    """All pieces with their positions in the drawing, and the cost of this arrangement."""
 
     pose: Pose
     at: dict[str, complex]
@@ -57,7 +57,7 @@ class Layout:
 
     @property
     def strands(self) -> list[tuple[Strand, complex, complex]]:
-        """Return all strands with their end points."""
+        """Return all straight string segments with their end points in the drawing."""
         return [
             (j.strand, self.at[j.strand.a.piece] + j.start, self.at[j.strand.b.piece] + j.stop)
             for j in self.pose.joints

@@ -84,13 +84,13 @@ class PathKnot:
 
     @property
     def side(self) -> float:
-        """Return −1 if the string arrives at the left of a pulley, 1 at its right."""
+        """Return −1 if the string first touches the pulley on its left side, 1 on its right side."""
         return 1.0 if self.arrives.endswith(".right") else -1.0
 
 
 @dataclass(frozen=True, slots=True)
 class Strand:
-    """A straight segment of a string; `way` is its direction from `a` to `b`, None if free."""
+    """A straight segment of a string between two points or pulleys, with its direction; None if not fixed."""
 
     string: str
     number: int  # of the strand in its string
@@ -140,10 +140,10 @@ def carriers(scene: Scene) -> dict[str, str]:
 
 
 class Paths:
-    """The strings of a scene as sequences of knots and strands."""
+    """The strings of a scene: the points and pulleys along each, and the straight segments between them."""
 
     def __init__(self, scene: Scene, owners: frozenset[str], home: Mapping[str, str]) -> None:
-        """Read the strings of some entities and connections from the mechanism.
+        """Read the strings of the given entities and connections from the mechanism.
 
         `home` maps each entity that is drawn to scale to its piece.
         """
@@ -154,7 +154,7 @@ class Paths:
 
     @cached_property
     def strands(self) -> list[Strand]:
-        """Return all strands, string by string."""
+        """Return the straight segments of all strings, string by string."""
         return [
             Strand(name, number, a, b, self._way(a, b))
             for name, knots in self.knots.items()
@@ -179,7 +179,7 @@ class Paths:
         return body if body is not None and body in self.scene.bodies else site
 
     def piece(self, site: str) -> str:
-        """Return the name of the piece on which a site lies."""
+        """Return the name of the drawn piece to which an attachment point belongs."""
         owner = site.rpartition(".")[0]
         if owner_of(site) in self.home:
             return self.home[owner_of(site)]
@@ -189,7 +189,7 @@ class Paths:
         return site if body is None else self.carriers.get(body, body)
 
     def _way(self, a: PathKnot, b: PathKnot) -> complex | None:
-        """Return the direction between two knots if a site or an entity fixes it, else None."""
+        """Return the direction of the string between two points or pulleys; None if the scene leaves it open."""
         builder = self.scene.builder
         near_by = a.leaves.split(".")[0] == b.arrives.split(".")[0]
         if not near_by and builder.faces[a.leaves] is None and builder.faces[b.arrives] is None:

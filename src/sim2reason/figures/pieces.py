@@ -35,13 +35,13 @@ class Sizes:
 
 @dataclass(frozen=True, slots=True)
 class Bend:
-    """A change of a string's direction at a pulley: its two directions away from the pulley, in order."""
+    """The bend of a string at a pulley: the directions of its two segments away from the pulley, in order."""
 
     ways: tuple[complex, complex]
     side: float  # where two parallel strands meet the rim: the first one at the left (−1) or right (1)
 
     def touches(self, way: complex) -> complex:
-        """Return the unit vector from the centre to the tangent point of the strand that leaves along `way`."""
+        """Return the unit vector from the centre to where the segment that leaves along `way` touches the rim."""
         first = abs(way - self.ways[0]) <= abs(way - self.ways[1])
         other = self.ways[1] if first else self.ways[0]
         if abs(cross(way, other)) > 1e-6:
@@ -50,7 +50,7 @@ class Bend:
         return across if dot(way, other) < 0.0 else across * self.side
 
     def rim(self, *, second: bool = False) -> complex:
-        """Return the unit vector to the tangent point of the first or second strand, also if both are parallel."""
+        """Return the unit vector from the centre to the point where the first or second segment touches the rim."""
         first = self.touches(self.ways[0])
         if not second:
             return first
@@ -66,7 +66,7 @@ class Bend:
 
 @dataclass(frozen=True)
 class DrawingPlan:
-    """The data shared by all pieces of one candidate layout: scene, text and neighbours."""
+    """The data that all pieces of a candidate layout share: the scene, its text, and how strings bend."""
 
     scene: Scene
     paths: Paths
@@ -100,7 +100,7 @@ class DrawingPlan:
         return self.description.voice(replace(parameter, value=shown), symbol)
 
     def stated(self, owner: str, unit: str, value: float) -> str:
-        """Return a stated number of an entity or body with that unit and value, or an empty text."""
+        """Return the text of an entity's number with this unit and value; empty if the text does not state one."""
         said = self._numbers(owner, unit)
         return next(
             (
@@ -146,29 +146,29 @@ class Piece(ABC):
     mirrors = False  # whether it may be drawn mirrored, since no text says which way it faces
 
     def __init__(self, name: str, plan: DrawingPlan) -> None:
-        """Store the address of the piece (see `Paths.piece`) and the plan."""
+        """Store the plan, and the piece's name: the address of its main body, or of a fixed point without a body."""
         self.name, self.plan = name, plan
 
     @abstractmethod
     def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
-        """Return the start of a strand that leaves the knot along `way`; `second` for the knot's second strand."""
+        """Return where a string segment that leaves along `way` begins: before or (`second`) after a pulley."""
 
     @abstractmethod
     def hulls(self) -> list[Polygon]:
-        """Return convex polygons that cover the piece and keep others away."""
+        """Return convex polygons that cover the piece, for the detection of overlaps with others."""
 
     @abstractmethod
     def sketch(self) -> Sketch:
         """Return the shapes of the piece and its labels."""
 
     def lead(self, knot: PathKnot, way: complex) -> float:
-        """Return the length of a strand over the piece itself, in units."""
+        """Return the length of the part of a string segment that lies over this piece itself, in units."""
         del knot, way
         return 0.0
 
     @property
     def level(self) -> tuple[str, float] | None:
-        """Return a height that all pieces of a kind share if possible (kind, height): of a floor or a ceiling."""
+        """Return the kind and height of the piece's floor or ceiling, which pieces of one kind share if possible."""
         return None
 
     def edge(self, way: complex) -> complex | None:

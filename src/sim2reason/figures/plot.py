@@ -102,7 +102,7 @@ def listed(marks: Sequence[Mark], second: str) -> list[str]:
 
 
 def _area(low: float, tall: float, height: float) -> tuple[float, float, float, float]:
-    """Return the axes' rectangle as fractions of the figure, from heights in inches."""
+    """Return a panel's rectangle as fractions of the figure, from bottom, height and figure height in inches."""
     return PLOT_LEFT, low / height, PLOT_RIGHT - PLOT_LEFT, tall / height
 
 
@@ -122,7 +122,7 @@ class Colors:
         return COLORS[self._order.index(own) % len(COLORS)]
 
     def unexplained(self, names: Iterable[str]) -> bool:
-        """Return whether any of these names is in no legend yet, and mark all as explained."""
+        """Return whether a legend is needed for some of these names; all of them then count as explained."""
         found = set(names)
         new = bool(found - self._explained)
         self._explained |= found

@@ -43,7 +43,7 @@ class CertifiedQuestion:
 
     @cached_property
     def shortest(self) -> Solution:
-        """Return the solution that determines difficulty and needs; an integration only if there is no shorter one."""
+        """Return the worked solution that determines difficulty and needs; integrated only if there is no other."""
         found = self.candidate.solution
         return found if found is not None and found.answer is not None else solve(self.setting)
 
@@ -74,7 +74,7 @@ class CertifiedPart:
 
 
 def worked_solution(request: Request, found: CertifiedQuestion) -> Solution:
-    """Return the worked solution of a certified question in the units of its text; an empty one states why.
+    """Return the worked solution of a question in the units of its text; without an answer, it states the reason.
 
     For several parts this is the solution of all parts.
     """

@@ -7,7 +7,7 @@ from sim2reason.questions.choice_prompts import LETTERS
 
 
 def grade_answer(answer: Answer, response: object, *, lenient: bool = False, partial: bool = False) -> Score:
-    """Grade a response against the answer alone, as the rows of exports contain it; see `grade`."""
+    """Grade a response against an answer, such as one in a row of an export, without the rest of its item."""
     if answer.parts:
         return parts(response, [_grader(part) for part in answer.parts], partial=partial)
     if answer.letter:

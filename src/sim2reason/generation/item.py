@@ -143,7 +143,7 @@ class Answer(Record):
         return answer | {"formula": formula | {"units": units, "unit": formula_unit(str(answer.get("unit", "")))}}
 
     def __str__(self) -> str:
-        """Return the answer as readable text; see `shown`."""
+        """Return the answer as readable text, with the direction that counts as positive."""
         return self.shown
 
     @property
@@ -217,7 +217,7 @@ class QueryRecord(Record):
 
 
 class MeasuredDifficulty(Record):
-    """The measured difficulty of a problem's worked solution, as numbers; see docs/difficulty.md."""
+    """The measured difficulty of a problem: laws, phases and unknowns of its worked solution, and the score."""
 
     laws: int
     """How many laws of physics it uses."""

@@ -27,7 +27,7 @@ SIMPLE = frozenset(need for need in Need if need <= ELEMENTARY)
 
 
 def allowed(request: Request) -> frozenset[Need]:
-    """Return the needs that the item of a request may have: those requested, else a draw by `SHARE`."""
+    """Return the mathematics that solutions may need: as requested, else elementary, or any for a random 8 %."""
     if request.needs:
         return frozenset(NEEDS[name] for name in request.needs)
     if request.unfiltered:
@@ -48,7 +48,7 @@ def form_problem(
     refused: Counter[str],
     name: str,
 ) -> CertifiedQuestion | None:
-    """Return the problem in a mode, with its parts or options; None, counted in `refused`, if impossible.
+    """Return a question as a problem of a mode, with parts or options; None, counted in `refused`, if impossible.
 
     The order of options depends only on `name`.
     """
@@ -122,7 +122,7 @@ class ItemSearch:
 
     @property
     def wanted(self) -> str:
-        """Return the first kind in order that a scene offers; empty if all its answers are textbook ones."""
+        """Return the question kind that a scene first allowed; empty if it only has answers known from textbooks."""
         return self._first if self._first in self._problems else ""
 
     def find(self) -> CertifiedQuestion | None:
@@ -136,7 +136,7 @@ class ItemSearch:
         return None
 
     def _order(self, turn: int) -> list[str]:
-        """Return the kinds in the order of a round; each round begins with the next kind.
+        """Return the question kinds in the order in which one round tries them; each round begins with another kind.
 
         An expensive kind is tried only in the round that begins with it.
         """
@@ -146,12 +146,12 @@ class ItemSearch:
         return sorted((first, *others), key=self._is_last)
 
     def _is_last(self, kind: str) -> bool:
-        """Return whether a kind is to be tried last: rarely offered, mostly rejected, or in need of other means."""
+        """Return whether a kind is tried last: seldom possible, mostly rejected, or needing disallowed mathematics."""
         known = self._known[kind] >= KNOWN or self._absent[kind] >= ABSENT
         return known or self._refused[kind] >= REFUSED or self._unsuited[kind] >= HOPELESS
 
     def _among(self, attempts: range, kinds: Sequence[str]) -> CertifiedQuestion | None:
-        """Return a question about one of several scenes, or None."""
+        """Return a question that passes all filters, about one of several drawn scenes; None if there is none."""
         drawn: list[Drawn] = []
         for search, rng in self._scenes(attempts):
             drawn.append((search, rng))
@@ -170,7 +170,7 @@ class ItemSearch:
         return None
 
     def _scenes(self, attempts: range) -> Iterator[Drawn]:
-        """Yield the scenes that allow questions."""
+        """Draw scenes, and yield those about which questions can pass the filters."""
         for attempt in attempts:
             rng = self._generator(attempt)
             try:
@@ -199,7 +199,7 @@ class ItemSearch:
     def _first_kind(
         self, search: QuestionSearch, rng: np.random.Generator, kinds: Sequence[str]
     ) -> CertifiedQuestion | None:
-        """Return a question of the first kind that a scene offers, or None."""
+        """Return a question of the first kind that a scene allows, or None if that kind or every kind fails."""
         for kind in kinds:
             if len(search.beyond) >= BEYOND:
                 return None

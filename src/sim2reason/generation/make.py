@@ -40,7 +40,7 @@ from sim2reason.text.prose.symbol_names import formula_unit
 
 
 def in_units(system: SpokenUnits, item: Item) -> Item:
-    """Return the problem with all numbers of its text, answer and distractors in a system of units.
+    """Return an item with all numbers in its text, answer and distractors converted to a system of units.
 
     Symbolic problems are unchanged, because their formulas hold in any units.
     """
@@ -68,7 +68,7 @@ def in_units(system: SpokenUnits, item: Item) -> Item:
 
 
 def _options_told_in(system: SpokenUnits, item: Item) -> Item:
-    """Return a multiple-choice problem in a system of units; its options have the unit of the answer."""
+    """Return a multiple-choice item converted to a system of units; its options have the unit of the answer."""
     answer, told = _answer(system, item.answer), ChoicePrompt.read(item.prompt)
     question = spoken_in(system, told.question)
     return item.model_copy(
@@ -83,7 +83,7 @@ def _options_told_in(system: SpokenUnits, item: Item) -> Item:
 
 
 def _parts_told_in(system: SpokenUnits, item: Item) -> Item:
-    """Return a multi-part problem in a system of units, with the units of all answers in its last line."""
+    """Return a multipart item converted to a system of units, with the units of all answers in its last line."""
     units = [system.spelled(answer.unit)[0] for answer in item.answer.parts]
     told = PartPrompt.read(item.prompt)
     said = tuple(unit_in_words(unit) if unit else old for unit, old in zip(units, told.units, strict=True))
@@ -182,7 +182,7 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
 
 
 def with_options(item: Item, found: CertifiedQuestion) -> Item:
-    """Return a numeric item as a multiple-choice item."""
+    """Return a numeric item as a multiple-choice item, with the options of its certified question."""
     answer, body, chosen = item.answer, without_form(item.prompt)[0], found.options
     numbers, letter = tuple(values(answer, chosen)), LETTERS[chosen.index(None)]
     texts = _names_and(numbers, answer.unit, found)
@@ -192,7 +192,7 @@ def with_options(item: Item, found: CertifiedQuestion) -> Item:
 
 
 def _names_and(numbers: Sequence[float], unit: str, found: CertifiedQuestion) -> tuple[str, ...]:
-    """Return the texts of options that name one of two objects beside a number; empty for plain numbers."""
+    """Return the texts of options that state one of two names and a number; empty if options are plain numbers."""
     kind, query, words = found.candidate.kind, found.question.query, found.candidate.words
     if not isinstance(kind, WhichKind) or not isinstance(query, WhichQuery) or words is None:
         return ()
@@ -229,7 +229,7 @@ def _parts_of(request: Request, found: CertifiedQuestion) -> tuple[QuestionPart,
 
 
 def _in_all(found: CertifiedQuestion, idle: Callable[[Candidate, Description], tuple[str, ...]]) -> tuple[str, ...]:
-    """Return the names that are irrelevant (`idle`) to all parts."""
+    """Return the parts of the scene or numbers that `idle` finds irrelevant for every part of the problem."""
     candidates = [part.certified.candidate for part in found.parts] or [found.candidate]
     each = [idle(candidate, found.description) for candidate in candidates]
     return tuple(name for name in each[0] if all(name in others for others in each[1:]))

@@ -41,7 +41,7 @@ def _place(effect: Effect) -> tuple[float, str]:
 
 
 def _fill(found: list[Effect], enough: int, offered: Iterator[Effect], candidate: Candidate) -> None:
-    """Add offered distractors up to `enough`."""
+    """Add further wrong answers from `offered` to `found` until there are `enough`."""
     while len(found) < enough and (effect := next(offered, None)) is not None:
         _add(effect, candidate, found)
 
@@ -140,7 +140,7 @@ def options(answer: Answer, wrong: Sequence[Distractor], name: str) -> Options |
 
 
 def options_of_two(answer: Answer, wrong: Sequence[Distractor], name: str) -> Options | None:
-    """Return four options: the correct and a wrong number, each with either of two names.
+    """Return four options for a question with two names: the correct and a wrong number, each with either name.
 
     Negative numbers belong to the second name. None if no wrong number is distinct from the correct one.
     """
@@ -156,18 +156,18 @@ def options_of_two(answer: Answer, wrong: Sequence[Distractor], name: str) -> Op
 
 
 def _beside(number: Distractor, answer: Answer) -> str:
-    """Return the explanation of the option with the value of `number` and the other name."""
+    """Return why an option with the value of `number`, but the other of the two names, is wrong."""
     return NAMES_OTHER if number.value * answer.value > 0.0 else RIGHT_NAME
 
 
 def _ordered(chosen: Sequence[Distractor | None], name: str) -> Options:
-    """Return options in a random order that depends only on a seed string."""
+    """Return options in a random order that depends only on `name`."""
     order = [blake2b(f"{name}\n{number}".encode()).digest() for number in range(len(chosen))]
     return tuple(chosen[number] for number in sorted(range(len(chosen)), key=lambda number: order[number]))
 
 
 def options_of(item: Item) -> Options | None:
-    """Return the options of a multiple-choice item, or those possible for another item; None for too few."""
+    """Return the options of a multiple-choice item, or those that another item could have; None for too few."""
     if not item.answer.letter:
         return options(item.answer, item.distractors, item.id)
     label, wrong = LETTERS.index(item.answer.letter), iter(item.distractors)
@@ -175,12 +175,12 @@ def options_of(item: Item) -> Options | None:
 
 
 def values(answer: Answer, chosen: Sequence[Distractor | None]) -> list[float]:
-    """Return the values of options."""
+    """Return the number that each option states."""
     return [answer.value if wrong is None else wrong.value for wrong in chosen]
 
 
 def _stands_apart(answer: Answer, wrong: Distractor, chosen: Sequence[Distractor | None]) -> bool:
-    """Return whether a distractor cannot be confused with another option."""
+    """Return whether a wrong answer differs clearly from the correct one and from all chosen options."""
     least = max(OPTION_RTOL, answer.tolerance) + ROUNDING
     others = values(answer, chosen)
     return all(abs(wrong.value - other) > least * max(abs(wrong.value), abs(other)) for other in others)

@@ -44,7 +44,7 @@ SETTINGS = NUMBERS, MIN_PARTS, LOOKED_AT, SIFTED, EACH
 
 @dataclass(frozen=True)
 class _Part:
-    """A question with its solution, which may lack an answer."""
+    """A part of a multipart problem in the search: a certified question with its worked solution."""
 
     certified: CertifiedQuestion
     solution: Solution
@@ -55,7 +55,7 @@ class _Part:
         return self.certified.question
 
     def follows(self, other: "_Part") -> bool:
-        """Return whether this part uses the other part's answer."""
+        """Return whether this part's solution uses the answer to the other part."""
         return _leads(other.question, other.solution, self.question, self.solution)
 
 
@@ -70,7 +70,7 @@ class PartSearch:
         rng: np.random.Generator,
         refused: Counter[str],
     ) -> None:
-        """Store the search context; `refused` counts rejections by filter."""
+        """Store the scene, the mode and a random generator; `refused` counts rejections by filter."""
         self._search, self._mode, self._rng, self._refused = search, mode, rng, refused
         numbers = NUMBERS[difficulty]
         self._number = numbers[int(rng.random() * len(numbers))]
@@ -112,7 +112,7 @@ class PartSearch:
         return None
 
     def _may_be_joined(self, part: _Part) -> bool:
-        """Return whether other parts can lead to this one: it has intermediate results or awaits an event."""
+        """Return whether further parts can lead to this one: it has intermediate results, or asks about an event."""
         return bool(_found_in(part.solution)) or isinstance(part.question.query.moment, Happening)
 
     def _setting(self, question: Question) -> ProblemContext:
@@ -120,12 +120,12 @@ class PartSearch:
         return ProblemContext.of(question, search.study, search.words, search.description)
 
     def _joined(self, question: Question, solution: Solution, part: _Part) -> bool:
-        """Return whether one of two questions leads to the other."""
+        """Return whether the answer to one of two questions is used in the solution of the other."""
         here, there = (question, solution), (part.question, part.solution)
         return _leads(*here, *there) or _leads(*there, *here)
 
     def _offered(self, parts: list[_Part]) -> Iterator[Query]:
-        """Yield candidate queries in random order; those certainly related to a part usually come first."""
+        """Yield candidate questions in random order; those whose answers some part uses usually come first."""
         first = self._rng.random() < SURE_FIRST
         if not first:
             yield from self._others(parts)
@@ -135,7 +135,7 @@ class PartSearch:
             yield from self._others(parts)
 
     def _on_the_way(self, part: _Part) -> Iterator[Query]:
-        """Yield queries for intermediate results of a part's solution, and for the time of its moment."""
+        """Yield questions for the intermediate results of a part's solution, and for the time of its moment."""
         study, moments = self._search.study, _moments([part])
         values = list(_found_in(part.solution).values())
         for when in moments:
@@ -150,7 +150,7 @@ class PartSearch:
                     yield from _query(target, when, study)
 
     def _others(self, parts: list[_Part]) -> Iterator[Query]:
-        """Yield queries about the moments of the parts and the start, then one of each kind about anything."""
+        """Yield questions about the start and the moments of the parts, then one of each kind about anything."""
         search, kinds = self._search, sorted(self._mode.kinds)
         pairs: list[tuple[str, Moment]] = [(name, moment) for moment in _moments(parts) for name in kinds]
         order: list[int] = self._rng.permutation(EACH * len(pairs)).tolist()
@@ -162,7 +162,7 @@ class PartSearch:
             yield from [query] if query is not None else []
 
     def _at(self, kind: str, moment: Moment) -> Iterator[Query]:
-        """Yield a query of a kind about a moment, if there is one."""
+        """Yield a question of one kind about a moment, if there is one."""
         search = self._search
         query = KINDS[kind].at(moment, search.study, search.words, self._targets, self._rng)
         yield from [query] if query is not None else []
@@ -172,7 +172,7 @@ class PartSearch:
         return targets(self._search.words)
 
     def _as_one(self, parts: list[_Part]) -> CertifiedQuestion:
-        """Return the parts in order, with one prompt."""
+        """Return the parts as one certified question with a common prompt, in the order in which they are asked."""
         ordered = self._ordered(parts)
         questions = [part.question for part in ordered]
         description = self._search.described(questions)
@@ -208,7 +208,7 @@ def _moments(parts: list[_Part]) -> list[Moment]:
 
 
 def _query(target: Target, when: Moment, study: SimulatedScene) -> Iterator[Query]:
-    """Yield the query for a quantity at a moment, if the kind accepts it."""
+    """Yield the question for a quantity at a moment, if its kind allows one and the answer is not trivial."""
     if when.kind != AtStart.kind:
         told = Channel(target.subject, target.quantity) in when.revealed_channels
         if when.kind in KINDS and not told and is_worth_asking_at(study, when)(target):
@@ -218,7 +218,7 @@ def _query(target: Target, when: Moment, study: SimulatedScene) -> Iterator[Quer
 
 
 def _leads(question: Question, solution: Solution, other: Question, to: Solution) -> bool:
-    """Return whether the answer to a question is an intermediate result of another, or its time."""
+    """Return whether the answer to a question is used in another: as an intermediate result, or as its time."""
     kind = KINDS[other.query.kind]
     hangs_on_end = not isinstance(kind, StretchKind) or kind.ends_matter
     if question.query.kind == "time_to_event" and question.query.moment == other.query.moment and hangs_on_end:

@@ -111,7 +111,7 @@ def _is_something(query: Query, motion: FollowedMotion) -> bool:
 
 
 def _stretches(moments: list[Moment], motion: FollowedMotion, words: Words, found: Examples) -> Iterator[Query]:
-    """Yield queries for each functional without an example, up to every moment at which it has a value."""
+    """Yield questions for each functional without an example, over the motion up to each suitable moment."""
     for functional in FUNCTIONALS.values():
         named = words.called(functional.of) if functional.name not in found.functionals else ()
         for name in named:
@@ -147,7 +147,7 @@ def _enter(query: Query, motion: FollowedMotion, words: Words, found: Examples, 
 
 
 def _names(query: Query) -> list[tuple[str, str]]:
-    """Return the registries and names of the members that a query exemplifies."""
+    """Return the registered names that a query is an example of, each with its registry, such as a quantity."""
     names = [("kinds", query.kind)]
     if isinstance(query, WhichQuery):
         return names
@@ -163,7 +163,7 @@ def _names(query: Query) -> list[tuple[str, str]]:
 
 
 def _in_parts(query: Query, motion: FollowedMotion, words: Words) -> StructuredQuestion | None:
-    """Return the parts of a query; None if queries of its kind are not written in parts here."""
+    """Return a query as structured parts (find, of, when); None if its kind has no such form here."""
     if isinstance(query, NestedQuery | WhichQuery):
         return _of_others(query, motion, words)
     when = _when(query.moment, words)
@@ -191,7 +191,7 @@ def _of_others(query: NestedQuery | WhichQuery, motion: FollowedMotion, words: W
 
 
 def _of_two(first: StructuredQuestion | None, second: StructuredQuestion | None) -> StructuredQuestion | None:
-    """Return the parts of a question that compares two queries with different subjects or moments."""
+    """Return the structured parts of a comparison of two queries that differ in subject or moment."""
     if first is None or second is None:
         return None
     of, when = (OR.join(dict.fromkeys(pair)) for pair in ((first.of, second.of), (first.when, second.when)))

@@ -52,7 +52,7 @@ class RefusedQuestion:
 
 @dataclass(frozen=True)
 class _Told:
-    """A question with its text, ready for the filters."""
+    """A question with its candidate for the filters and the text that states it."""
 
     candidate: Candidate
     description: Description
@@ -60,7 +60,7 @@ class _Told:
 
 
 def _kept(candidate: Candidate, *, witnessed: bool) -> Verdict:
-    """Return a verdict that keeps the question, when filters are off."""
+    """Return a verdict that keeps every question, in place of the filters when they are off."""
     del candidate, witnessed
     return Verdict(keep=True, filter="")
 
@@ -108,18 +108,18 @@ class QuestionSearch:
 
     @cached_property
     def description(self) -> Description:
-        """Return the text of the scene, if possible with sentences about strings that are easy to follow."""
+        """Return the text of the scene, in a wording with short sentences about strings if one of a few has them."""
         first = describe(self.study.scene, self._first_wording)
         others = (describe(self.study.scene, self._first_wording + n) for n in range(1, WORDINGS))
         return next((told for told in chain([first], others) if is_followable(told.sentences)), first)
 
     @cached_property
     def words(self) -> Words:
-        """Return the context of questions from the text."""
+        """Return the names and symbols in the scene's text, which questions use."""
         return words_of(self.description)
 
     def _words(self, told: "_Told") -> Words:
-        """Return the context from a question's own text, which may omit some numbers."""
+        """Return the names and symbols in a question's own text, which may omit some numbers."""
         said = told.description.told
         if len(said) == len(self.description.told):
             return self.words
@@ -127,7 +127,7 @@ class QuestionSearch:
         return replace(self.words, symbols=symbols)
 
     def _certified(self, query: Query, study: SimulatedScene) -> tuple[SimulatedScene, Certificate]:
-        """Return the motion up to the end of the engines' agreement, and the certificate."""
+        """Return the motion up to the time until which both engines agree, with the certificate."""
         time = KINDS[query.kind].time(query, study)
         trace = study.trace if time is None else study.trace.through(TIME_MARGIN * time)
         known = self._vouched if study is self.study else None
@@ -140,7 +140,7 @@ class QuestionSearch:
 
     @cached_property
     def fault(self) -> str:
-        """Return why no question about the scene can pass, as counted in a manifest; empty if one can."""
+        """Return why every question about the scene would be rejected, as a manifest counts it; empty if not."""
         if self.is_unstable:
             return f"unstable: {self.study.trace.cut}"
         verdict = Verdict(keep=True, filter="") if self._unfiltered else filter_scene(self.study)
@@ -183,7 +183,7 @@ class QuestionSearch:
         refused: Counter[str],
         beside: tuple[Candidate, ...],
     ) -> CertifiedQuestion | None:
-        """Return a question after all filters; None if one rejects it, counted in `refused`."""
+        """Return a question certified by all filters; None if a filter rejects it, counted in `refused`."""
         found = self._judged(question, mode, rng, beside)
         if isinstance(found, CertifiedQuestion):
             return found
@@ -202,7 +202,7 @@ class QuestionSearch:
     def _examined(
         self, question: Question, mode: QuestionMode, rng: np.random.Generator, beside: tuple[Candidate, ...]
     ) -> tuple[CertifiedQuestion | Verdict, Candidate]:
-        """Return the certified question or the verdict against it, with the candidate that was examined last."""
+        """Return the certified question or the verdict against it, and the candidate that the filters saw last."""
         told = self._told(question, mode, rng, beside)
         verdict = self._sift(told.candidate, witnessed=False)
         if verdict.keep:
@@ -255,7 +255,7 @@ class QuestionSearch:
         return _Told(candidate, description, prompt.shape)
 
     def _leaving_out(self, topics: frozenset[Topic]) -> Description:
-        """Return the text without some topics, cached because many questions omit the same ones."""
+        """Return the scene's text without sentences on some topics, cached because many questions omit the same."""
         if topics not in self._texts:
             self._texts[topics] = self.description.leaving_out(topics)
         return self._texts[topics]
@@ -266,11 +266,11 @@ class QuestionSearch:
 
     @cached_property
     def _changing(self) -> bool:
-        """Return whether accelerations also change between events."""
+        """Return whether accelerations change continuously, as with springs, and not only at events."""
         return bool(changing(self.study.mechanism))
 
     def _suits(self, query: Query, unknown: str, stated: StatedResult | None) -> bool:
-        """Return whether a solution of the query has only allowed needs.
+        """Return whether the worked solution of a query needs only allowed mathematics.
 
         If no strategy applies to a query, none applies to an unknown number that its answer determines.
         """

@@ -91,7 +91,7 @@ class Request:
 
     @classmethod
     def named(cls, name: str, weights: Weights = (), tolerance: float = TOLERANCE, needs: tuple[str, ...] = ()) -> Self:
-        """Return the request of an id, with these weights, tolerance and needs; DrawError for an invalid id."""
+        """Return the request with an id; weights, tolerance and needs are not part of an id and must be given."""
         match = _ID.fullmatch(name)
         if match is None:
             raise DrawError(f"{name!r} is no id; one looks like pulley-easy-numeric-0-4")
@@ -134,7 +134,7 @@ SHAPING = "sim2reason", "mujoco", "numpy", "pyarrow", "pydantic", "sympy"
 
 @dataclass(frozen=True, slots=True)
 class Made:
-    """The result of a maker for one request.
+    """The item made for one request, or None, with the counts of rejected draws.
 
     `item` is None if no draw passed within the maker's budget, which is counted in steps, never in seconds. `rejected`
     counts the rejected draws by filter or reason. `wanted` is the question kind that was tried first by the weights,
@@ -159,7 +159,7 @@ def versions() -> dict[str, str]:
 
 
 def load_maker(path: str) -> Maker:
-    """Import a maker from ``package.module:function``; DatasetError if it does not exist."""
+    """Import the function that makes items from ``package.module:function``; DatasetError if it does not exist."""
     module, _, name = path.partition(":")
     try:
         return cast("Maker", getattr(import_module(module), name))

@@ -26,7 +26,7 @@ Values = Mapping[tuple[int, ...], float | None]
 
 
 class _Rounded(NamedTuple):
-    """The values at one point as multiples of a fraction of the largest, and the logarithm of the largest."""
+    """The formula's values at one sample point as integers relative to the largest, and the largest's logarithm."""
 
     multiples: Mapping[tuple[int, ...], int | None]
     size: float
@@ -71,7 +71,7 @@ def _moved(base: Sequence[float], moved: tuple[int, ...]) -> Iterator[float]:
 
 
 def _rounded(values: Values) -> _Rounded | None:
-    """Return the normalized values at a point; None if all are zero."""
+    """Return the formula's values at one sample point relative to the largest; None if all are zero."""
     largest = max((abs(value) for value in values.values() if value is not None), default=0.0)
     if not largest:
         return None
@@ -80,7 +80,7 @@ def _rounded(values: Values) -> _Rounded | None:
 
 
 def _form(found: Sequence[_Rounded | None], roles: Sequence[Dimension], sign: int) -> object:
-    """Return the values times a sign in a canonical order, independent of the order or names of symbols."""
+    """Return a formula's sampled values, times a sign, in an order that does not depend on its symbols' names."""
     first = next(each.size for each in found if each)
     sizes = [each and round((each.size - first) * 10**DIGITS) for each in found]
 

@@ -144,6 +144,6 @@ def is_angle(name: str) -> bool:
 
 
 def either(kind: str, text: str = "") -> str:
-    """Return a regular expression for the commands of one kind, or only those with the meaning `text`."""
+    """Return a regular expression for all LaTeX commands of one kind, or only those with the meaning `text`."""
     names = (name for name, (is_of, means) in COMMANDS.items() if is_of.split()[0] == kind and text in {"", means})
     return "|".join(re.escape(name) for name in sorted(names, key=len, reverse=True))

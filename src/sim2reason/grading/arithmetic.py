@@ -77,7 +77,7 @@ def _finite(x: float) -> float:
 
 
 def value(node: Node, bindings: Mapping[str, float]) -> float | None:
-    """Return the value of `node` at `bindings`; None where it is not a finite real number."""
+    """Return the value of an expression for given symbol values; None where it is not a finite real number."""
     try:
         found = node(bindings)
     except (ArithmeticError, ValueError):
@@ -86,27 +86,27 @@ def value(node: Node, bindings: Mapping[str, float]) -> float | None:
 
 
 def constant(x: float) -> Node:
-    """Return a constant node; an infinite constant makes every result undefined."""
+    """Return a constant as an expression; with an infinite constant every result is undefined."""
     return (lambda _: x) if isfinite(x) else (lambda _: _finite(x))
 
 
 def symbol(name: str) -> Node:
-    """Return a node with the value of a symbol."""
+    """Return an expression whose value is that of a symbol."""
     return lambda bindings: bindings[name]
 
 
 def negated(node: Node) -> Node:
-    """Return a node for minus `node`."""
+    """Return the expression for minus `node`."""
     return lambda bindings: -node(bindings)
 
 
 def degrees(node: Node) -> Node:
-    """Return a node that converts an angle from degrees to radians."""
+    """Return an expression that converts an angle from degrees to radians."""
     return lambda bindings: math.radians(node(bindings))
 
 
 def total(terms: Sequence[tuple[Node, bool]]) -> Node:
-    """Return the sum of `terms` (node, whether it is subtracted), evaluated without recursion."""
+    """Return the sum of expressions, each with whether it is subtracted, evaluated without recursion."""
     if len(terms) == 1:
         return negated(terms[0][0]) if terms[0][1] else terms[0][0]
 
@@ -120,7 +120,7 @@ def total(terms: Sequence[tuple[Node, bool]]) -> Node:
 
 
 def product(factors: Sequence[tuple[Node, bool]]) -> Node:
-    """Return the product of `factors` (node, whether it divides), from left to right."""
+    """Return the product of expressions, each with whether it divides, from left to right."""
     if len(factors) == 1 and not factors[0][1]:
         return factors[0][0]
 
@@ -168,5 +168,5 @@ def call(name: str, argument: Node) -> Node:
 
 
 def inverse(name: str) -> str:
-    r"""Return the name of the function that ``\name^{-1}`` denotes."""
+    r"""Return the name of the inverse function that ``\name^{-1}`` denotes, such as arcsin for sin."""
     return _HYPERBOLIC.get(name, f"arc{name}")

@@ -61,7 +61,7 @@ def without_thinking(text: str) -> str:
 
 
 def _angled(text: str) -> tuple[int, list[int], list[int]]:
-    """Return the end of the last closing mark with "<", or 0, and the positions of opening tags and tokens after it."""
+    """Return the end of the last </think>-like mark, or 0, and the positions of opening marks after it."""
     tags, tokens = list[int](), list[int]()
     at = len(text)
     for _ in range(MAX_TAGS):
@@ -78,7 +78,7 @@ def _angled(text: str) -> tuple[int, list[int], list[int]]:
 
 
 def _spoken_of(text: str, end: int, marks: list[int]) -> bool:
-    """Return whether all opening marks are only quoted: each within a line of text, with no box after the first."""
+    """Return whether opening marks such as <think> are only quoted: within lines of text, no box after the first."""
     first = min(marks)
     within = all(text[max(text.rfind("\n", end, at) + 1, end) : at].strip() for at in marks[:MAX_QUOTED_MARKS])
     return within and len(marks) <= MAX_QUOTED_MARKS and r"\boxed" not in text[first:]
@@ -117,7 +117,7 @@ def text_of(given: object) -> str:
 
 
 def opened(given: object) -> object:
-    """Prepend the opening mark of thinking to a response whose prompt already contains that mark."""
+    """Prepend the opening mark <think>, which the prompt already contained, to a response."""
     try:
         text = text_of(given)
     except Refused:

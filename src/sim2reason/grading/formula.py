@@ -98,7 +98,7 @@ def formula(
 
 @dataclass(frozen=True, slots=True)
 class _Truth:
-    """A reference with its table of symbols and its values at the test points.
+    """The correct formula with its symbols, and its values at the points where responses are tested.
 
     A response must be defined at the first `firm` of them.
     """
@@ -158,7 +158,7 @@ def _kept(
 
 
 def _value_of(content: str, tokens: Sequence[Token]) -> tuple[Node, tuple[Direction, ...]]:
-    """Return the node that `tokens` spell, and the directions after it; a unit in upright text is ignored."""
+    """Return the expression that the tokens spell, and the directions after it; an upright unit is ignored."""
     node, taken, refusal = parse(tokens, unit_follows=False)
     if taken == len(tokens):
         return node, ()
@@ -208,7 +208,7 @@ def _judge(content: str, truth: _Truth, tolerance: float, positive: str) -> Scor
 def _pairs(
     truth: _Truth, node: Node, wanted: Sequence[float | None]
 ) -> Iterator[tuple[Bindings, float | None, float | None]]:
-    """Yield each point with the value of `node` and the reference; after the firm points, only where both exist."""
+    """Yield the test points with the values of a response and of another formula, where both must be compared."""
     for count, (point, other) in enumerate(zip(truth.points, wanted, strict=True)):
         found = arithmetic.value(node, point)
         if count < truth.firm or (found is not None and other is not None):
@@ -216,7 +216,7 @@ def _pairs(
 
 
 def _checked(content: str, stated: Statement, node: Node, truth: _Truth, tolerance: float) -> Node | None:
-    """Return the node of the side before the value, if it is a value; Refused if it is a different formula."""
+    """Return the expression before the last equals sign, if it is a value; Refused if it has other values."""
     last: Node | None = None
     if not stated.before and not stated.others:
         return None
@@ -236,7 +236,7 @@ def _checked(content: str, stated: Statement, node: Node, truth: _Truth, toleran
 
 
 def _differ(node: Node, wanted: Sequence[float | None], truth: _Truth, tolerance: float) -> bool:
-    """Return whether a formula differs from the reference at some point by more than rounding errors."""
+    """Return whether two formulas differ at some test point by more than rounding errors."""
     return any(
         mine is None
         or yours is None
@@ -246,7 +246,7 @@ def _differ(node: Node, wanted: Sequence[float | None], truth: _Truth, tolerance
 
 
 def _whole(side: Sequence[Token]) -> Node | None:
-    """Return the node of a complete side; None if it contains symbols outside the table."""
+    """Return a side of an equation as an expression; None if it does not parse completely."""
     try:
         node, taken, _ = parse(side, unit_follows=False)
     except Refused:

@@ -83,7 +83,7 @@ def _textual(token: Token) -> bool:
 
 
 def names(side: Sequence[Token]) -> list[tuple[str, str]]:
-    """Return the symbols on a side, each with its subscript.
+    """Return the symbols on one side of an equation, each with its subscript.
 
     A sign of change is a name only if it is alone, and so is the number e.
     """
@@ -112,12 +112,12 @@ def _is_lone_constant(side: Sequence[Token]) -> bool:
 
 
 def has_numbers(side: Sequence[Token]) -> bool:
-    """Return whether a side contains a number."""
+    """Return whether one side of an equation contains a number."""
     return any(token.kind in _NUMBERS for token in side) and not _is_lone_constant(side)
 
 
 def _words(side: Sequence[Token]) -> list[Token]:
-    """Return the English words on a side, except in exponents, where *max* is a mark."""
+    """Return the English words on one side of an equation, except in exponents, where *max* is a mark."""
     found: list[Token] = []
     depth, raised = 0, False
     for token, before in zip(side, [None, *side], strict=False):
@@ -133,7 +133,7 @@ def _words(side: Sequence[Token]) -> list[Token]:
 
 
 def is_bare(side: Sequence[Token]) -> bool:
-    """Return whether a side is one name with marks, bars and arguments: ``|v_A'|``, ``v(2)``, *speed of A*."""
+    """Return whether a side of an equation is only a name, with marks or arguments: ``|v_A'|``, *speed of A*."""
     if _is_letter(side):
         return True
     if words := _words(side):
@@ -151,7 +151,7 @@ def _is_letter(side: Sequence[Token]) -> bool:
 
 
 def _outside(side: Sequence[Token]) -> list[Token]:
-    """Return the tokens outside parentheses; braces do not count."""
+    """Return the tokens of one side of an equation outside parentheses; braces do not count."""
     depth, outside = 0, list[Token]()
     for token in side:
         depth += (token.kind == "open" and token.text in "([") - (token.kind == "close" and token.text in ")]")
@@ -161,7 +161,7 @@ def _outside(side: Sequence[Token]) -> list[Token]:
 
 
 def _is_power(side: Sequence[Token]) -> bool:
-    """Return whether a side contains a power with a number, not only a mark as in ``t^*``."""
+    """Return whether a side of an equation contains a numeric power, not only a mark as in ``t^*``."""
     for position, token in enumerate(side):
         raised = [later.kind for later in side[position + 1 : position + 4] if later.text != "{"]
         if token.kind == "script" or (token.kind == "power" and raised[:1] in (["number"], ["minus"])):
@@ -170,7 +170,7 @@ def _is_power(side: Sequence[Token]) -> bool:
 
 
 def is_name(side: Sequence[Token]) -> bool:
-    """Return whether a side names a quantity, so that a colon or *is* may follow it."""
+    """Return whether a side of an equation names a quantity, so that a colon or *is* may follow it."""
     if not side or has_numbers(side):
         return False
     words = _words(side)
@@ -184,7 +184,7 @@ def _names_quantity(words: Sequence[Token]) -> bool:
 
 
 def _names_object(side: Sequence[Token], words: Sequence[Token]) -> bool:
-    """Return whether a side names only an object, whose quantity the question asks for: *Block A*."""
+    """Return whether a side names only an object, such as *Block A*, whose quantity the question asks for."""
     lowered = [word.text.lower() for word in words]
     others = [token for token in side if token not in words]
     plain = all(token.kind in _NAMES and len(token.text) == 1 for token in others) and len(others) <= 1
@@ -192,7 +192,7 @@ def _names_object(side: Sequence[Token], words: Sequence[Token]) -> bool:
 
 
 def _denial(words: Sequence[Token]) -> Token | None:
-    """Return the first word that denies equality between a side and the quantity it names."""
+    """Return the first word that makes a side name another value than the quantity, such as *not* or *half of*."""
     lowered = ["", *(word.text.lower() for word in words), ""]
     for at, word in enumerate(words, 1):
         before, name, after = lowered[at - 1 : at + 2]
@@ -212,14 +212,14 @@ def _denial(words: Sequence[Token]) -> Token | None:
 
 
 def _is_called(side: Sequence[Token], words: Sequence[Token]) -> bool:
-    """Return whether a side with numbers is nevertheless a name in words: *speed of block 1*."""
+    """Return whether a side of an equation with numbers is nevertheless a name in words: *speed of block 1*."""
     inside = [token for token in side if token.kind not in {"open", "close"}]
     called = inside[0] is words[0] and _names_quantity(words) and not _is_power(side)
     return called and all(token.kind not in _OPERATORS for token in inside)
 
 
 def check(sides: Sequence[Sequence[Token]]) -> None:
-    """Raise Refused for sides with words that deny, or that name no quantity."""
+    """Raise Refused for a side of an equation with words such as *not*, or with words that name no quantity."""
     for side in sides:
         if _is_letter(side):
             continue
@@ -236,12 +236,12 @@ def check(sides: Sequence[Sequence[Token]]) -> None:
 
 
 def _is_call(side: Sequence[Token]) -> bool:
-    """Return whether a side is a name with its argument in parentheses, as in ``v(2 s)``."""
+    """Return whether one side of an equation is a name with its argument, as in ``v(2 s)``."""
     return bool(side) and side[0].kind in _NAMES and is_bare(side)
 
 
 def is_compound(side: Sequence[Token]) -> bool:
-    """Return whether a side is an expression of one symbol, not its name: ``2T``, ``-a``, ``v^2``."""
+    """Return whether one side of an equation is an expression of one symbol, not its name: ``2T``, ``-a``."""
     kinds = {token.kind for token in side}
     changed = bool(kinds & {"minus", "dash", "slash", "fraction", "root", "number", "part", "over", "function"})
     return len(set(names(side))) == 1 and (changed or _is_power(side))
@@ -258,16 +258,16 @@ def is_mixed_sum(side: Sequence[Token]) -> bool:
 
 
 def is_plain(side: Sequence[Token]) -> bool:
-    """Return whether a side begins with a number and has no operator: a value with a possible unit."""
+    """Return whether one side of an equation is a number, perhaps with a unit, without operators."""
     first = 1 if len(side) > 1 and side[0].kind in _SIGNS else 0
     return side[first].kind == "number" and all(token.kind not in _OPERATORS for token in side[first + 1 :])
 
 
 def is_symbolic(side: Sequence[Token]) -> bool:
-    """Return whether a side has symbols and no words; if it does not parse, it is not a value."""
+    """Return whether a side of an equation has symbols and no English words."""
     return bool(names(side)) and not _words(side)
 
 
 def is_pure(side: Sequence[Token]) -> bool:
-    """Return whether the words on a side name a pure number."""
+    """Return whether the words on a side of an equation name a pure number, such as *ratio*."""
     return any(word.text.lower() in _PURE for word in _words(side))

@@ -18,7 +18,7 @@ _LONGEST: Final = 16  # tokens of a unit
 
 
 def unit_on_left(content: str, sides: Iterable[Sequence[Token]], asked: Unit | None) -> Unit | None:
-    """Return the unit that the sides before a bare value state for it; Refused (unreadable) if they state two."""
+    """Return the unit stated before the equals sign for a value without one; Refused if two are stated."""
     found: Unit | None = None
     for side in sides:
         for tokens in _candidates(content, side):
@@ -36,7 +36,7 @@ def unit_on_left(content: str, sides: Iterable[Sequence[Token]], asked: Unit | N
 
 
 def _candidates(content: str, side: Sequence[Token]) -> Iterable[Sequence[Token]]:
-    """Yield possible units: tokens in brackets, after *in*, and in upright text after a name."""
+    """Yield the tokens before a value that may be its unit: in brackets, after *in*, or upright after a name."""
     named = False
     for at, token in enumerate(side):
         if token.kind == "open" and token.text in "([":
@@ -65,7 +65,7 @@ def _until_closed(side: Sequence[Token], start: int) -> Sequence[Token]:
 
 
 def _stands_apart(content: str, side: Sequence[Token], at: int) -> bool:
-    """Return whether a sign of a unit, or an upright word after a space or slash, occurs at an index."""
+    """Return whether a token is a percent or degree sign, or an upright word apart from the name before it."""
     token = side[at]
     if token.kind in {"percent", "degree"}:
         return True

@@ -49,7 +49,7 @@ class _Quantity(NamedTuple):
     remark: Remark = _NO_REMARK
 
     def signed_by(self, positive: str, *, below_zero: bool) -> "_Quantity":
-        """Return the quantity with the sign of its directions; Refused if a needed sign is undefined."""
+        """Return the quantity with the sign that its stated directions imply; Refused if that is undefined."""
         sign = remarks.sign_for(self.remark.directions, positive, written=self.signed, below_zero=below_zero)
         return self._replace(value=sign * self.value)
 
@@ -126,7 +126,7 @@ def _answer(response: object, asked: Unit | None, *, lenient: bool) -> _Quantity
 
 
 def _stated(content: str, asked: Unit | None) -> _Quantity:
-    """Return the quantity on the last side of an answer, after checking that the other sides agree."""
+    """Return the quantity after the last equals sign of an answer, if the sides before it agree with it."""
     content = spelled(content.rstrip(" \t\n."))
     part = _PART.match(content)
     content = content[part.end() :] if part is not None else content
@@ -184,7 +184,7 @@ def _behind(tail: str, asked: Unit | None, refusal: Refused | None) -> tuple[Uni
 
 
 def _check(content: str, said: Statement, found: _Quantity, asked: Unit | None) -> None:
-    """Raise Refused if a numeric side has another value."""
+    """Raise Refused if a side of the equation before the value has another value."""
     for side in map(unwrapped, said.before):
         shown = content[side[0].begin : side[-1].finish]
         try:
@@ -203,7 +203,7 @@ def _check(content: str, said: Statement, found: _Quantity, asked: Unit | None) 
 
 
 def _step(content: str, side: Sequence[Token], asked: Unit | None) -> _Quantity | None:
-    """Return the value that a step assigns to another name; None for an expression of symbols.
+    """Return the value that an intermediate step assigns to another name; None for an expression of symbols.
 
     None also if the unit shows that the value cannot be the answer.
     """
@@ -219,7 +219,7 @@ def _step(content: str, side: Sequence[Token], asked: Unit | None) -> _Quantity 
 
 
 def _check_again(said: _Quantity, signed: _Quantity, asked: Unit | None, positive: str) -> None:
-    """Raise Refused if a remark repeats another value; a magnitude with direction may repeat a signed value."""
+    """Raise Refused if a remark after the value, as in *9.8 N (10 N)*, repeats it with another value."""
     for text in said.remark.again:
         again = _quantity(text, statement(flattened(tokenize(text, frozenset()))).value, asked)
         told = again.remark.directions and not again.signed
@@ -234,7 +234,7 @@ def _check_again(said: _Quantity, signed: _Quantity, asked: Unit | None, positiv
 
 
 def _refuse_others(shown: str, said: Statement, side: Sequence[Token], asked: Unit | None) -> None:
-    """Raise Refused for a side that names another quantity than the requested one."""
+    """Raise Refused for a side of the equation that names a quantity of another dimension than the requested one."""
     if asked is None:
         return
     pure = any(asked.dimension) and labels.is_pure(side)
@@ -243,7 +243,7 @@ def _refuse_others(shown: str, said: Statement, side: Sequence[Token], asked: Un
 
 
 def _claim(content: str, side: Sequence[Token], asked: Unit | None) -> _Quantity | None:
-    """Return the quantity on a numeric side; None for a name or an expression of symbols, which is a step.
+    """Return the quantity on a side of an equation with numbers; None for a name or an expression of symbols.
 
     Raises `Refused` for unreadable numbers.
     """

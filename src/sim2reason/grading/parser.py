@@ -75,7 +75,7 @@ class _Parser:
         return arithmetic.product([(above, False), (below, True)])
 
     def product(self) -> Node:
-        """Parse factors joined by signs or juxtaposed; at the top level, the rest is left for the unit."""
+        """Parse factors joined by signs or written side by side; the tokens after an answer's product are its unit."""
         factors = [(self.power(), False)]
         while True:
             mark, depth = self.at, self.depth
@@ -108,7 +108,7 @@ class _Parser:
         return factor, False
 
     def starts(self) -> bool:
-        """Return whether a factor without a sign may begin here."""
+        """Return whether a factor may begin at the next token, without a multiplication sign."""
         token, inside = self.next, self.tokens[self.at + 1].kind
         if token.kind == "open":  # braces are unseen in print, where 3{.5} reads as 3.5
             return inside in _STARTS | {"open"} or (token.text != "{" and inside != "word")

@@ -37,7 +37,7 @@ def _share(*seed: object) -> float:
 def draw_points(
     node: Node, table: Collection[str], given: Sequence[Bindings], ranges: Ranges, seed: str
 ) -> Iterator[Bindings]:
-    """Yield at least eight points at which the reference has a value, near given points or within the ranges."""
+    """Yield values of all symbols at which the correct formula has a value, near given values or within ranges."""
     names = sorted(table)
     if given:
         around = (_around(given[attempt % len(given)], names, seed, attempt) for attempt in range(MAX_CANDIDATES))
@@ -51,7 +51,7 @@ def draw_points(
 def opposite_sign_points(
     node: Node, table: Collection[str], given: Sequence[Bindings], sign: float, seed: str
 ) -> list[Bindings]:
-    """Return distant points at which the reference has the opposite sign, so that a magnitude is detected."""
+    """Return values of the symbols at which the correct formula has the opposite sign, to detect a lost sign."""
     names = sorted(table)
     far = (_around(given[attempt % len(given)], names, seed, POINTS + attempt, AFAR) for attempt in range(FAR_TRIES))
     return list(islice((point for point in far if (arithmetic.value(node, point) or 0.0) * sign < 0.0), TURNED))
@@ -68,7 +68,7 @@ def _ends(name: str, ranges: Ranges, low: float, high: float) -> tuple[float, fl
 
 
 def _within(ends: Ranges, seed: str, attempt: int, scale: float) -> Bindings:
-    """Return one random point within ranges; logarithmic where both ends are positive."""
+    """Return random values of all symbols within ranges; logarithmic where both ends are positive."""
     point: dict[str, float] = {}
     for name, (low, high) in ends.items():
         share = _share(seed, attempt, name, scale)
@@ -78,7 +78,7 @@ def _within(ends: Ranges, seed: str, attempt: int, scale: float) -> Bindings:
 
 
 def _around(given: Bindings, names: Sequence[str], seed: str, attempt: int, far: float = MAX_FACTOR) -> Bindings:
-    """Return a point with all values changed by random factors; angles stay in their quadrants."""
+    """Return given values of the symbols, each times a random factor; angles stay in their quadrants."""
     point: dict[str, float] = {}
     for name in names:
         value, share = given[name], _share(seed, attempt, name)
@@ -91,7 +91,7 @@ def _around(given: Bindings, names: Sequence[str], seed: str, attempt: int, far:
 
 
 def well_conditioned_points(node: Node, points: Sequence[Bindings]) -> list[tuple[Bindings, float]]:
-    """Return the points, with values, at which the reference is well-conditioned (no cancellation)."""
+    """Return the points, with values, at which small changes of the symbols change the formula's value little."""
     found: list[tuple[Bindings, float]] = []
     for point in points:
         value = arithmetic.value(node, point)

@@ -99,7 +99,7 @@ _LETTER_AXIS: Final = re.compile(r"\b([xyz])[\s-]{1,4}(?:axis|direction)\b")
 
 @dataclass(frozen=True, slots=True)
 class Direction:
-    """A direction along a named axis: +1 or −1."""
+    """A direction stated after a value, such as *upwards* or *to the left*: an axis and a sign, +1 or −1."""
 
     axis: str
     sign: int
@@ -107,14 +107,14 @@ class Direction:
 
 @dataclass(frozen=True, slots=True)
 class Remark:
-    """The parsed text after a value: its directions, and repetitions of the value as written."""
+    """A parsed remark after a value: the directions in it, and the value as repeated in other units."""
 
     directions: tuple[Direction, ...] = ()
     again: tuple[str, ...] = ()
 
 
 def begins(word: str) -> bool:
-    """Return whether a word can begin a remark; none of these words is a unit."""
+    """Return whether a word can begin a remark after a value, such as *upwards*; no unit can."""
     return word.lower() in STARTERS
 
 
@@ -215,7 +215,7 @@ def direction_of(text: str) -> Direction | None:
 
 
 def sign_for(directions: Sequence[Direction], positive: str, *, written: bool, below_zero: bool = False) -> int:
-    """Return the sign that directions give to a bare magnitude if the question or *negative* requires one.
+    """Return the sign, +1 or −1, that stated directions give to a value without a sign.
 
     `written` means that the value has a sign, `below_zero` that the reference is negative.
     """
@@ -226,7 +226,7 @@ def sign_for(directions: Sequence[Direction], positive: str, *, written: bool, b
 
 
 def _sign_of(directions: Sequence[Direction], positive: str) -> int:
-    """Return the sign of a magnitude from its directions and the positive direction; Refused if undefined."""
+    """Return the sign of a magnitude with a stated direction, given the positive direction; Refused if undefined."""
     sense = direction_of(positive)
     signs: set[int] = set()
     for direction in directions:

@@ -73,7 +73,7 @@ class Score:
 
 
 class Refused(Exception):  # noqa: N818 - a verdict that travels up the parser, not an error of the library
-    """An exception for an answer with reward 0, whatever the rest of the answer is."""
+    """An exception for an answer that earns reward 0 whatever else it contains, with its outcome and reason."""
 
     def __init__(self, outcome: Outcome, why: str) -> None:
         """Store the outcome and the reason for the `Score`."""

@@ -29,7 +29,7 @@ Tokens = list[Token]
 
 @dataclass(frozen=True, slots=True)
 class Statement:
-    """The last statement of an answer: the side that counts, and earlier sides that are not plain names.
+    """The last equation of an answer: the side that is its value, and the sides before that are not mere names.
 
     `doubt` is a token on the value's own side that may offer another value, unless it is part of a remark. `rounded`
     means that the value follows a sign for *approximately*, `named` that an earlier side is a name. `others` are the
@@ -96,7 +96,7 @@ def _refuse_hedges(tokens: Tokens) -> None:
 
 
 def _said(tokens: Tokens) -> Tokens:
-    """Return the tokens without an initial word for *approximately*."""
+    """Return the tokens of a statement without an initial word for *approximately*."""
     if tokens[0].text.lower() in remarks.APPROXIMATELY:
         skip = 2 if len(tokens) > 1 and tokens[1].kind == "stop" else 1
         return tokens[skip:]
@@ -104,7 +104,7 @@ def _said(tokens: Tokens) -> Tokens:
 
 
 def _parts(tokens: Tokens) -> list[tuple[bool, Tokens]]:
-    """Return the statements, each with whether it is a conclusion from earlier ones."""
+    """Return the equations and values in an answer, each with whether it follows from earlier ones (*so*, ⇒)."""
     parts: list[tuple[bool, Tokens]] = [(False, [])]
     depth = 0
     kinds = [token.kind for token in tokens]
@@ -136,7 +136,7 @@ def _parts(tokens: Tokens) -> list[tuple[bool, Tokens]]:
 
 
 def _divides(tokens: Tokens, position: int, *, related: bool) -> bool | None:
-    """Return whether a new statement begins after this token, as a conclusion or not; None if none begins.
+    """Return whether a new equation begins after a token, as a conclusion (True) or not; None if none begins.
 
     `related` means that a relation follows.
     """
@@ -155,7 +155,7 @@ def _divides(tokens: Tokens, position: int, *, related: bool) -> bool | None:
 
 
 def _sides(tokens: Tokens) -> tuple[list[Tokens], list[Token]]:
-    """Return the sides of a chain and the tokens between them: relations, colons, or verbs after words."""
+    """Return the sides of an equation such as F = m a = 3 N, and the tokens between them: signs, colons or verbs."""
     sides: list[Tokens] = [[]]
     relations: list[Token] = []
     depth = 0
@@ -177,7 +177,7 @@ def _sides(tokens: Tokens) -> tuple[list[Tokens], list[Token]]:
 
 
 def _check_earlier(tokens: Tokens, name: Tokens, *, implied: bool) -> list[Tokens]:
-    """Raise Refused for an earlier statement with another answer, but not for conditions or unsolved equations.
+    """Raise Refused if an earlier equation gives another answer; conditions and unsolved equations may stand.
 
     For a step with another name, its other sides are returned, so that they can be checked for values.
     """
@@ -203,7 +203,7 @@ def _check_earlier(tokens: Tokens, name: Tokens, *, implied: bool) -> list[Token
 
 
 def _chosen(sides: list[Tokens], relations: Sequence[Token]) -> Statement:
-    """Return the statement with the last side as its value if the earlier sides leave no doubt."""
+    """Return the equation with its last side as the value; Refused if the earlier sides make that doubtful."""
     if len(sides) > 1 and _is_name_of(sides[-1], sides[-2]):
         sides, relations = [sides[-1], *sides[:-1]], [relations[-1], *relations[:-1]]
     value = unwrapped(sides[-1])
@@ -222,7 +222,7 @@ def _chosen(sides: list[Tokens], relations: Sequence[Token]) -> Statement:
 
 
 def _is_name_of(last: Tokens, before: Tokens) -> bool:
-    """Return whether the last side is only the name of the value before it, as in *9.8 m = h*."""
+    """Return whether the last side of an equation only names the value before it, as in *9.8 m = h*."""
     if not last or any(token.kind in _NO_NAME for token in last):
         return False
     return labels.is_bare(last) and not labels.is_bare(before)

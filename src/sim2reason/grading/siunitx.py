@@ -70,7 +70,7 @@ def _split(text: str) -> tuple[str, str]:
 
 
 def _unit(text: str) -> str:
-    r"""Return a unit from macros, letters or both; ``\\per`` applies only to the next factor."""
+    r"""Return a unit written in siunitx macros, letters or both; ``\\per`` applies only to the next factor."""
     unit = _Unit()
     for found in _MACRO.finditer(text):
         name, argument = found["name"] or "", found["argument"] or ""
@@ -91,7 +91,7 @@ def _unit(text: str) -> str:
 
 @dataclass(slots=True)
 class _Unit:
-    """The factors of a unit so far, and the pending prefix, power and division of the next one."""
+    """A unit under construction: the factors so far, and the prefix, power and division of the next one."""
 
     factors: list[str] = field(default_factory=list[str])
     prefix: str = ""

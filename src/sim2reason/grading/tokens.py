@@ -187,7 +187,7 @@ class _Lexer:
         return self.symbols is not None and name in self.symbols
 
     def letters(self, run: str, begin: int, finish: int, *, named: bool = False) -> int:
-        """Split a run of letters and its subscript into names; else add it as one word."""
+        """Split a run of letters, such as ``mgh``, into known names with a subscript; else add it as one word."""
         upright = named or (bool(self.upright) and self.upright[-1])
         base = VARIANTS.get(run, GREEK.get(run, run))
         end = finish
@@ -216,7 +216,7 @@ class _Lexer:
         return self.labelled(run, label), subscript.end()
 
     def plain_subscript(self, run: str, subscript: re.Match[str], finish: int) -> tuple[Pieces | None, int]:
-        """Split ``m_1g`` as m₁ g, as LaTeX does; but ``v_max`` or ``m1`` is one name if the table has it."""
+        """Split ``m_1g`` into m₁ and g, as LaTeX prints it; ``v_max`` or ``m1`` is one name if it is a known symbol."""
         label = (subscript[3] or subscript[4]).translate(SCRIPTS)
         start = subscript.end() - len(label)
         for length in range(len(label), 0, -1):
@@ -228,7 +228,7 @@ class _Lexer:
         return self.labelled(run, label[:1]), start + 1
 
     def labelled(self, run: str, label: str) -> Pieces | None:
-        """Return the names in `run`, with the subscript on the whole run or on its last letter."""
+        """Return the names in a run of letters; the subscript belongs to the whole run or to its last letter."""
         if run in FUNCTIONS:
             return (("function", f"{run}_{label}"),) if run == "log" else None
         for cut in (0, len(run) - 1, len(run) - 3 if run.endswith("ell") else 0):
@@ -243,7 +243,7 @@ class _Lexer:
         return split(run, self.symbols)
 
     def primed(self, match: re.Match[str]) -> int:
-        """Add a letter with primes as one name if the table has it; else drop the primes."""
+        """Add a letter with primes, such as v', as one symbol if it is known; else drop the primes."""
         plain = match["plain"].lstrip("\\")
         subscript = _SUBSCRIPT.match(self.text, match.end()) if self.text[match.end() :].lstrip()[:1] == "_" else None
         below = "" if subscript is None else "_" + _NO_NAME.sub("", subscript[1] or subscript[2] or subscript[3][:1])
@@ -285,7 +285,7 @@ def canonical(name: str) -> str:
 
 
 def _side(said: str) -> str:
-    """Return ``(`` for a bar that only opens, ``)`` for one that only closes, else ``|``."""
+    """Return ``(`` or ``)`` for a bar | that can only open or only close an absolute value, else ``|``."""
     if said.endswith("lvert") or _OPENING.search(said):
         return "("
     return ")" if said.endswith("rvert") or _CLOSING.search(said) else "|"

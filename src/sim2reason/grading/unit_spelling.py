@@ -77,7 +77,7 @@ def unit_in(text: str, asked: Unit | None) -> Unit:
 
 
 def _spellings(text: str) -> Iterator[str]:
-    """Yield the text unchanged, in the table's spelling, and with adjacent metres and seconds separated."""
+    """Yield spellings of a unit: unchanged, as in the unit table, and with adjacent metres and seconds separated."""
     yield text
     plain = text
     for pattern, replacement in _REWRITTEN:

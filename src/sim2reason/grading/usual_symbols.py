@@ -39,7 +39,7 @@ _SCALING_RTOL: Final = 1e-9
 
 
 def may_be(side: Sequence[Token], unit: Unit) -> bool:
-    """Return whether a side may be a quantity in `unit`; False for letters of another dimension."""
+    """Return whether an expression may be a quantity in `unit`; False if its letters have another dimension."""
     found = labels.names(side)
     letters = list(dict.fromkeys(letter for letter, _ in found))
     if len(found) <= 1 or len(letters) > _MAX_LETTERS or any(letter not in _USUAL for letter in letters):

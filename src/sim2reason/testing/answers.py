@@ -19,7 +19,7 @@ SOON, LATE = 1e-6, 1.0 - 1e-4  # fractions of the common motion between which ev
 
 @dataclass(frozen=True)
 class Difference:
-    """A differing answer, with both values."""
+    """A question that two motions answer differently, with both answers."""
 
     asked: str
     expected: float
@@ -32,7 +32,7 @@ class Difference:
 
 
 def unit_factor(dimension: Dimension) -> float:
-    """Return the factor 1 for every dimension: answers must be equal."""
+    """Return 1 for every dimension: the answers in both motions must be equal."""
     del dimension
     return 1.0
 
@@ -43,7 +43,7 @@ def differences(
     factor: Callable[[Dimension], float] = unit_factor,
     close: float = ANSWER_RTOL,
 ) -> Iterator[Difference]:
-    """Yield the differing answers in another motion, where answers should be larger by `factor`.
+    """Yield the questions whose answers differ between two motions, beyond the expected `factor`.
 
     Only the common interval of both motions is compared.
     """
@@ -75,7 +75,7 @@ def _values(targets: list[Target], trace: Trace, times: list[float], stretch: fl
 
 
 def _events(trace: Trace, end: float, stretch: float) -> list[Event]:
-    """Return the events strictly within the interval, without turning points, in the first motion's time.
+    """Return the events strictly inside the compared interval, in the first motion's time, without turning points.
 
     At both ends rounding errors may decide about an event, and for turning points everywhere.
     """
@@ -84,7 +84,7 @@ def _events(trace: Trace, end: float, stretch: float) -> list[Event]:
 
 
 def _parted(mine: list[Event], its: list[Event], end: float, close: float) -> Iterator[Difference]:
-    """Yield differences of events: other times, or an event in only one motion."""
+    """Yield the differences between the events of two motions: other times, or an event in only one of them."""
     order = sorted(mine, key=lambda event: (event.kind, event.subjects, event.time))
     other = sorted(its, key=lambda event: (event.kind, event.subjects, event.time))
     if [(e.kind, e.subjects) for e in order] != [(e.kind, e.subjects) for e in other]:

@@ -50,7 +50,7 @@ class Report:
         return f"<Report on {self.entity}: {len(self.findings)} findings by {made}>"
 
     def __str__(self) -> str:
-        """Return the findings in words; see `text`."""
+        """Return the findings in words, check by check."""
         return self.text
 
     @property

@@ -97,7 +97,7 @@ REST_TOLERANCE = 1e-6  # m, m/s or rad; smaller changes are no motion
 
 @dataclass(frozen=True)
 class Specimen:
-    """A scene with one entity of the class, named *it*, with cached data shared by the checks."""
+    """A scene with one entity of the tested class, named *it*, with its text and motion cached for all checks."""
 
     seed: int
     scene: Scene
@@ -129,7 +129,7 @@ class Specimen:
 
     @cached_property
     def certified(self) -> tuple[Trace, Certificate]:
-        """Return its motion up to the end of the engines' agreement, with the certificate."""
+        """Return the scene's motion up to the time until which both engines agree, with the certificate."""
         return certify_trace(self.study.trace)
 
     @cached_property

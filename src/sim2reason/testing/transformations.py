@@ -16,7 +16,7 @@ from sim2reason.simulation.trace import Trace
 
 
 def polar(vector: Triple) -> Triple:
-    """Return the mirror image of a polar vector: a position, velocity, force or direction."""
+    """Return the mirror image of a polar vector, such as a position, velocity, force or direction."""
     return (-vector[0], vector[1], vector[2])
 
 
@@ -45,7 +45,7 @@ class MirroredLaw:
         return self.law.constant
 
     def moved(self, by: Vector) -> "MirroredLaw":
-        """Return the law shifted to another origin."""
+        """Return the mirrored force law after a shift of its origin."""
         return MirroredLaw(self.law.moved(polar(by)))
 
 
@@ -56,11 +56,11 @@ class MirroredRegion:
     region: Region
 
     def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
-        """Return the margins at the mirrored position."""
+        """Return the distances of a position from the borders of the mirrored region."""
         return self.region.margins(polar(place), maths)
 
     def moved(self, by: Vector) -> "MirroredRegion":
-        """Return the region shifted by a vector."""
+        """Return the mirrored region shifted by a vector."""
         return MirroredRegion(self.region.moved(polar(by)))
 
 
@@ -233,7 +233,7 @@ def movable(mechanism: Mechanism) -> Iterator[Coordinate]:
 
 
 def carried(mechanism: Mechanism, root: str) -> set[str | None]:
-    """Return a body with all that it carries, directly or indirectly."""
+    """Return the names of a body and all bodies that it carries, directly or indirectly."""
     found: set[str | None] = {root}
     for body in mechanism.bodies:
         if body.parent in found:

@@ -68,7 +68,7 @@ class LazySettings(Record):
             raise DatasetError(str(error)) from None
 
     def problems(self) -> LazyProblems:
-        """Return the problems; it raises the errors of `generate`."""
+        """Return the problems that the settings describe, generated on request."""
         config = configured(
             items=self.items,
             recipe=self.recipe,

@@ -33,7 +33,7 @@ class Prefetcher:
         """That other processes have spent on problems so far, asked for or not."""
 
     def at(self, source: ProblemSource, cell: str, index: int) -> Problem | None:
-        """Return a problem, and request the following ones."""
+        """Return the problem of a cell and index, and have the following ones generated in other processes."""
         self.order(source, cell, index)
         found = self._ordered.pop((source.name, cell, index), None)
         if found is not None:
@@ -45,7 +45,7 @@ class Prefetcher:
         return source.at(cell, index)
 
     def order(self, source: ProblemSource, cell: str, start: int) -> None:
-        """Request the problems from `start` on."""
+        """Have the problems of a cell from index `start` on generated in other processes."""
         if self._pool is None:
             return
         try:
@@ -59,7 +59,7 @@ class Prefetcher:
             self._ordered.clear()
 
     def _count(self, done: "Future[Made]") -> None:
-        """Add the time of a finished problem; only one thread calls this."""
+        """Add the CPU time that another process spent on a finished problem; only one thread calls this."""
         if not done.cancelled() and done.exception() is None:
             self.cpu_seconds += done.result()[1]
 

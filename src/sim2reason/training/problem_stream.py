@@ -19,7 +19,7 @@ UNKNOWN = 0.5  # pass rate of an untried cell
 
 
 class Curriculum(BaseModel):
-    """The weights of cells from their measured pass rates.
+    """The sampling weights of the cells of problems (such as difficulties), from their measured pass rates.
 
     A cell of pass rate p has the weight `floor` + 4 p (1 − p): the variance of its rewards, which scales the gradient
     of a group-relative advantage, and a floor so that no cell is abandoned.
@@ -32,12 +32,12 @@ class Curriculum(BaseModel):
     """How much of an average over groups stays when another group of the cell is seen."""
 
     def weight(self, rate: float | None) -> float:
-        """Return the weight of a cell with a pass rate; None for an untried one."""
+        """Return the sampling weight of a cell with a pass rate; `rate` is None for an untried cell."""
         p = UNKNOWN if rate is None else rate
         return self.floor + 4.0 * p * (1.0 - p)
 
     def after(self, rate: float | None, seen: float) -> float:
-        """Return the pass rate of a cell after a group with the fraction `seen` of correct responses."""
+        """Return the averaged pass rate of a cell after a group with the fraction `seen` of correct responses."""
         before = UNKNOWN if rate is None else rate
         return self.memory * before + (1.0 - self.memory) * seen
 
@@ -97,7 +97,7 @@ class ProblemStream:
             self.prefetcher.order(source, cell, self.cursor.next.get(key, 0))
 
     def probe(self) -> None:
-        """Generate a problem of each cell without changing the state; TrainingError if one is empty."""
+        """Generate one problem of each cell before a run, without using it; TrainingError for a cell without any."""
         for key in self._cells:
             self._at_or_after(key, self.cursor.next.get(key, 0))
 
@@ -114,7 +114,7 @@ class ProblemStream:
         return [self._next() for _ in range(count)]
 
     def observe(self, row: Mapping[str, Any], rewards: Sequence[float]) -> None:
-        """Update the curriculum with the rewards of a group."""
+        """Update the pass rate of a problem's cell with the rewards of the responses to it."""
         problem = Problem.model_validate_json(row["problem"])
         key, rates = f"{problem.source}/{problem.cell}", self.cursor.rates
         passed = sum(reward >= 1.0 for reward in rewards) / max(len(rewards), 1)
@@ -136,7 +136,7 @@ class ProblemStream:
         self.begin()
 
     def shares(self) -> dict[str, float]:
-        """Return the share of each cell in the next prompts."""
+        """Return the probability with which each cell provides the next prompt."""
         found: dict[str, float] = {}
         whole = sum(source.weight for source in self.sources)
         for source in self.sources:

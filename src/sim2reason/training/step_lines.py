@@ -17,7 +17,7 @@ class StepLines:
         self.path = path
 
     def rewind(self, step: int) -> None:
-        """Remove the lines after a step, and an incomplete line."""
+        """Remove from the log the lines after a step, and an incomplete line."""
         kept = [line for line in self.read() if json.loads(line)["step"] <= step]
         self.path.parent.mkdir(parents=True, exist_ok=True)
         put_text(self.path, "".join(f"{line}\n" for line in kept), self.path.parent)

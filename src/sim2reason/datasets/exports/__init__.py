@@ -15,7 +15,7 @@ Column = type[str] | type[int] | type[float] | list["Column"] | dict[str, "Colum
 
 
 class Place(NamedTuple):
-    """The position of a row: the file of its split, and the number of earlier rows."""
+    """The place of a row in an export: its split, and the number of rows before it in that split's file."""
 
     split: str
     number: int

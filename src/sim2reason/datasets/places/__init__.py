@@ -20,7 +20,7 @@ PATIENCE = 120.0
 
 @dataclass(frozen=True, slots=True)
 class WorkerPool:
-    """The settings of the workers: maker, number and timeout."""
+    """The settings of workers: the function that makes items, the number of workers, and the timeout of a batch."""
 
     maker: str
     workers: int | None = None

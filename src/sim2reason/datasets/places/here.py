@@ -83,7 +83,7 @@ class _Worker:
 @PLACES.register(HERE)
 @contextmanager
 def here(crew: WorkerPool) -> Generator[Run, None, None]:
-    """Run on this machine; DatasetError for an address, or if workers would lack the program's own members."""
+    """Return a context in which items are made on this machine, in this process or in worker processes."""
     if crew.address:
         raise DatasetError(f"--on {HERE}://{crew.address}: this machine needs no address; say --on {HERE}")
     if _workers(crew) == 1:
@@ -93,7 +93,7 @@ def here(crew: WorkerPool) -> Generator[Run, None, None]:
 
 
 def _workers(crew: WorkerPool) -> int | None:
-    """Return the requested number of workers; 1 if the caller's program registers members."""
+    """Return the requested number of worker processes; 1 if the caller's program registers own components."""
     own = further_members().get(PROGRAM, ())
     if own and (crew.workers or 1) > 1:
         raise DatasetError(

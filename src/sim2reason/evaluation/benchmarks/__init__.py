@@ -23,7 +23,7 @@ MOST_SAMPLES = 4096
 
 
 class BenchmarkItem(BaseModel):
-    """One problem in the form presented to a policy."""
+    """One problem of a benchmark: prompt, scoring rule, the data that the rule needs, and tags for reports."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
@@ -61,7 +61,7 @@ class Benchmark(BaseModel, ABC):
 
     @property
     def pure(self) -> bool:
-        """Return whether the settings and the library's version determine the problems, without files."""
+        """Return whether the settings and the library's version alone determine the problems, without any file."""
         return False
 
     @abstractmethod

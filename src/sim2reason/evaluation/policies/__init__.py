@@ -136,7 +136,7 @@ class Policy(_Settings, ABC):
 
     @property
     def settings(self) -> dict[str, object]:
-        """Return the settings to record, without keys."""
+        """Return the policy's settings for the record of a run, without secret keys."""
         return self.model_dump(mode="json")
 
     @property

@@ -200,7 +200,7 @@ class LocalModel(Policy):
         return [*found, noise]
 
     def _ends(self) -> set[int]:
-        """Return the tokens that end a text."""
+        """Return the tokens at which the model ends a text."""
         held = self._loaded.model.generation_config.eos_token_id
         own = self._loaded.tokenizer.eos_token_id
         return {*(held if isinstance(held, list) else [held]), own} - {None}

@@ -38,7 +38,7 @@ Floats = NDArray[np.float64]
 
 
 class Estimate(NamedTuple):
-    """A number with the ends of its 95 % interval, and the method of the interval."""
+    """A measured number with the ends of its 95 % interval, and the method by which the interval was computed."""
 
     value: float
     low: float
@@ -81,7 +81,7 @@ def _resampled(values: Floats) -> Floats:
 
 
 def _interval(values: Floats, least: float) -> Estimate:
-    """Return the mean of values from `least` to 1, with the ends of its interval.
+    """Return the mean of values between `least` and 1, with its 95 % interval.
 
     If all values are equal, the bootstrap interval is empty; then its width is that of Wilson's for zero of n.
     """
@@ -161,7 +161,7 @@ class _Record(BaseModel):
 
 
 class Share(_Record):
-    """A mean of points with its 95 % interval, in serializable form."""
+    """A mean of points with its 95 % interval, as stored in reports."""
 
     value: float
     low: float

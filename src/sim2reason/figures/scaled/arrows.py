@@ -68,7 +68,7 @@ def _shown(setting: DrawingContext, body: RigidBody, velocity: complex) -> bool:
 
 
 def _speed(setting: DrawingContext, name: str, speed: float) -> str:
-    """Return the stated speed of a body, or its stated velocity along a line; the arrow shows the sign."""
+    """Return the text of a body's stated speed, or of a stated negative velocity without its sign."""
     owner, unit_of_speed = owner_of(name), setting.mechanism.units.spell("m/s")
     velocity = setting.stated(owner, unit_of_speed, -speed)
     turned = velocity[1:] if velocity.startswith(MINUS) else ""
@@ -209,7 +209,7 @@ def deflections(setting: DrawingContext) -> Sketch:
 
 
 def _free(setting: DrawingContext, top: complex, end: complex, turn: float) -> float:
-    """Return the radius of an arc between the vertical and a hanging line, clear of the bodies on the line."""
+    """Return a radius for the arc of a deflection angle at which the arc misses the bodies on the hanging line."""
     way, taken = unit(end - top), list[tuple[float, float]]()
     for body in setting.members:
         if body.name in setting.bodies and not isinstance(setting.look(body.name), Slender):

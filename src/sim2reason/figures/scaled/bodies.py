@@ -181,7 +181,7 @@ def names(setting: DrawingContext, address: str, look: BodyLook, at: complex) ->
 
 
 def slab_labels(setting: DrawingContext, address: str, at: complex) -> list[LabelRequest]:
-    """Return the labels of a slab's name and mass: side by side, or beside its ends."""
+    """Return the labels of a slab's name and mass: side by side inside it, or beyond its ends."""
     name, mass, along = setting.plan.name(address), setting.plan.mass(address), setting.along(address)
     half, wide = 0.5 * setting.sizes(address)[0], 0.5 * width(name, SIZE)
     if not mass:

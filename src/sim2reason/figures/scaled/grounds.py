@@ -71,7 +71,7 @@ def surfaces(setting: DrawingContext) -> list[Surface]:
 
 
 def _below(setting: DrawingContext, body: str, foot: complex, normal: complex) -> Iterator[complex]:
-    """Yield points of the contact plane on both sides of a body's lowest point."""
+    """Yield two points of the surface under a body, on both sides of the body's lowest point."""
     along = normal * 1j
     middle = dot(foot, normal) * normal + dot(setting.at(body), along) * along
     for side in (-WIDER, WIDER):
@@ -250,7 +250,7 @@ def _walls(setting: DrawingContext, found: Sketch) -> None:
 
 
 def _stand(setting: DrawingContext, ends: tuple[str, ...], found: Sketch) -> None:
-    """Draw the ground below bodies that may lift off."""
+    """Draw the ground at an initial contact between a fixed point and a body that may lift off, such as a rocket."""
     for site, other in (ends, ends[::-1]):
         body = setting.mechanism.site[other].body
         if setting.mechanism.site[site].body is None and body is not None:
@@ -264,7 +264,7 @@ def _stand(setting: DrawingContext, ends: tuple[str, ...], found: Sketch) -> Non
 
 
 def _note(setting: DrawingContext, address: str, tilt: float, found: Sketch) -> None:
-    """Warn of a feature that a view from above cannot show."""
+    """Add a label on the tilt of a table, which a view from above cannot show."""
     setting.drawn.add(address)
     if tilt:
         text = f"tilted at {setting.stated(owner_of(address), 'deg', tilt)}; y points up the slope"

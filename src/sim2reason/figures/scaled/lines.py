@@ -69,7 +69,7 @@ def lines(setting: DrawingContext, front: Sketch) -> Sketch:
 
 
 def _around(setting: DrawingContext, line: Line, ends: tuple[str, str], found: Sketch) -> None:
-    """Draw a coiled spring along the circle on which two bodies move, and the circle once."""
+    """Draw a spring bent along the circle on which its two bodies move, and the circle if it is not yet drawn."""
     middle = setting.view.at(vector(setting.frames[ends[0]].origin))
     a, b = (setting.at(end) - middle for end in ends)
     whole = Arc(middle, round(abs(a), 6), weight="thin")  # rounded, since all bodies are on the same one
@@ -91,7 +91,7 @@ def _around(setting: DrawingContext, line: Line, ends: tuple[str, str], found: S
 
 
 def _shares(long: float) -> Iterator[float]:
-    """Yield the fractions at which a straight stroke is divided to become an arc."""
+    """Yield the fractions at which a stroke is divided into short straight pieces, to bend it into an arc."""
     count = 1 + int(long / FINE)
     return (n / count for n in range(count))
 
@@ -108,7 +108,7 @@ def _radius(setting: DrawingContext, ends: tuple[str, str], middle: complex, fou
 
 
 def strokes(setting: DrawingContext, line: Line, look: str, points: list[complex]) -> Iterator[Shape]:
-    """Yield the shapes of a line through its sites."""
+    """Yield the shapes of a string, spring or rod that passes through several points."""
     for number, (a, b) in enumerate(pairwise(points)):
         if abs(b - a) < COINCIDENCE_TOLERANCE:
             continue
@@ -175,7 +175,7 @@ def behind(inward: complex) -> complex:
 
 
 def _arm(setting: DrawingContext, body: RigidBody, found: Sketch, front: Sketch) -> None:
-    """Draw a body on an axle: bars from the axle to all that it carries, and the axle."""
+    """Draw a body that swings about an axle: the axle, and bars from it to all that the body carries."""
     sized = isinstance(setting.look(body.name), Spherical | Axial | Capped | Rectangular | Silhouette)
     if body.name in setting.mechanism.contacts or isinstance(setting.look(body.name), PulleyWheel):
         return
@@ -206,7 +206,7 @@ def _arm(setting: DrawingContext, body: RigidBody, found: Sketch, front: Sketch)
 
 
 def pieces_on(setting: DrawingContext, arm: RigidBody) -> list[str]:
-    """Return the addresses of bodies of stated size on an arm whose distances from the axle are stated."""
+    """Return the addresses of the bodies that an arm carries and whose drawn size is real."""
     sized = Spherical | Axial | Capped | Rectangular | Silhouette
     return [
         body.name for body in setting.members if body.parent == arm.name and isinstance(setting.look(body.name), sized)
@@ -223,7 +223,7 @@ def _lettered(setting: DrawingContext, address: str, pivot: complex, far: comple
 
 
 def _ends(setting: DrawingContext, body: RigidBody) -> Iterator[complex]:
-    """Yield the end points of a body's arm: its own mass, the bodies it carries, its sites."""
+    """Yield the end points of a body's bars: its centre of mass, the bodies it carries, and its attachment points."""
     if body.mass > 0.0:
         yield setting.at(body.name)
     carried = (other for other in setting.members if other.parent == body.name)

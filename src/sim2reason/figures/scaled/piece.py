@@ -91,7 +91,7 @@ def _bearing(setting: DrawingContext, body: RigidBody, found: Sketch) -> None:
 
 
 def _turned(setting: DrawingContext) -> Iterator[tuple[str, str]]:
-    """Yield the sites where a string leaves a body, each with the site of the fixed pulley it leads to."""
+    """Yield the points where a string leaves a body towards a fixed pulley, each with its point on that pulley."""
     for line in setting.mechanism.lines:
         for one, other in ((line.through[:2]), line.through[:-3:-1]):
             ends = setting.mechanism.site[one].body, setting.mechanism.site[other].body
@@ -208,7 +208,7 @@ class ScaledPiece(Piece):
     """A group of entities drawn to scale, whose shape the layout does not change."""
 
     def __init__(self, name: str, plan: DrawingPlan, group: frozenset[str]) -> None:
-        """Draw the group once, for all positions."""
+        """Draw the group once; a layout only moves this drawing."""
         super().__init__(name, plan)
         self.setting = DrawingContext(plan, group)
         self.picture = scaled(self.setting)
@@ -216,7 +216,7 @@ class ScaledPiece(Piece):
         self.outlines = [found for shape in solid if len(found := hull(outline(shape))) > 1]
 
     def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
-        """Return the port's site, or the point where the strand leaves the body there."""
+        """Return the point where a string leaves the group: at the port, or at the outline of the body there."""
         return self.setting.edge(knot.leaves if second else knot.arrives, way)
 
     def hulls(self) -> list[Polygon]:

@@ -66,7 +66,7 @@ def _draw(setting: DrawingContext, force: Force, found: Sketch) -> None:
 
 
 def _bases(setting: DrawingContext, name: str) -> list[complex]:
-    """Return the directions from which a force's angle is measured: the body's slides, then the horizontal."""
+    """Return the directions from which a force's angle is measured: of the body's slides, then horizontal."""
     slides = [c.axis for c in setting.mechanism.body[name].coordinates if c.kind == "slide"]
     ways = [unit(way) for axis in slides if abs(way := setting.view.way(axis)) > FLAT]
     return [sign * way for way in (*ways, RIGHT) for sign in (1.0, -1.0)]

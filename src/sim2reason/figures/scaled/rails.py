@@ -31,7 +31,7 @@ def rides(setting: DrawingContext, body: RigidBody) -> bool:
 
 
 def walls(setting: DrawingContext, point: complex, way: complex, on: str | None = None) -> Iterator[complex]:
-    """Yield the ends on the rail through `point` of lines that are fixed to the ground or to the body `on`."""
+    """Yield the ends of springs and strings on the line of a rail that are fixed to the ground, or to the body `on`."""
     for line in setting.lines:
         for site in (line.through[0], line.through[-1]):
             at = setting.site(site)
@@ -59,7 +59,7 @@ def rails(setting: DrawingContext) -> Sketch:
 
 
 def _rail(setting: DrawingContext, group: list[RigidBody], found: Sketch) -> None:
-    """Draw a rail: below carts and bodies with lines or neighbours along it, else through the body's middle."""
+    """Draw a rail: below carts and below bodies with strings or neighbours along it, else through the body's middle."""
     body = group[0]
     way, at, look = setting.along(body.name), setting.at(body.name), setting.look(body.name)
     faces = setting.plan.scene.builder.faces

@@ -34,10 +34,10 @@ def vector(triple: Triple) -> Vector:
 
 
 class DrawingContext:
-    """The geometry of the part of a scene that is drawn to scale in one piece."""
+    """The geometry of entities drawn to scale: the view, and bodies, points and velocities on the page."""
 
     def __init__(self, plan: DrawingPlan, owners: frozenset[str]) -> None:
-        """Choose the view for the given entities and connections."""
+        """Choose the direction of view and the scale for the given entities and connections."""
         self.plan, self.owners = plan, owners
         self.mechanism = plan.paths.mechanism
         rest, speeds = zip(*((0.0, c.speed) for c in self.mechanism.coordinates), strict=True)
@@ -90,7 +90,7 @@ class DrawingContext:
         return self.view.at(self.place(address))
 
     def site(self, name: str) -> complex:
-        """Return the position of a site on the page."""
+        """Return the position on the page of an attachment point (site) of a body or of the ground."""
         return self.view.at(vector(self.frames.site(name).place))
 
     def velocity(self, address: str) -> complex:
@@ -136,7 +136,7 @@ class DrawingContext:
 
     @cached_property
     def stacked(self) -> dict[str, str]:
-        """Return the address of the small body below each small body that lies on another one."""
+        """Return, for each body that lies on another small body, the address of the lower one."""
         held = {f.subject: self.mechanism.body[f.subject].parent for f in self.mechanism.faces if self.owns(f.subject)}
         return {a: b for a, b in held.items() if b is not None and isinstance(self.look(b), Small)}
 
@@ -151,7 +151,7 @@ class DrawingContext:
         return SLAB_LENGTH + SLAB_STEP * above, SLAB
 
     def _near(self, address: str) -> float:
-        """Return slightly less than the distance to the nearest neighbouring block, in units, with a minimum."""
+        """Return the largest width of a block that keeps it clear of its neighbours, in units, with a minimum."""
         look = self.look(address)
         oblong = [a for a in self.bodies if isinstance(other := self.look(a), Small) and other.kind in BESIDE]
         if not isinstance(look, Small):
@@ -194,7 +194,7 @@ class DrawingContext:
         return at + far * way
 
     def regions(self) -> Iterator[tuple[Region, str]]:
-        """Yield the regions that bound forces, without repetitions, each with a body on which the force acts."""
+        """Yield the regions of space to which forces are limited, each once, with a body on which the force acts."""
         found: list[Region] = []
         for force in self.mechanism.forces:
             if force.region is not None and self.owns(force.body) and force.region not in found:
@@ -206,7 +206,7 @@ class DrawingContext:
         return self.plan.stated(owner, unit, value)
 
     def state_once(self, owner: str, unit: str, value: float) -> str:
-        """Return a stated number as `stated` does, but an empty text if the drawing already shows it."""
+        """Return a stated number as `stated` does the first time; an empty text once the drawing already shows it."""
         text = self.stated(owner, unit, value)
         new = (owner, text) not in self._shown
         self._shown.add((owner, text))
@@ -236,7 +236,7 @@ class DrawingContext:
             yield from (self.origin(owner) for owner in self.owners if owner in self.plan.scene.builder.origins)
 
     def _turns(self) -> Iterator[Vector]:
-        """Yield the fixed points that strings pass, even if their ends are outside the drawing."""
+        """Yield the fixed points at which strings bend, even if the ends of the strings are outside this drawing."""
         for line in self.mechanism.lines:
             for site in line.through[1:-1]:
                 if self.owns(site) and self.mechanism.site[site].body is None:

@@ -28,7 +28,7 @@ def spread(setting: DrawingContext, margin: float = 2.1) -> Box:
 
 
 def cushions(setting: DrawingContext) -> dict[complex, float]:
-    """Return the offset n·r of each wall of a table on the page, by the direction n from the table to the wall."""
+    """Return the offset n·r, in units, of each wall of a table seen from above, by the direction n towards the wall."""
     found: dict[complex, float] = {}
     for meeting in setting.mechanism.meetings:
         if meeting.a is None and meeting.normal is not None and setting.owns(meeting.b):

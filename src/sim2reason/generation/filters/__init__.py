@@ -49,12 +49,12 @@ class Candidate:
 
     @cached_property
     def time(self) -> float | None:
-        """Return the latest time on which the answer depends, s."""
+        """Return the latest time of the motion on which the answer depends, s; None if it depends on all."""
         return self.kind.time(self.question.query, self.study)
 
     @cached_property
     def solution(self) -> Solution | None:
-        """Return the shortest solution with allowed needs and without integration; None without a text."""
+        """Return the shortest worked solution with allowed mathematics, without integration; None without a text."""
         if self.words is None:
             return None
         question = self.question
@@ -66,7 +66,7 @@ class Candidate:
 
     @property
     def checked(self) -> Self:
-        """Return the candidate, with a solution that the checker has verified."""
+        """Return the candidate after a check of its worked solution by the independent checker."""
         question, found = self.question, self.solution
         if self.words is None or question.formula is not None or found is None or found.answer is None:
             return self
@@ -90,19 +90,19 @@ class Candidate:
 
     @property
     def solved(self) -> tuple[tuple[Solution, int], ...]:
-        """Return pairs of the solution and the number of events before its moment; empty without a solution."""
+        """Return the worked solution with the number of events before the moment asked about; empty without one."""
         if self.solution is None or self.solution.answer is None:
             return ()
         return ((self.solution, number_of_events(self.study.trace, self.time)),)
 
     @property
     def until(self) -> float | None:
-        """Return the time to which variants of this scene are simulated, s."""
+        """Return the time up to which scenes with changed numbers are simulated, s; None for the usual duration."""
         return None if self.time is None else TIME_MARGIN * self.time
 
     @cached_property
     def _responses(self) -> dict[SimulatedScene, float | None]:
-        """Return the cached answers in changed scenes, which several filters and the symbolic mode share."""
+        """Return the cache of answers to the question in changed scenes; filters and the symbolic mode share it."""
         asked = replace(self.question, text="", formula=None, assumed=())
         return self.study.memoize(("responses", asked), dict[SimulatedScene, float | None])
 
@@ -124,7 +124,7 @@ class Candidate:
         return found if found is not None and isfinite(found) else None
 
     def far_response(self, other: SimulatedScene | None) -> float | None:
-        """Return the answer in a changed scene, simulated as long as necessary unless a result is given."""
+        """Return the answer in a changed scene whose motion may last longer; as `response` for a given result."""
         if other is None or self.question.given is not None or not _has(other, self.question.query):
             return self.response(other)
         time = self.kind.time(self.question.query, other)
@@ -134,11 +134,11 @@ class Candidate:
         return found if found is not None and isfinite(found) else None
 
     def change(self, other: SimulatedScene | None) -> float:
-        """Return the relative change of the answer in a changed scene; infinite if it has no answer."""
+        """Return the relative difference of the answer in a changed scene; infinite if there is no answer."""
         return self.change_to(self.response(other))
 
     def change_to(self, answer: float | None) -> float:
-        """Return the relative change from the answer to another value; infinite for None."""
+        """Return the relative difference between the answer and another value; infinite for None."""
         return inf if answer is None else abs(answer / self.question.answer - 1.0)
 
 
@@ -201,7 +201,7 @@ class SceneFilter(Filter):
 
     @abstractmethod
     def scene_reason(self, study: SimulatedScene) -> str:
-        """Return the reason to reject the scene, in the form of `Filter.reason`; empty to keep it."""
+        """Return the reason to reject the scene, in a few words; empty to keep it."""
 
     def reason(self, candidate: Candidate) -> str:
         """Return the reason to reject the scene of the question."""

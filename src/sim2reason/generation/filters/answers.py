@@ -24,7 +24,7 @@ class Agreement(Filter):
     order = 0
 
     def reason(self, candidate: Candidate) -> str:
-        """Return why the question kind cannot certify the answer."""
+        """Return the reason why the answer is not certified by both engines; empty if it is."""
         query = candidate.question.query
         return KINDS[query.kind].doubt(query, candidate.study, candidate.certificate)
 
@@ -84,7 +84,7 @@ class Degenerate(Filter):
 
 
 def _least(candidate: Candidate) -> float:
-    """Return the smallest result that is not too close to zero."""
+    """Return the smallest magnitude of a result that does not count as zero."""
     quantity = _asked(candidate)
     if quantity is not None:
         return smallest_answer(candidate.study.mechanism, quantity)
@@ -92,7 +92,7 @@ def _least(candidate: Candidate) -> float:
 
 
 def _stated(candidate: Candidate, unit: str) -> Iterator[float]:
-    """Yield the numbers in the text with a unit; for any unit, also g and the question's numbers."""
+    """Yield the numbers in the text with this unit; also g and the question's numbers, whatever their unit."""
     for parameter in candidate.study.scene.parameters:
         open_to_all = not parameter.hidden and parameter.path not in candidate.question.left_open
         alike = parameter.measure.unit == unit or parameter.path.startswith("world.")
@@ -113,7 +113,7 @@ def _nearest(candidate: Candidate) -> float | None:
 
 
 def _asked(candidate: Candidate) -> Quantity | None:
-    """Return the quantity of the answer; None if the answer is not a quantity, such as a time."""
+    """Return the physical quantity asked for; None if the question asks for something else, such as a time."""
     query = candidate.question.query
     if query.target is None or KINDS[query.kind].measured(query).name != query.target.quantity:
         return None
@@ -121,13 +121,13 @@ def _asked(candidate: Candidate) -> Quantity | None:
 
 
 def _lasting(candidate: Candidate) -> bool:
-    """Return whether a quantity at a later moment still has its value from just after the start."""
+    """Return whether the answer equals the value of the same quantity just after the start."""
     start, answer = _start(candidate), candidate.question.result
     return start is not None and abs(answer - start) <= EQUAL_ANSWER_RTOL * abs(answer)
 
 
 def _start(candidate: Candidate) -> float | None:
-    """Return the value of the quantity just after the start; None for other kinds of questions."""
+    """Return the value of the quantity asked about just after the start; None for other questions."""
     query, study = candidate.question.query, candidate.study
     if _asked(candidate) is None or query.target is None or not KINDS[query.kind].time(query, study):
         return None
@@ -135,7 +135,7 @@ def _start(candidate: Candidate) -> float | None:
 
 
 def _scale(candidate: Candidate) -> float:
-    """Return the largest value of the quantity over all subjects up to the end of the motion."""
+    """Return the largest value of the quantity asked about, over all bodies and up to the end of the motion."""
     quantity, trace = _asked(candidate), candidate.study.trace
     if quantity is None:
         return 0.0

@@ -48,7 +48,7 @@ class Collision(Filter):
 
 
 def _all_bear(trace: Trace, time: float) -> bool:
-    """Return whether pairs with each stated restitution have collided up to a time."""
+    """Return whether, for each stated coefficient of restitution, some pair has collided up to a time."""
     told = {frozenset(meeting.names): meeting.restitution for meeting in trace.mechanism.meetings}
     if len(set(told.values())) == 1:
         return True
@@ -85,12 +85,12 @@ class Jerk(Filter):
 
 
 def _end(candidate: Candidate) -> float:
-    """Return the time of the moment, or of the end of the motion, s."""
+    """Return the time of the moment asked about, or of the end of the motion if there is none, s."""
     return candidate.time if candidate.time is not None else candidate.study.trace.stable_until
 
 
 def _again(candidate: Candidate) -> Iterator[tuple[float, str]]:
-    """Yield the times at which strings become taut again before the end, s, with the strings."""
+    """Yield the strings that become taut again before the moment asked about, each with the time, s."""
     for event in events_before(candidate.study.trace.events, _end(candidate)):
         if event.kind == "taut":
             yield from ((event.time, line) for line in event.subjects)
@@ -105,7 +105,7 @@ class PlausibleOutcome(Filter):
     order = 1
 
     def reason(self, candidate: Candidate) -> str:
-        """Compare both with a table of plausible ranges, and springs with their natural lengths."""
+        """Compare the answer and the given result with plausible ranges, and springs with their natural lengths."""
         return next(self.findings(candidate), "")
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
@@ -127,7 +127,7 @@ def _implausible(what: str, value: float, unit: str, mechanism: Mechanism) -> It
 
 
 def _lengths(candidate: Candidate, names: tuple[str, ...]) -> dict[str, Span]:
-    """Return the ranges of the lengths of some springs up to the moment, m."""
+    """Return the smallest and largest length of each named spring up to the moment asked about, m."""
     trace, time = candidate.study.trace, candidate.time
     state = trace.scan if time is None else trace.sample(_instants(trace.scan, time))
     lines = (line for line in state.mechanism.lines if line.name in names and line.circle is None)

@@ -64,13 +64,13 @@ def _paths(found: list[Given]) -> str:
 
 
 def _is_indifferent(candidate: Candidate, given: Given) -> bool:
-    """Return whether answers of this kind never depend on a number, as a period on the amplitude of a spring."""
+    """Return whether a change of a number cannot change answers of this kind, such as of the amplitude for a period."""
     other = shifted(candidate.study, given, candidate.until)
     return other is not None and candidate.kind.indifferent(candidate.question.query, candidate.study, other)
 
 
 def _cancelling(mechanism: Mechanism, subject: str) -> set[str]:
-    """Return the addresses of numbers that may cancel: mass and charge of the subject, and radii of rolling bodies."""
+    """Return the addresses of numbers that may cancel: the subject's mass and charge, and its radius if it rolls."""
     body = _lone(mechanism, subject)
     rolls = body in mechanism.contacts and len(mechanism.contacts[body].slip) > 1
     return {f"{body}.mass", f"{body}.charge", *([f"{body}.radius"] if rolls else [])}

@@ -18,7 +18,7 @@ class HiddenNumbers(Filter):
     order = 5
 
     def reason(self, candidate: Candidate) -> str:
-        """Solve the scene with all hidden lengths at their minimum, and ask again."""
+        """Solve the scene with all hidden lengths at their minimum, and compare the answers."""
         answer, query, kind = candidate.question.answer, candidate.question.query, candidate.kind
         tight = _tight(candidate)
         if tight is candidate.study:

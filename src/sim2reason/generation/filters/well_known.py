@@ -73,7 +73,7 @@ class FewLaws(Filter):
 
 
 def _symbols(found: Solution) -> int | None:
-    """Return the number of symbols after substitution of all formulas; None if the result is too long.
+    """Return the number of symbols in the formula of the answer; None if the formula is too long.
 
     None also for integrals, except where the integral is the only law, as in u ln(m_0/m_1).
     """
@@ -89,7 +89,7 @@ def _counted(laws: int) -> str:
 
 
 def _derivation(candidate: Candidate) -> Solution | None:
-    """Return the solution that leads to a formula; None if there is none, or it is not needed."""
+    """Return a worked solution as formulas; None if there is none, or the limit on laws does not apply to the scene."""
     study, words = candidate.study, candidate.words
     if candidate.kind.beyond_laws or words is None or not words.symbols or study.mechanism is not study.scene.mechanism:
         return None
@@ -112,7 +112,7 @@ class FewSymbols(Filter):
     order = 1
 
     def reason(self, candidate: Candidate) -> str:
-        """Count the symbols in the formula, regardless of their powers."""
+        """Compare the number of symbols in the formula with the required one, and count the unused symbols."""
         formula = candidate.question.formula
         if formula is None:
             return ""
@@ -122,7 +122,7 @@ class FewSymbols(Filter):
         return f"idle symbols: {len(formula.without)} of {told}" if len(formula.without) > EVER * told else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the numbers of symbols that the formula contains and lacks."""
+        """Yield the number of symbols that occur in the formula, and of symbols of the text that do not."""
         formula = candidate.question.formula
         if formula is not None:
             required = minimum_relevant(candidate)

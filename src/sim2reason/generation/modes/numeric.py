@@ -97,11 +97,11 @@ class Multipart(Numeric):
 
     @property
     def kinds(self) -> frozenset[str]:
-        """Return the kinds that leave no number unknown which other parts may need."""
+        """Return the question kinds whose questions leave no stated number unknown, since other parts may need it."""
         return frozenset(name for name in super().kinds if not KINDS[name].hides)
 
     def asking(self, query: Query, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Question | None:
-        """Return the question for a query; None also if it would leave a number unknown."""
+        """Return the question for a query; None also if it would leave unknown a number that other parts may need."""
         return super().asking(query, study, words, rng) if not query.hides else None
 
     def parsed(self, text: str, study: SimulatedScene, words: Words) -> ParsedQuestion | None:

@@ -102,7 +102,7 @@ class Reverse(QuestionMode):
         words: Words,
         rng: np.random.Generator,
     ) -> Question | None:
-        """Return the question for an unknown number, if the result of a query determines it."""
+        """Return the question for an unknown number that the given result determines; None if it does not."""
         asked = KINDS[query.kind]
         likely = likely_answers(query, study, words, unknown.path)
         dependence = AnswerFunction(query, study, unknown.path, likely=likely)
@@ -134,12 +134,12 @@ class Reverse(QuestionMode):
         return question.answer * float(np.exp(-np.log(ratio) / question.elasticity))
 
     def parsed(self, text: str, study: SimulatedScene, words: Words) -> ParsedQuestion | None:
-        """Parse a sentence into all queries that it may state as a condition, with its unknown as the target."""
+        """Parse a sentence that asks for which number, or when, a result occurs; None if it is no such sentence."""
         readings = dict.fromkeys((text, plainly(text, words.units)))  # digits tell how close a result is
         return next((found for said in readings if (found := self._read(said, study, words)) is not None), None)
 
     def _read(self, text: str, study: SimulatedScene, words: Words) -> ParsedQuestion | None:
-        """Return the question of a sentence, with its numbers as written."""
+        """Return the reverse question that a sentence asks, with its numbers as written; None if it asks none."""
         heard = f"{text}\n{text[0].lower()}{text[1:]}"  # a name may stand at the beginning
         for unknown in words.unknowns:
             for query, unit in _stated(heard, study, words):
@@ -156,7 +156,7 @@ class Reverse(QuestionMode):
         return None
 
     def solution(self, asked: ParsedQuestion, study: SimulatedScene, words: Words) -> float | None:
-        """Return the only value for which the query has the stated answer; None if it is not unique."""
+        """Return the only value of the unknown for which the stated result occurs; None if there is not exactly one."""
         if asked.given is None or isinstance(asked.query.moment, Reached):
             return super().solution(asked, study, words)
         for unknown in _besides(asked.query, words):
@@ -173,7 +173,7 @@ class Reverse(QuestionMode):
 
 
 def why_undetermined(question: Question, study: SimulatedScene, words: Words) -> str:
-    """Return why a result does not determine the unknown: another value, or a nearby limit; empty if it does.
+    """Return why a result does not determine the unknown: another value or a near limit; empty if it does.
 
     Strings and edges are given enough clearance, because no text states how far they let bodies move.
     """
@@ -204,7 +204,7 @@ def why_undetermined(question: Question, study: SimulatedScene, words: Words) ->
 
 
 def _besides(query: Query, words: Words) -> list[Unknown]:
-    """Return the numbers that may be unknown, except the one whose limit a query is about.
+    """Return the numbers that may be the unknown, except the one whose limit the query itself asks for.
 
     Numbers with the same symbol as that one are excluded too.
     """
@@ -219,7 +219,7 @@ def _noun(query: Query, words: Words) -> Noun | None:
 def _fixed(
     dependence: AnswerFunction, drawn: float, result: float, unit: str
 ) -> tuple[StatedResult, float, float] | None:
-    """Return the stated result, the number that gives exactly it, and the elasticity; None if undetermined."""
+    """Return the rounded result, the number that gives exactly it, and the elasticity; None if undetermined."""
     rate = dependence.rate(drawn)
     if not rate:
         return None
@@ -233,7 +233,7 @@ def _fixed(
 
 
 def _stated(heard: str, study: SimulatedScene, words: Words) -> Iterator[tuple[Query, str]]:
-    """Yield all queries that a sentence could state, with the units of their answers."""
+    """Yield all queries whose result a sentence could state, each with the unit of its answer."""
     named = {target: noun for target, noun in targets(words).items() if noun.heard(heard)}
     for kind in KINDS.values():
         for query in dict.fromkeys(kind.parsed(heard, study, words, named)):
@@ -262,7 +262,7 @@ def _asking_when(study: SimulatedScene, words: Words, rng: np.random.Generator, 
 
 
 def _nearly_before(target: Target, given: StatedResult, time: float, study: SimulatedScene) -> bool:
-    """Return whether a quantity, rounded, has its value before the time when it first reaches it."""
+    """Return whether a quantity already comes close to its stated value before the time when it reaches it."""
     scan = study.trace.scan
     away = np.abs(target.values(scan)[scan.times < time] - given.value)
     near = away <= max(given.half, NEAR_MATCH_RTOL * abs(given.value))

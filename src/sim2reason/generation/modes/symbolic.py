@@ -85,7 +85,7 @@ class Symbolic(QuestionMode):
     def completed(
         self, question: Question, study: SimulatedScene, words: Words, rng: np.random.Generator
     ) -> Question | None:
-        """Return the question with its formula; None if no formula agrees with the engine where it should."""
+        """Return the question with its formula and assumptions; None if no formula agrees with the engine."""
         moment = question.query.moment
         query = replace(question.query, moment=moment.in_symbols(study.trace) if moment is not None else None)
         spoken = _spoken(words, query)
@@ -127,7 +127,7 @@ class Symbolic(QuestionMode):
         return ParsedQuestion(self.name, query, assumed=held) if held is not None else None
 
     def solution(self, asked: ParsedQuestion, study: SimulatedScene, words: Words) -> float | None:
-        """Return the answer with the symbols' values; None if they violate the assumptions."""
+        """Return the numeric answer for the values of the symbols; None if they violate a stated assumption."""
         until = KINDS[asked.query.kind].time(asked.query, study) or 0.0
         if not all(held.holds(study, until) for held in asked.assumed):
             return None
@@ -160,7 +160,7 @@ def _worked_out(query: Query, study: SimulatedScene, words: Words) -> Expression
 
 
 def _spoken(words: Words, query: Query) -> Words | None:
-    """Return a context with symbols for the question's own numbers; None if a number has no symbol."""
+    """Return the words of a text with symbols for the numbers in the question; None if one has no symbol."""
     clock = set[str]() if words.released else {"t"}  # of a text that speaks of t = 0
     own, taken = dict[str, OwnSymbol](), clock.union(words.symbols.values())
     for value, unit in query.moment.stated if query.moment is not None else ():

@@ -13,7 +13,7 @@ from sim2reason.scenes.entities.parts.fields.linear import LinearElectric
 
 
 def _oscillates(entity: EmEntity) -> bool:
-    """Return whether the force of a field that changes along its direction drives the particle back."""
+    """Return whether a field that varies along its own direction drives the particle back, so that it oscillates."""
     field = entity.electric
     assert isinstance(field, LinearElectric)
     return field.drives_back(entity.particle.signed_charge)

@@ -118,7 +118,7 @@ def _drawn_near(kind: type[WeldedPiece], rng: np.random.Generator, others: Seque
 
 
 def _farthest(piece: WeldedPiece, others: Sequence[WeldedPiece]) -> float:
-    """Return the largest distance, m, at which enough inertia is about the pieces' own centres.
+    """Return the largest distance from the axle, m, at which the size of the piece still matters for the inertia.
 
     Any distance suffices for a piece that is not a small ball; NaN if there is no such distance.
     """
@@ -146,7 +146,7 @@ def is_clear(one: WeldedPiece, other: WeldedPiece) -> bool:
 
 
 def _bear(pieces: Sequence[WeldedPiece], *, unmoved: int) -> bool:
-    """Return whether all numbers of some pieces, except `unmoved` ones, affect the motion of the arm.
+    """Return whether all numbers of the pieces, with at most `unmoved` exceptions, affect the motion of the arm.
 
     The mass of a single piece cancels.
     """

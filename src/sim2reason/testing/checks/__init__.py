@@ -16,7 +16,7 @@ class Check(ABC):
 
     @abstractmethod
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Yield the violations in these scenes, a few of each kind."""
+        """Yield the violations of the check in these scenes, a few of each kind."""
 
 
 C = TypeVar("C", bound=Check)

@@ -56,7 +56,7 @@ class AblationsCheck(Check):
             yield found.finding(self.name, expected, f"{error}\n  text: {text}", remedy)
 
     def _glued(self, found: Specimen, body: str) -> Iterator[Finding]:
-        """Yield a finding if a fixed body can still move, or the rest of the scene cannot be simulated."""
+        """Yield a finding if a body that is held fixed can still move, or the rest of the scene cannot be simulated."""
         expected, remedy = f"{body} can be glued to what carries it", "let build say all of a body through the frame"
         try:
             scene = _made(lambda: found.scene.gluing(body))

@@ -29,7 +29,7 @@ class GivensCheck(Check):
     name = "givens"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Change numbers that the text does not state, declared or not, and ask again."""
+        """Change each number that the text does not state, and compare all answers with the original ones."""
         for found in specimens.moving:
             yield from self._declared(found)
             yield from self._undeclared(found)
@@ -57,7 +57,7 @@ class GivensCheck(Check):
                 )
 
     def _undeclared(self, found: Specimen) -> Iterator[Finding]:
-        """Yield findings for masses and coefficients of the mechanism that matter but follow from no stated number."""
+        """Yield findings for masses, friction and restitution that affect answers but follow from no stated number."""
         mechanism = found.study.mechanism
         for name, other in _shifted(mechanism):
             if name in _decided(found):
@@ -73,7 +73,7 @@ class GivensCheck(Check):
 
 
 def _facts(mechanism: Mechanism) -> dict[str, float]:
-    """Return the masses and coefficients of a mechanism, by description."""
+    """Return the masses and the friction and restitution coefficients of a mechanism, by description."""
     found = {f"the mass of {body.name}": body.mass for body in mechanism.bodies}
     found |= {f"the friction under {face.subject}": face.friction for face in mechanism.faces}
     found |= {f"the restitution of {' and '.join(hit.names)}": hit.restitution for hit in mechanism.meetings}
@@ -81,7 +81,7 @@ def _facts(mechanism: Mechanism) -> dict[str, float]:
 
 
 def _decided(found: Specimen) -> set[str]:
-    """Return the facts that change with some stated number."""
+    """Return which masses and coefficients of the mechanism change with some stated number."""
     before, decided = _facts(found.study.mechanism), set[str]()
     for path, parameter in stated_numbers(found.scene).items():
         other = changed(found.scene, {path: (parameter.value or 0.0) * SHIFT})
@@ -92,7 +92,7 @@ def _decided(found: Specimen) -> set[str]:
 
 
 def _shifted(mechanism: Mechanism) -> Iterator[tuple[str, Mechanism]]:
-    """Yield the mechanism with one fact changed at a time."""
+    """Yield the mechanism with one mass or coefficient changed at a time, with its description."""
     for name in _facts(mechanism):
         bodies = tuple(_heavier(body) if name == f"the mass of {body.name}" else body for body in mechanism.bodies)
         faces = tuple(
@@ -135,7 +135,7 @@ class HiddenNumbersCheck(Check):
     name = "hidden numbers"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Draw all hidden numbers again, and ask again."""
+        """Draw all hidden numbers again, and compare all answers with the original ones."""
         for found in specimens.moving:
             rng = np.random.default_rng([found.seed, 7])
             hidden = [p for p in found.scene.parameters if p.hidden and p.value is not None]

@@ -56,7 +56,7 @@ class RangesCheck(Check):
 
 @dataclass
 class _Looked:
-    """The numbers of an entity seen so far: a scene with each, and those that affect an answer."""
+    """The numbers of an entity tested so far: a scene with each, and those that affect an answer."""
 
     seen: dict[str, Specimen] = field(default_factory=dict[str, Specimen])
     alive: set[str] = field(default_factory=set[str])
@@ -64,16 +64,16 @@ class _Looked:
 
     @property
     def dead(self) -> list[str]:
-        """Return the numbers that have affected no answer so far."""
+        """Return the tested numbers that have affected no answer so far."""
         return sorted(self.seen.keys() - self.alive)
 
     @property
     def open(self) -> list[str]:
-        """Return the parameters without effect so far that were changed in too few scenes to be sure."""
+        """Return the numbers that have affected no answer, but in too few scenes to be called irrelevant."""
         return [name for name in self.dead if self.again_with[name] < MORE]
 
     def at(self, found: Specimen, only: Collection[str] | None = None) -> None:
-        """Change each number of a scene that is not yet known to matter."""
+        """Change each number of a scene that is not yet known to affect an answer, and record the result."""
         for path in stated_numbers(found.scene, found.seed):
             name = _field(path)
             if path.startswith(f"{IT}.") and name not in self.alive and (only is None or name in only):
@@ -82,7 +82,7 @@ class _Looked:
                     self.alive.add(name)
 
     def again(self, found: Specimen) -> None:
-        """Test the seemingly irrelevant, rarely changed numbers in another scene."""
+        """Change the numbers that seem irrelevant after few scenes in one more scene."""
         if found.moves:
             dead = self.open
             self.again_with.update(
@@ -134,7 +134,7 @@ def _alike(values: Mapping[str, list[object]]) -> list[str]:
 
 
 def _varying(value: Model) -> Iterator[tuple[str, object]]:
-    """Yield all randomly drawn data of an object and its parts, with their addresses."""
+    """Yield all randomly drawn values of an object and its parts: numbers, choices, and counts of members."""
     for name, kind in field_types(type(value)).items():
         held, called = getattr(value, name), f"{type(value).__name__}.{name}"
         if kind.optional:

@@ -63,7 +63,7 @@ def _difference(trace: Trace, image: Trace, end: float) -> str:
 
 @dataclass(frozen=True)
 class Units:
-    """Units smaller by powers of two, which cause no rounding; numerical values grow by the same factors."""
+    """A change to units that are smaller by powers of two, which cause no rounding; the numbers become larger."""
 
     length: float = 1.0
     mass: float = 1.0
@@ -109,7 +109,7 @@ class ScalingCheck(Check):
 
 
 def scaled(found: Specimen, units: Units) -> SimulatedScene | None:
-    """Return the scene with its stated numbers in other units, simulated; None if it is invalid."""
+    """Return the scene with its stated numbers multiplied as in smaller units, simulated; None if invalid."""
     numbers = {
         path: parameter.value * units.factor(parse_unit(parameter.measure.unit).dimension)
         for path, parameter in stated_numbers(found.scene, found.seed).items()

@@ -26,7 +26,7 @@ class WordingsCheck(Check):
     name = "wordings"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Yield the sentences with fewer wordings."""
+        """Yield the sentences that have fewer than three wordings."""
         for model in reachable(specimens.cls):
             lines = model.says if issubclass(model, Part) else ()
             for saying in (line for line in lines if not isinstance(line, PartLines)):

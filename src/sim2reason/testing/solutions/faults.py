@@ -52,7 +52,7 @@ def faults(solution: Solution, answer: float, within: float = RELATION_RTOL) -> 
 
 
 def holds(relation: Relation, values: Mapping[str, float]) -> bool:
-    """Return whether an equation holds relative to its largest term, or a comparison is true."""
+    """Return whether an equation holds within rounding, or a comparison is true, for the given values."""
     left, right = relation.left.value(values), relation.right.value(values)
     if relation.role == "exceeds":
         return left.real > right.real
@@ -66,7 +66,7 @@ def _size(held: Expression, at: Mapping[str, float]) -> float:
 
 
 def undetermined(solution: Solution) -> list[str]:
-    """Return faults where the stated laws do not determine the answer, or one is redundant.
+    """Return faults in words where the laws do not determine the answer, or one of the laws is redundant.
 
     Solutions with an integrated phase are not allowed.
     """
@@ -102,7 +102,7 @@ def undetermined(solution: Solution) -> list[str]:
 
 
 def _since_when(solution: Solution) -> list[str]:
-    """Return further names that laws must determine, although the answer does not depend on them to first order.
+    """Return names besides the answer that laws must determine, such as the time from which a condition holds.
 
     They are the names of verifications, of times from which a condition or free flight holds, and of formulas of which
     a limit or an extreme value is taken.
@@ -121,13 +121,13 @@ def _since_when(solution: Solution) -> list[str]:
 
 
 def _formulas(solution: Solution) -> list[Relation]:
-    """Return the relations of which a limit or derivative is taken."""
+    """Return the equations of which the solution takes a limit or a derivative."""
     steps = (step for step in solution.steps if step.kind in ("limit", "derivative"))
     return [relation for step in steps for relation in step.relations if relation.role == "derived"]
 
 
 def _elsewhere(solution: Solution) -> dict[str, float]:
-    """Return the values for other given numbers, where no law is redundant by coincidence."""
+    """Return the values of all names for slightly different given numbers, to exclude coincidences."""
     values = dict(solution.values)
     known: set[str] = set()
     for number, relation in enumerate(solution.relations):
@@ -145,7 +145,7 @@ def _elsewhere(solution: Solution) -> dict[str, float]:
 
 
 def _spared(laws: Sequence[Relation], values: dict[str, float], place: dict[str, int], goal: Array) -> bool:
-    """Return whether the laws without one still determine the goal elsewhere on their solution set.
+    """Return whether the answer is determined by these laws alone, also at another point that satisfies them.
 
     If that law states when something is greatest, the goal is stationary without it: so the solution set is followed
     for a short distance, with Newton's method back onto it, and the test is repeated there.
@@ -176,12 +176,12 @@ def _row(relation: Relation, values: dict[str, float], place: dict[str, int], *,
 
 
 def _sizes(values: Mapping[str, float], place: Mapping[str, int]) -> Array:
-    """Return the magnitudes of the named values, SI units; 1 for values that are zero but for rounding."""
+    """Return the magnitudes of the named values, SI units; 1 for values that are zero within rounding errors."""
     return np.array([abs(values[name]) if abs(values[name]) > ROUNDING else 1.0 for name in place])
 
 
 def _spanned(rows: Sequence[Array], goal: Array) -> bool:
-    """Return whether a row is a linear combination of others."""
+    """Return whether a row of coefficients is a linear combination of others."""
     size = float(np.abs(goal).max(initial=0.0))
     if not rows or not size:
         return not size

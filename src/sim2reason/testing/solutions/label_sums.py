@@ -25,7 +25,7 @@ Excess = Callable[[Mapping[str, float]], float | None]
 
 @dataclass(frozen=True, slots=True)
 class LabelSum:
-    """A sum of equations and its stated result, each as left minus right side."""
+    """A stated sum of labelled equations, as *(1) + 2·(4)*, with its result; equations as left minus right side."""
 
     text: str
     out: Excess
@@ -34,7 +34,7 @@ class LabelSum:
     moved: tuple[str, ...]
 
     def holds(self, values: Mapping[str, float]) -> bool:
-        """Return whether sum and result change equally for all changes of the unknowns."""
+        """Return whether the sum of the equations and its stated result depend equally on all unknowns."""
         names = [name for name in self.moved if name in values]
         rows = [row for excess in self.held if (row := _gradient(excess, values, names)) is not None and row.any()]
         free = _free(rows, len(names))
@@ -111,7 +111,7 @@ def _gradient(excess: Excess, values: Mapping[str, float], names: Sequence[str])
 
 
 def _free(rows: Sequence[Array], size: int) -> Array:
-    """Return the directions, as columns, in which the held values do not change."""
+    """Return the directions in the space of the unknowns, as columns, along which all rows of gradients are zero."""
     if not rows:
         return np.eye(size)
     _, spread, ways = np.linalg.svd(np.array([row / np.abs(row).max() for row in rows]))

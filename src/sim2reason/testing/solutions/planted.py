@@ -49,7 +49,7 @@ def _copy(data: Mapping[str, Any]) -> Data:
 
 
 def _idle(data: Data) -> list[Data]:
-    """Return the relations on which nothing depends: comparisons, and those with names used nowhere else."""
+    """Return the equations that the answer does not need: comparisons, and those for names used nowhere else."""
     every = [relation for step in data["steps"] for relation in step["relations"]]
     relations = [relation for relation in every if relation["role"] != COMPARED]
     names = {id(r): frozenset((*symbols(r["left"]), *symbols(r["right"]))) for r in relations}
@@ -63,7 +63,7 @@ def _idle(data: Data) -> list[Data]:
 
 
 def _last_named(relations: list[Data], names: Mapping[int, frozenset[str]], fixed: set[str], goal: str) -> list[Data]:
-    """Return the relations for names that determine no other name; the `fixed` ones are needed."""
+    """Return the equations for one name that determines no other name; the `fixed` names are needed elsewhere."""
     known, new = fixed - {goal}, dict[int, frozenset[str]]()
     for relation in relations:
         new[id(relation)] = names[id(relation)] - known
@@ -77,7 +77,7 @@ def _last_named(relations: list[Data], names: Mapping[int, frozenset[str]], fixe
 
 
 def _laws(data: Data) -> list[tuple[list[Data], int]]:
-    """Return the positions of the laws: the list, and the index in it."""
+    """Return the place of each law that the answer needs: its list of equations, and its index there."""
     lists = [step["relations"] for step in data["steps"]]
     idle = {id(relation) for relation in _idle(data)}
     found = [(held, n) for held in lists for n, r in enumerate(held) if r["role"] == "law" and id(r) not in idle]
@@ -119,7 +119,7 @@ def _leave_out_phase(data: Data, number: int | None, values: Mapping[str, float]
 
 
 def _skip(step: Data) -> None:
-    """Set all values at the end of a phase to those at its beginning."""
+    """Replace the integration of a phase by equations that set its final values to the initial ones."""
     phase = step.pop("integration")
     step["integration"] = None
     start: dict[str, Tree] = {phase["time"]: phase["begin"]}
@@ -192,7 +192,7 @@ def _change(
     places: Callable[[Place], Iterator[Place]],
     changed: Callable[[Any], Any],
 ) -> int:
-    """Change one part of a tree; return the number of parts on which something depends."""
+    """Change one number or sign of the equations that the answer needs; return the number of candidates."""
     found: list[Place] = []
     idle = {id(relation) for relation in _idle(data)}
     for relation, root in _roots(data):
@@ -232,7 +232,7 @@ def _value(tree: Tree, values: Mapping[str, float]) -> float | None:
 
 
 def _roots(data: Data) -> Iterator[tuple[Data | None, Place]]:
-    """Yield each tree with its relation."""
+    """Yield each formula of a solution as a place in its data, with the equation that it belongs to."""
     for step in data["steps"]:
         for relation in step["relations"]:
             for side in ("left", "right"):

@@ -37,7 +37,7 @@ SIGNS = ("plus", "minus", "dash")
 
 @dataclass(frozen=True, slots=True)
 class Equality:
-    """Two sides that the text equates, as text and as functions of the symbols."""
+    """An equation in the text of a solution: both sides as text and as functions of the symbols."""
 
     text: str
     sides: tuple[Node, Node]
@@ -46,17 +46,17 @@ class Equality:
     close: float = ROUNDED_RTOL
 
     def excess(self, values: Mapping[str, float]) -> float | None:
-        """Return left minus right side; None where a side has no value."""
+        """Return the left minus the right side of the equation; None where a side has no value."""
         left, right = (arithmetic.value(side, values) for side in self.sides)
         return None if left is None or right is None else left - right
 
     def sizes(self, values: Mapping[str, float]) -> float:
-        """Return the sum of the magnitudes of all terms."""
+        """Return the sum of the magnitudes of all terms of both sides."""
         found = (arithmetic.value(term, values) for term in self.terms)
         return sum(abs(size) for size in found if size is not None)
 
     def rounding(self, values: Mapping[str, float], excess: float) -> float:
-        """Return the change of the excess if each term and number changed by its own magnitude."""
+        """Return by how much left minus right side may differ from zero if all numbers are rounded."""
         sizes = [self.sizes(values)]
         for name in self.symbols:
             moved = self.excess({**values, name: values[name] * (1.0 + STEP)})
@@ -71,7 +71,7 @@ class Equality:
 
 @dataclass(frozen=True, slots=True)
 class ReadText:
-    """The parsed text: equalities, formulas that do not parse, and values of symbols.
+    """The result of reading a solution's text: equations, formulas that do not parse, and values of symbols.
 
     `values` are the stated numbers, and those that follow for quantities that cancel, such as tensions.
     """
@@ -83,7 +83,7 @@ class ReadText:
 
     @property
     def broken(self) -> list[str]:
-        """Return the equalities that do not hold, or contain undetermined symbols."""
+        """Return the equations that do not hold for the values in the text, or contain symbols without a value."""
         wrong = [e.text for e in self.equalities if e.symbols - self.values.keys() or not e.holds(self.values)]
         return wrong + [held.text for held in self.sums if not held.holds(self.values)]
 
@@ -127,7 +127,7 @@ def read(text: str, known: Mapping[str, float] | None = None) -> ReadText:
 
 
 def _ending(match: re.Match[str], table: frozenset[str]) -> Iterator[Equality]:
-    """Yield the equality in the line with the box: a symbol equals a three-digit number, or a formula.
+    """Yield the equation in the line with the boxed answer: a symbol with a three-digit number or a formula.
 
     In other units than the rest, the number is stated in both.
     """
@@ -143,7 +143,7 @@ def _ending(match: re.Match[str], table: frozenset[str]) -> Iterator[Equality]:
 
 
 def _excess(formula: str, table: frozenset[str]) -> Callable[[Mapping[str, float]], float | None] | None:
-    """Return left minus right side of an equation as a function; None if it does not parse."""
+    """Return left minus right side of an equation as a function of its symbols; None if it does not parse."""
     try:
         left, right, *_ = [_side(part, table) for part in formula.split("=")]
     except Refused:
@@ -153,7 +153,7 @@ def _excess(formula: str, table: frozenset[str]) -> Callable[[Mapping[str, float
 
 
 def _follow(equalities: list[Equality], values: dict[str, float]) -> None:
-    """Determine symbols without numbers from equalities in which they are the only unknown, linearly.
+    """Compute symbols without stated numbers from equations that are linear in them and have no other unknown.
 
     Among several such equalities, the one with the smallest magnification of rounding errors is used.
     """
@@ -166,7 +166,7 @@ def _follow(equalities: list[Equality], values: dict[str, float]) -> None:
 
 
 def _solved(equality: Equality, values: Mapping[str, float]) -> tuple[float, str, float] | None:
-    """Return the error magnification, the only unknown of a linear equality, and its value; else None."""
+    """Return the error magnification, name and value of an equation's only unknown; None if it is not linear."""
     missing = [*(equality.symbols - values.keys())]
     if len(missing) != 1:
         return None
@@ -224,6 +224,6 @@ def _terms(tokens: list[Token]) -> Iterator[list[Token]]:
 
 
 def _name(chain: str, table: frozenset[str]) -> str:
-    """Return the symbol equated with the rest; empty for a formula."""
+    """Return the symbol that an equation equates with its other sides; empty if no side is a single symbol."""
     tokens = tokenize(chain.partition("=")[0].strip(), table)
     return tokens[0].text if len(tokens) == 1 and tokens[0].kind == "symbol" else ""

@@ -55,7 +55,7 @@ def signature(scene: Scene, names: Mapping[str, str]) -> Signature:
 
 
 def _compared(rows: "_Rows") -> tuple[object, ...]:
-    """Return the labels of all rows at one configuration, and the labels of features without a row."""
+    """Return the labels of collisions, forces and attractions, and the refined labels of all gradients."""
     mechanism = rows.mechanism
     for body in mechanism.bodies:
         rows.body(body)
@@ -70,7 +70,7 @@ def _compared(rows: "_Rows") -> tuple[object, ...]:
 
 
 class _Rows:
-    """Labelled gradients over all coordinates and rises (distances of bodies from their surfaces)."""
+    """Labelled gradients of positions and lengths, by all coordinates and distances of bodies from surfaces."""
 
     def __init__(self, mechanism: Mechanism, names: Mapping[str, str], stage: float, *, bending: bool) -> None:
         self.mechanism, self._names, self._stage = mechanism, names, stage
@@ -113,7 +113,7 @@ class _Rows:
         self._rows.append(row)
 
     def _spread(self, point: Point) -> Array:
-        """Return the gradient of a point's three coordinates, (3, number of coordinates and rises)."""
+        """Return the gradient of a point's three coordinates, (3, n), by coordinates and distances from surfaces."""
         found = np.zeros((3, self._width))
         for number, axis in point.gradient.items():
             found[:, number] += axis
@@ -122,7 +122,7 @@ class _Rows:
         return found
 
     def body(self, body: RigidBody) -> None:
-        """Add the rows of a body: position, initial state and curvature; three rows, or more if it rotates.
+        """Add a body's gradients, labelled by initial state and path curvature: three of position, more if it rotates.
 
         The principal moments of inertia are part of the label, since they affect rolling bodies at rest.
         """
@@ -167,7 +167,7 @@ class _Rows:
         return "hit", self._called(one), self._called(other), repr(numbers)
 
     def push(self, force: Force) -> Label:
-        """Return the label of an applied force: its value at the start and at other velocities, and its borders."""
+        """Return the label of a force: its value at several velocities, and the distances from its region's borders."""
         point = self._frames.center(force.body)
         velocities = (point.velocity, X, Y, Z)
         found = [force.law.force(point.place, velocity, self._stage, math) for velocity in velocities]
@@ -184,7 +184,7 @@ class _Rows:
         return found
 
     def line(self, line: Line) -> None:
-        """Add the row of the length of a string, rod, spring or actuator.
+        """Add the gradient of the length of a string, rod, spring or actuator, labelled by its force law.
 
         For a spring the extension counts, not its natural length, which may be hidden.
         """
@@ -205,20 +205,20 @@ class _Rows:
         self._add(("line", self._called(line.name), law, _rounded(stretch)), row)
 
     def foot(self, foot: PlaneContact) -> None:
-        """Add the rows of an edge that may touch a plane: the two directions in which contact blocks it."""
+        """Add the gradients of the position of an edge that may touch a plane, along its normal and its surface."""
         point = self._frames.site(foot.site)
         gap = dot(foot.normal, point.place) - foot.height
         for way in (foot.normal, foot.along):
             self._add(("foot", _rounded(gap)), np.array(way) @ self._spread(point))
 
     def rise(self, label: Label, number: int) -> None:
-        """Add the row of a body's distance from its surface."""
+        """Add the gradient of a body's distance from its surface, which counts as an additional coordinate."""
         row = np.zeros(self._width)
         row[self._n + number] = 1.0
         self._add(label, row)
 
     def refined(self) -> tuple[object, ...]:
-        """Return the sorted labels of the rows, each refined by its scalar products with all other rows."""
+        """Return the sorted labels of all gradients, each refined by the gradient's scalar products with all others."""
         if not self._rows:
             return ()
         rows = np.array(self._rows)
@@ -233,7 +233,7 @@ class _Rows:
         return tuple(sorted(map(repr, labels)))
 
     def _kinetic(self) -> Array:
-        """Return the mass matrix, with a unit mass added to every body."""
+        """Return the mass matrix of the mechanism, with 1 kg added to the mass of every body so that it is regular."""
         total = np.zeros((self._width, self._width))
         for body in self.mechanism.bodies:
             spread = self._spread(self._frames.center(body.name))

@@ -153,7 +153,7 @@ def _without(saying: Saying, line: tuple[str, ...], address: str, state: ParseSt
 
 
 def _at_least(template: str, address: str, state: ParseState) -> ParseState:
-    """Return the state with the minimum of each drawn range for the numbers of an omitted sentence."""
+    """Return the state after omission of a sentence, whose numbers get the smallest values that are ever drawn."""
     kind = state.kind(address, Part)
     for path in (slot.path for slot in slots(template) if slot.kind == "path"):
         whole = f"{address}.{kind.words[path].parameter if path in kind.words else path}"
@@ -197,7 +197,7 @@ def _members(
 
 
 def _unsaid(template: str, address: str, state: ParseState) -> Iterator[ParseState]:
-    """Yield the states in which a sentence may be omitted: a part it needs is absent, or a word states its number."""
+    """Yield the states in which a sentence may be missing: a part it needs is absent, or a word states its number."""
     kind = state.kind(address, Part)
     for path in dict.fromkeys(slot.path for slot in slots(template) if slot.kind == "path" and "*" not in slot.path):
         path = kind.words[path].parameter if path in kind.words else path  # noqa: PLW2901 - what the word depends on

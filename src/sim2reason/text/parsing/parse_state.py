@@ -32,7 +32,7 @@ NONE: Mapping[Any, Any] = MappingProxyType({})
 
 
 class ParseState(NamedTuple):
-    """Parsed facts by their addresses in the scene; `script` lists the indices of the wordings in order."""
+    """Facts parsed so far, by address in the scene; `script` lists the index of the wording of each parsed sentence."""
 
     kinds: Mapping[str, type[Model]]
     values: Mapping[str, StatedValue] = NONE  # None: absent
@@ -52,7 +52,7 @@ class ParseState(NamedTuple):
         return {path: told for path, told in self.values.items() if isinstance(told, str) and told.startswith("$")}
 
     def with_choice(self, number: int) -> "ParseState":
-        """Return the state with one more wording in the script."""
+        """Return the state with the index of a sentence's wording appended to the script of wordings."""
         return self._replace(script=(*self.script, number))
 
     def with_kind(self, address: str, kind: type[Model]) -> "ParseState":
@@ -66,7 +66,7 @@ class ParseState(NamedTuple):
         return self._replace(values={**self.values, address: value})
 
     def shared(self, members: Sequence[str], names: Iterable[str]) -> "ParseState | None":
-        """Return the state in which all members have the known numbers of the first one."""
+        """Return the state in which all members of a list of bodies have the numbers known for the first one."""
         found: ParseState | None = self
         for name in sorted(names):
             value = self.values.get(f"{members[0]}.{name}")
@@ -75,7 +75,7 @@ class ParseState(NamedTuple):
         return found
 
     def with_count(self, address: str, low: int, high: int = MAX_MEMBERS) -> "ParseState | None":
-        """Return the state with a narrower range of a part's length; None on a contradiction."""
+        """Return the state with a narrower range for the number of members of a list; None if no number remains."""
         least, most = self.size_range(address)
         low, high = max(least, low), min(most, high)
         if low > high:
@@ -83,7 +83,7 @@ class ParseState(NamedTuple):
         return self if (low, high) == (least, most) else self._replace(counts={**self.counts, address: (low, high)})
 
     def size_range(self, address: str) -> tuple[int, int]:
-        """Return the minimum and maximum number of members of a part."""
+        """Return the minimum and maximum number of members of a list of bodies or parts."""
         return self.counts.get(address, (0, MAX_MEMBERS))
 
     def with_noun(self, kind: type[Body], noun: str) -> "ParseState":
@@ -106,7 +106,7 @@ class ParseState(NamedTuple):
         return self.kind(address, Body)
 
     def series(self, kind: type[Body]) -> list[str]:
-        """Return the letters of all introduced bodies of the same series."""
+        """Return the letters of all introduced bodies that draw their letters from the same series, such as A, B, C."""
         if not kind.letters:
             return []
         return [letter for address, letter in self.letters.items() if self.body(address).letters == kind.letters]
@@ -132,7 +132,7 @@ class ParseState(NamedTuple):
         return Names({address: letter for address, letter in self.letters.items() if letter}, self.nouns)
 
     def renamed(self, old: tuple[str, ...], new: tuple[str, ...]) -> "ParseState":
-        """Return the state with the facts at some addresses moved to other addresses."""
+        """Return the state with all classes, numbers and letters at some addresses moved to other addresses."""
         moved = dict(zip(old, new, strict=True))
 
         def move(held: Mapping[str, Any]) -> dict[str, Any]:
@@ -188,7 +188,7 @@ def part_word(state: ParseState, owner: str, path: str) -> Word | None:
 
 
 def canonical(address: str, state: ParseState) -> Iterator[tuple[str, ParseState]]:
-    """Yield the address with indices for `first` and `last`; for an unknown length, every possible index."""
+    """Yield the address with an index for `first` or `last`; each possible index if the list's length is open."""
     address = address.replace(".first.", ".0.")
     owner, _, step = address.rpartition(".")
     if step == "first":

@@ -32,17 +32,17 @@ class MissingClosingError(TextError):
     """An error for a text that omits a closing sentence that its scene needs."""
 
     def __init__(self, name: str) -> None:
-        """Store the name of the missing closing."""
+        """Store the name of the missing closing sentence, such as *rest* for a start from rest."""
         self.name = name
         super().__init__("text", f"nothing is said of {name!r}, which matters here", "say it at the end")
 
     def __reduce__(self) -> tuple[type[TextError], tuple[str, str, str]]:
-        """Pickle the error without the name of the closing, which only the parser uses."""
+        """Pickle the error without the name of the closing sentence, which only the parser uses."""
         return TextError, (self.place, self.problem, self.remedy)
 
 
 class ScriptedWriter(Writer):
-    """A writer that follows a script of wordings, and then takes the first wording."""
+    """A writer that repeats the wordings of a parsed text, and then takes the first wording of each sentence."""
 
     def __init__(
         self,
@@ -52,7 +52,7 @@ class ScriptedWriter(Writer):
         order: tuple[str, ...] = (),
         without: Collection[Topic] = (),
     ) -> None:
-        """Store the script of a parse: the indices of the wordings of all sentences that the text contains.
+        """Store the wordings of all sentences in the parsed text, by their indices.
 
         Symbols in `given` are written as symbols. Sentences on an initial state that the text omits are skipped.
         """
@@ -60,14 +60,14 @@ class ScriptedWriter(Writer):
         self._script, self._state = iter(state.script), state
 
     def choose(self, options: tuple[str, ...]) -> str:
-        """Return the wording that the script prescribes."""
+        """Return the wording that the parsed text uses for the next sentence."""
         return options[min(next(self._script, 0), len(options) - 1)]
 
     def pass_over(self, options: tuple[str, ...]) -> None:
-        """Do nothing: an omitted sentence has no entry in the script."""
+        """Do nothing: an omitted sentence has no wording in the parsed text."""
 
     def leaves_out(self, closing: Closing) -> bool:
-        """Return whether to omit a closing; one on a start from rest only if the text omits the start."""
+        """Return whether to omit a closing sentence; one on a start from rest only if the text omits the start."""
         if closing.role == "start":
             return closing.name not in self._state.closings and _of_untold_start(closing, self._state)
         return super().leaves_out(closing)
@@ -93,7 +93,7 @@ def _voice(given: Mapping[str, str], unknown: Collection[str]) -> Voice:
 
 
 def missing_closings(scene: Scene, state: ParseState) -> list[str]:
-    """Return the names of the closings that matter for every question and that the text omits."""
+    """Return the names of the closing sentences that the text omits although every answer depends on them."""
     lacking = [closing for closing in closings(scene) if closing.name not in state.closings]
     return [closing.name for closing in lacking if not closing.topic and not _of_untold_start(closing, state)]
 
@@ -112,7 +112,7 @@ def _without_prefix(measured: re.Match[str]) -> str:
 
 
 def _of_untold_start(closing: Closing, state: ParseState) -> bool:
-    """Return whether a closing concerns an initial state that the text omits."""
+    """Return whether a closing sentence states the start from rest, in a text that omits the initial motion."""
     return closing.role == "start" and "start" in state.without
 
 

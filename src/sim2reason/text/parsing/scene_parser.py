@@ -117,7 +117,7 @@ def parse_scene(
 
 @dataclass(frozen=True)
 class _Parses:
-    """The verified parses of a text, and the errors of the others with the number of closings each lacks."""
+    """The verified parses of a text, and the errors of rejected ones with their numbers of missing closings."""
 
     found: list[ParsedScene]
     refused: list[tuple[int, TextError]]
@@ -125,7 +125,7 @@ class _Parses:
 
     @property
     def unsaid(self) -> list[str]:
-        """Return the names of the missing closings, such as *rest*, for which parses were rejected."""
+        """Return the names of the closing sentences, such as *rest*, without which parses were rejected."""
         return list(dict.fromkeys(error.name for _, error in self.refused if isinstance(error, MissingClosingError)))
 
     @property
@@ -192,14 +192,14 @@ def _readings(
 
 
 def _read(scene: Scene, state: ParseState) -> tuple[Signature, ParsedScene]:
-    """Return a verified parse with its signature, which equivalent parses share."""
+    """Return a verified parse with the signature of its scene, which is equal for equivalent scenes."""
     names = {address: state.mention(address, full=True) for address in state.letters}
     unknown = {path: symbol.strip("$") for path, symbol in state.unknowns.items()}
     return signature(scene, names), ParsedScene(scene, names, unknown, state.without)
 
 
 def _sent_on(text: str, error: TextError) -> TextError:
-    """Return the error; if the text is a prompt, one that recommends `parse_prompt`."""
+    """Return a text's parse error; if the text is a whole prompt, the error recommends `parse_prompt`."""
     return TextError(error.place, error.problem, IS_PROMPT) if ASKS in text else error
 
 
@@ -221,7 +221,7 @@ def _with_nearest(stuck: int, said: tuple[str, ...]) -> TextError:
 
 
 def _with_missing(error: TextError, translations: list[LibraryText]) -> TextError:
-    """Return the error for an unparsable text; missing facts come first if nothing else is wrong."""
+    """Return the error for an unparsable text; if only facts are missing, such as a mass, it names these facts."""
     if not translations or not all(found.missing for found in translations):
         return error
     lacks = ", ".join(min((found.missing for found in translations), key=len))
@@ -236,14 +236,14 @@ def _described(scene: Scene) -> str:
 
 
 class _Grammar:
-    """The sentence order of a text: sentences of entities, strings after their entities, then closings."""
+    """The order of sentences in a text: those of entities, strings after their entities, then closing sentences."""
 
     def __init__(self, matcher: Matcher) -> None:
         self._matcher = matcher
         self._silent = [kind for kind in ENTITIES.values() if any(self._unheard(ParseState({}), "e", kind))]
 
     def _unheard(self, state: ParseState, address: str, kind: type[Entity]) -> Iterator[ParseState]:
-        """Yield states with a new entity without sentences, whose bodies occur only on a string."""
+        """Yield states with one more entity without sentences: its bodies occur only in a string's sentence."""
         here = state.with_kind(address, kind)._replace(entities=(*state.entities, address))
         for _, then in entity_lines(self._matcher, address, len(self._matcher.pieces), here):
             yield then
@@ -274,7 +274,7 @@ class _Grammar:
                     yield from self.scenes(place + 1, then)
 
     def _closings(self, place: int, number: int, state: ParseState) -> Iterator[ParseState]:
-        """Yield the parses of the closings from index `number` on; each may be present or absent."""
+        """Yield the parses of the closing sentences from number `number` on; each may be present or absent."""
         if place == len(self._matcher.pieces):
             yield state
             return
@@ -287,7 +287,7 @@ class _Grammar:
                     yield from self._closings(place + 1, index + 1, then)
 
     def legs(self, kind: type[Connection], state: ParseState, links: tuple[Link, ...]) -> Iterator[Leg[ParseState]]:
-        """Yield the free ports of parsed entities, or of new entities without sentences."""
+        """Yield the ports at which a connection may go on: on parsed entities, or on new ones without sentences."""
         passed = {link.entity for link in links}
         for address in state.entities:
             if address not in passed:
@@ -317,6 +317,6 @@ def _joined_on(name: str, kind: type[Connection], told: ParsedSentence[ParseStat
 
 
 def _turned(state: ParseState, link: Link) -> Link:
-    """Return a link traversed in the opposite direction."""
+    """Return a connection's link to a port for traversal from the connection's other end."""
     passed = isinstance(outer_ports(state.kind(link.entity, Entity))[link.port], Pass)
     return Link(entity=link.entity, port=link.port, flipped=link.flipped != passed)

@@ -11,13 +11,13 @@ from sim2reason.text.parsing.parse_state import ParseState
 
 @dataclass(frozen=True, slots=True)
 class InnerRoute:
-    """The route of a string inside an entity: its stops are declared, only its direction is open."""
+    """The route of a string inside one entity: the entity declares the points it passes, only the direction is open."""
 
     entity: str
     inner: InternalConnection
 
     def legs(self, kind: type[Connection], state: ParseState, links: tuple[Link, ...]) -> Iterator[Leg[ParseState]]:
-        """Yield the complete connection, starting from either end."""
+        """Yield the whole route of the string inside the entity, once from each end."""
         del kind
         if links:
             return
@@ -27,7 +27,7 @@ class InnerRoute:
 
 
 def port_stops(state: ParseState, name: str, address: str) -> list[Stop]:
-    """Return the stops of a string at a port of a parsed entity, from the inside outwards."""
+    """Return the points that a string passes at a port of a parsed entity, from the inside outwards."""
     head, _, rest = name.partition(".")
     if rest:
         inner = f"{address}.{head}"
@@ -39,7 +39,7 @@ def port_stops(state: ParseState, name: str, address: str) -> list[Stop]:
 
 
 def must_end_at(state: ParseState, address: str) -> bool:
-    """Return whether an entity needs a connection but has no port at which it could continue."""
+    """Return whether a string must end at an entity: a port needs one, but none lets a string continue."""
     ports = outer_ports(state.kind(address, Part))
     if not any(port.required for port in ports.values()):
         return False
@@ -51,7 +51,7 @@ def _goes_on(stops: list[Stop]) -> bool:
 
 
 def free_legs(kind: type[Connection], state: ParseState, address: str, *, first: bool) -> Iterator[Leg[ParseState]]:
-    """Yield the free ports of an entity as the start (`first`) or the next leg of a connection."""
+    """Yield the free ports of an entity at which a connection can start (`first`), or end or continue."""
     taken = {(link.entity, link.port) for joined in state.joined for link in joined.links}
     for name in outer_ports(state.kind(address, Part)):
         stops = port_stops(state, name, address)

@@ -64,7 +64,7 @@ class _Grid:
 def parse_table(
     matcher: Matcher, leads: tuple[str, ...], field: str, kind: type[Body], place: int, state: ParseState
 ) -> Iterator[tuple[int, ParseState]]:
-    """Yield the states after a table of the members of `field`: lead-in, sentences on equal columns, and rows."""
+    """Yield the states after parsing a table of bodies: lead-in, sentences on columns with equal numbers, and rows."""
     at = next((i for i in range(place, len(matcher.pieces)) if matcher.pieces[i].startswith("|")), place)
     grid = _grid(matcher.pieces[at]) if at > place else None
     if grid is None or grid.noun not in kind.nouns or state.nouns.get(kind, grid.noun) != grid.noun:
@@ -86,7 +86,7 @@ def parse_table(
 
 
 def _grid(piece: str) -> _Grid | None:
-    """Return a table divided into cells; None if its rows have different lengths."""
+    """Return the noun, headings, letters and numbers of a table; None if its rows have different lengths."""
     rows = [[cell.strip() for cell in row.strip("|").split("|")] for row in piece.split("\n")]
     head = rows[0]
     if len(rows) < 3 or rows[1] != ["---"] * len(head) or any(len(row) != len(head) for row in rows):
@@ -97,7 +97,7 @@ def _grid(piece: str) -> _Grid | None:
 
 
 def _listed(state: ParseState, kind: type[Body], members: list[str], grid: _Grid) -> ParseState | None:
-    """Return the bodies of the rows, if they have the letters that come next."""
+    """Return the state with the bodies of a table's rows introduced; None if their letters are not the next ones."""
     if list(grid.letters) != state.next_letters(kind, len(members)):
         return None
     for address, letter in zip(members, grid.letters, strict=True):
@@ -108,7 +108,7 @@ def _listed(state: ParseState, kind: type[Body], members: list[str], grid: _Grid
 def _filled(
     matcher: Matcher, state: ParseState, kind: type[Body], members: list[str], grid: _Grid
 ) -> ParseState | None:
-    """Return the numbers of all cells."""
+    """Return the state with the numbers of all table cells; None if a cell is invalid or contradicts a number."""
     columns = {heading: name for name, heading in headings(kind).items()}
     found: ParseState | None = state
     for address, row in zip(members, grid.cells, strict=True):
@@ -132,7 +132,7 @@ def _cell_value(matcher: Matcher, cell: str, measure: Measure | None) -> float |
 
 
 def _agreed(matcher: Matcher, piece: str, kind: type[Body], members: list[str], state: ParseState) -> ParseState | None:
-    """Return the state after a sentence that states a number common to all rows."""
+    """Return the state after a sentence beside a table that states a number common to all rows."""
     for name in headings(kind):
         start, measure = matcher.literal(piece, 0, shared_start(kind, name)), field_types(kind)[name].measure
         if start is None or measure is None:

@@ -40,7 +40,7 @@ def _from_rest(scene: Scene) -> bool:
 
 
 def _strings(scene: Scene) -> int:
-    """Return the number of strings, capped at 2; 0 if all that can go slack are already stated to be taut.
+    """Return how many strings a closing sentence calls taut (at most 2 are counted); 0 if each is already called taut.
 
     A massive pulley divides one string into several lines.
     """
@@ -65,7 +65,7 @@ def _has_massive_pulley(scene: Scene) -> bool:
 
 
 def _turns(scene: Scene) -> int:
-    """Return the number of pulleys mentioned in the text; small pulleys at corners count once."""
+    """Return the number of pulleys mentioned in the text; all small pulleys at corners together count as one."""
     mechanism = scene.mechanism
     corners = {site for line in mechanism.lines for site in line.through[1:-1]}
     wheels = {f"{address}." for address, body in scene.bodies.items() if body.nouns[0] == "pulley"}
@@ -73,7 +73,7 @@ def _turns(scene: Scene) -> int:
 
 
 def _has_edges(scene: Scene) -> bool:
-    """Return whether a body lies on a face with an end, which belongs to a moving body."""
+    """Return whether a body lies on a face of a moving body, over whose edge it could slide."""
     mechanism = scene.mechanism
     parents = {body.name: body.parent for body in mechanism.bodies}
     moving = {body.name for body in mechanism.bodies if body.coordinates}
@@ -115,7 +115,7 @@ STRETCHED = (
 
 
 def _release(strings: int, *, lone: bool) -> Closing:
-    """Return the closing for a start from rest, for one body or several and a number of strings."""
+    """Return the closing sentence for a start from rest, of one body or several, with 0, 1 or more taut strings."""
     wordings = LONE_RELEASES if lone else RELEASES
     return Closing(
         f"rest{' of one body' * lone}{TAUT[strings]}",
@@ -126,7 +126,7 @@ def _release(strings: int, *, lone: bool) -> Closing:
 
 
 def _stretched(strings: int) -> Closing:
-    """Return the closing on taut strings for scenes whose entities state the initial motion."""
+    """Return the closing sentence that calls strings taut, for scenes whose entities state their initial motion."""
     return Closing(
         f"start{TAUT[strings]}",
         lambda scene: not _from_rest(scene) and _strings(scene) == strings,
@@ -177,7 +177,7 @@ _EITHER = (False, True)
 
 
 def _pulleys(several: bool, massive: bool, edges: bool) -> Closing:  # noqa: FBT001 - the three ways in which they differ
-    """Return the closing that states how pulleys turn and that bodies do not reach pulleys or edges."""
+    """Return the closing sentence that states how pulleys turn and that bodies reach neither pulleys nor edges."""
 
     def needed(scene: Scene) -> bool:
         count = _turns(scene)
@@ -189,7 +189,7 @@ def _pulleys(several: bool, massive: bool, edges: bool) -> Closing:  # noqa: FBT
 
 
 def _touches(scene: Scene) -> bool:
-    """Return whether one of several pairs that may collide is in contact at the start."""
+    """Return whether bodies touch at the start, in a scene where several pairs may bounce off each other."""
     mechanism = scene.mechanism
     bouncing = [meeting for meeting in mechanism.meetings if meeting.restitution > 0.0]
     if len(bouncing) < 2:
@@ -259,12 +259,12 @@ RESTS: dict[str, str] = {
 
 
 def closings(scene: Scene) -> list[Closing]:
-    """Return the closings that a scene needs, in the order of the text."""
+    """Return the closing sentences that a scene needs, in the order of the text."""
     return [closing for closing in CLOSINGS if closing.needed(scene)]
 
 
 def is_assumption(sentence: str) -> bool:
-    """Return whether a sentence is a closing that states an assumption about the whole motion."""
+    """Return whether a closing sentence states an assumption about the whole motion, such as taut strings."""
     return _assumptions().fullmatch(sentence) is not None
 
 

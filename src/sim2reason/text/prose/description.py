@@ -69,7 +69,7 @@ class Description:
         return self.text
 
     def role(self, sentence: str) -> Role:
-        """Return the role of one of the sentences."""
+        """Return the role of one of the sentences, such as *fact* or *start*."""
         return self.roles.get(sentence, "fact")
 
     def voiced(self, voice: Voice) -> "Description":
@@ -81,7 +81,7 @@ class Description:
         return self._written(self.voice, topics) if topics else self
 
     def _written(self, voice: Voice, without: Collection[Topic]) -> "Description":
-        """Write the text again from the first pass, which depends only on the scene and the seed."""
+        """Render the text again in another voice; names and wordings depend only on the scene and the seed."""
         dry = self.dry if self.dry is not None else draft(self.scene, self.seed)[1]
         return written(dry, self.seed, voice, without)
 
@@ -131,7 +131,7 @@ def describe(
 
 
 def written(dry: Writer, seed: int = 0, voice: Voice = numeric, without: Collection[Topic] = ()) -> Description:
-    """Render the text of a scene in a second pass, after the first pass `dry`."""
+    """Render the text of a scene; the first pass `dry` has found which bodies need letters, and number order."""
     scene = dry.scene
     names = Names(letters(dry.introduced, scene.bodies), dry.names.nouns)
     final = Writer(scene, names, np.random.default_rng([seed, 2]), voice, tuple(dry.told), without)
@@ -141,7 +141,7 @@ def written(dry: Writer, seed: int = 0, voice: Voice = numeric, without: Collect
 
 
 def draft(scene: Scene, seed: int = 0) -> tuple[list[str], Writer]:
-    """Render the first pass of a text; return its sentences and its writer."""
+    """Render a text once to find the bodies and numbers in it; return its sentences and its writer."""
     nouns = _nouns(scene, np.random.default_rng([seed, 1]))
     writer = Writer(scene, Names(nouns=nouns), np.random.default_rng([seed, 2]), numeric)
     return writer.sentences(), writer

@@ -41,12 +41,12 @@ def another(text: str) -> str:
 
 
 def introductions(kind: type[Body], *, again: bool) -> tuple[str, ...]:
-    """Return the templates for a first mention without a letter; `again` if its noun was used before."""
+    """Return the templates that introduce a body without a letter; `again` if its noun occurred before."""
     return (kind.again or tuple(map(another, kind.lone))) if again else kind.lone
 
 
 def canonical(part: Model, path: str) -> str:
-    """Return the path with indices for `first` and `last`; before a word of a member only for `first`."""
+    """Return the path of a list member with an index in place of `first` or `last`, as in `blocks.0.mass`."""
     steps = path.replace(".first.", ".0.").split(".")
     if steps[-1] in ("first", "last"):
         members = lookup(part, ".".join(steps[:-1]))
@@ -55,13 +55,13 @@ def canonical(part: Model, path: str) -> str:
 
 
 def sentence_templates(saying: Saying, part: Any) -> tuple[str, ...]:
-    """Return the templates of a sentence about a part, which may depend on an optional number."""
+    """Return the templates of a sentence about a part; they may depend on whether an optional number has a value."""
     given = isinstance(saying, Wordings) and saying.given
     return wordings(saying, given=bool(given) and referenced_object(part, str(given)) is not None)
 
 
 def referenced_object(part: Any, path: str) -> Any:
-    """Return the object that a slot refers to; for a word of a body, the body."""
+    """Return the object that a template's slot names by its path; the body itself for a word about a body."""
     held: Any = part
     for step in path.split("."):
         if held is None:
@@ -193,7 +193,7 @@ def headings(kind: type[Body]) -> dict[str, str]:
 
 
 def table(writer: RowWriter, leads: tuple[str, ...], where: list[str], members: tuple[Body, ...]) -> list[str]:
-    """Return a lead-in, sentences for the columns with equal numbers, and a Markdown table of the others."""
+    """Return a table of similar bodies as a lead-in, sentences on columns with equal numbers, and Markdown."""
     noun, kind = writer.names.noun(members[0]), type(members[0])
     columns = headings(kind)
     shared = [name for name in columns if _agrees(writer, name, where, members)]
@@ -211,19 +211,19 @@ def table(writer: RowWriter, leads: tuple[str, ...], where: list[str], members: 
 
 
 def _agrees(writer: RowWriter, name: str, where: list[str], members: tuple[Body, ...]) -> bool:
-    """Return whether a column has the same number in all rows, with no unknown in only some of them."""
+    """Return whether all rows have the same number in a column (an unknown in all of them counts as the same)."""
     said = {writer.at(f"{address}.{name}") for address in where}
     return len({getattr(member, name) for member in members}) == 1 and len(said) in (1, len(where))
 
 
 def introduced(lead: str, noun: str, kind: type[Body], shown: list[str]) -> str:
-    """Return a lead-in with the noun of the rows and the names of the columns."""
+    """Return a table's lead-in with the noun of the bodies and the names of the columns filled in."""
     columns = join(list(dict.fromkeys(_name(kind, name) for name in shown)))
     return lead.replace("{noun}", noun).replace("{columns}", columns)
 
 
 def shared_start(kind: type[Body], name: str) -> str:
-    """Return the beginning of the sentence for a column with equal numbers, by name or symbol."""
+    """Return the beginning of the sentence that states the common number of a table column, by name or symbol."""
     names = [_name(kind, other) for other in headings(kind)]
     mine = _name(kind, name)
     return f"Each has the {mine} " if names.count(mine) == 1 else f"Each has {headings(kind)[name].split(' (')[0]} = "

@@ -68,10 +68,10 @@ def voice_of(given: Iterable[Parameter], voice: Voice | VoiceName, hide: Collect
 
 
 class Terms(ABC):
-    """The names of bodies, introduced at first mention, and the numbers of a text in one voice."""
+    """Writer of names and numbers: it introduces each body at first mention, and writes numbers in one voice."""
 
     def __init__(self, scene: Scene, names: Names, voice: Voice, order: tuple[str, ...] = ()) -> None:
-        """Prepare a text without introduced bodies; equal symbols are numbered in the sequence `order`."""
+        """Prepare a text without introduced bodies; equal symbols get indices in the order of addresses in `order`."""
         self.scene, self.names, self._voice, self._order = scene, names, voice, order
         self.introduced: dict[str, None] = {}
         self.told: dict[str, None] = {}  # the addresses of numbers
@@ -101,7 +101,7 @@ class Terms(ABC):
         return symbols(said, self.scene.bodies, self.names)
 
     def word(self, word: Word, value: Any, render: Callable[[str], str]) -> str:
-        """Return the word for a value, with its template rendered."""
+        """Return the word that a text uses for a value, such as *smooth* for zero friction."""
         return render(word.text(value))
 
     def at(self, address: str, *, start: bool = False) -> str:

@@ -53,7 +53,7 @@ class Writer(Terms):
         order: tuple[str, ...] = (),
         without: Collection[Topic] = (),
     ) -> None:
-        """Prepare a text; `order` is the order in which a first pass stated the numbers.
+        """Prepare a text; `order` lists the addresses of numbers as a first rendering stated them.
 
         Sentences on the topics in `without` are omitted.
         """
@@ -66,11 +66,11 @@ class Writer(Terms):
 
     @property
     def builder(self) -> Builder:
-        """Return the builder of the scene, with the sites of strings and their directions."""
+        """Return the builder of the scene, which knows the points that strings pass and their directions there."""
         return self.scene.builder
 
     def sentences(self) -> list[str]:
-        """Return all sentences: for each string its new entities and itself, then the closings."""
+        """Return all sentences: for each string its new entities and the string itself, then the closing sentences."""
         told: list[str] = []
         done: set[str] = set()
         for name in self._string_order():
@@ -117,7 +117,7 @@ class Writer(Terms):
         return [line for saying in said for line in self._say(saying, part, address)]
 
     def _passes_over(self, saying: Saying, part: Part) -> bool:
-        """Return whether to omit a sentence that few questions need, without drawing a wording for it."""
+        """Return whether to omit an inapplicable sentence that scenes rarely need, without drawing a wording for it."""
         rare = isinstance(saying, Wordings) and saying.rare
         return rare and not self.says_line(saying, wordings(saying)[0], part)
 
@@ -142,12 +142,12 @@ class Writer(Terms):
         return [self.finish(self.render(template.replace(".*", f".{index}"), address)) for index in range(len(members))]
 
     def says_line(self, saying: Saying, template: str, part: Part) -> bool:
-        """Return whether a sentence applies; one on several members needs several members."""
+        """Return whether a sentence applies to a part; a sentence about several bodies needs more than one."""
         several = saying.several if isinstance(saying, Wordings) else ""
         return (not several or len(getattr(part, several)) > 1) and self.is_said(template, part)
 
     def is_said(self, template: str, part: Part) -> bool:
-        """Return whether a sentence applies: not if it needs an absent value, or a word states its number."""
+        """Return whether a sentence applies: all values it needs are present, and no word already states its number."""
         for slot in slots(template):
             if slot.kind != "path" or "*" in slot.path:
                 continue
@@ -166,7 +166,7 @@ class Writer(Terms):
         return True
 
     def _closings(self) -> list[str]:
-        """Return the closing sentences; a symbolic g is named instead of being equated with itself."""
+        """Return the closing sentences; where g is a symbol, one names it instead of *g = g*."""
         told: list[str] = []
         for found in closings(self.scene):
             if self.leaves_out(found):
@@ -178,11 +178,11 @@ class Writer(Terms):
         return told
 
     def leaves_out(self, closing: Closing) -> bool:
-        """Return whether to omit a closing; a start from rest also if the sentence on the start is omitted."""
+        """Return whether to omit a closing sentence: its topic is omitted, or it states a start that the text omits."""
         return closing.topic in self._without or (closing.role == "start" and "start" in self._left_out)
 
     def _as(self, role: Role, sentence: str, topic: Topic | None) -> str:
-        """Return a sentence after recording its role and topic."""
+        """Record the role and topic of a sentence, and return the sentence."""
         if topic is not None:
             self.topics.add(topic)
         if role != "fact":

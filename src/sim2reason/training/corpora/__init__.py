@@ -47,11 +47,11 @@ class Corpus(BaseModel, ABC):
     """Settings that change no row."""
 
     def check(self) -> None:
-        """Check before a run that the input of the corpus exists; it raises the errors of `rows`."""
+        """Check before a run that the input of the corpus exists; TrainingError or DatasetError if not."""
 
     @abstractmethod
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:
-        """Yield all rows in a fixed order; omitted ones are counted by reason in `left_out`.
+        """Yield all prompts with completions in a fixed order; omitted ones are counted by reason in `left_out`.
 
         Raises:
             TrainingError: a file that is missing, damaged, or holds something else.

@@ -55,7 +55,7 @@ class Arithmetic(Corpus):
         return drawn_rows(self.problems, self.rows_of, self.items, self.workers, left_out, "no arithmetic")
 
     def rows_of(self, request: Request) -> list[Row] | None:
-        """Return the rows of one problem; None if there is no such problem."""
+        """Return the prompts and arithmetic solutions of one problem and its variants; None if no problem is found."""
         certified = ItemSearch(request).find()
         if certified is None:
             return None
@@ -94,7 +94,7 @@ class Drills(Corpus):
     """In one row."""
 
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:
-        """Yield all rows."""
+        """Yield all drills, each as a prompt with its completion."""
         del left_out
         rng = generator("drills", self.seed)
         for _ in range(self.items):

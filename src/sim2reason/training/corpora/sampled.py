@@ -27,12 +27,12 @@ class JsonLines(Corpus):
     """The name of that with the completion."""
 
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:
-        """Yield the rows of the file."""
+        """Yield the prompts with completions in the file."""
         del left_out
         return rows_in(self.file, self.prompt, self.completion)
 
     def check(self) -> None:
-        """Read all requested rows."""
+        """Read all requested rows of the file, so that errors occur before a run."""
         if not sum(1 for _ in islice(self.rows(Counter()), self.limit)):
             raise TrainingError(f"{self.file}: holds no row")
 
@@ -44,7 +44,7 @@ class SampledSolutions(Corpus):
     folder: Path
 
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:
-        """Yield the rows of the folder after checking its hash."""
+        """Yield the prompts with correct responses in the folder of solutions, after checking its hash."""
         del left_out
         try:
             found = Sampled.model_validate_json((self.folder / RESULT).read_bytes())
@@ -59,5 +59,5 @@ class SampledSolutions(Corpus):
         return rows_in(self.folder / SOLUTIONS)
 
     def check(self) -> None:
-        """Check the folder and its hash."""
+        """Check that the folder of solutions exists and is unchanged since it was written."""
         self.rows(Counter())

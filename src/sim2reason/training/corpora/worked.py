@@ -61,7 +61,7 @@ class Worked(Corpus):
                 yield _row(item, item.solution.text)
 
     def check(self) -> None:
-        """Open the dataset."""
+        """Open the dataset of worked solutions, so that errors occur before a run."""
         if self.dataset is not None:
             self._items()
 

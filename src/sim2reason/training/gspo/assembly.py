@@ -95,7 +95,7 @@ def _objective(settings: GSPOSettings) -> dict[str, Any]:
 
 
 def _updates(settings: GSPOSettings, micro: int, accumulation: int) -> dict[str, Any]:
-    """Return the options that TRL counts in updates, converted from steps."""
+    """Return TRL's options for batches and intervals, with steps converted to optimizer updates."""
     every = settings.minibatches
     new_name = "activation_checkpointing"  # since transformers 5.2x, which warns of the old one
     known = library("trl").GRPOConfig.__dataclass_fields__
@@ -118,7 +118,7 @@ def _updates(settings: GSPOSettings, micro: int, accumulation: int) -> dict[str,
 
 
 def _rollouts(settings: GSPOSettings) -> dict[str, Any]:
-    """Return the generation settings of completions."""
+    """Return TRL's options for the generation of completions."""
     found: dict[str, Any] = {
         "num_generations": settings.generations,
         "max_completion_length": settings.max_completion_tokens,
@@ -141,7 +141,7 @@ def _rollouts(settings: GSPOSettings) -> dict[str, Any]:
 
 
 def _prepare(model: Any, folder: Path, args: Any) -> None:  # noqa: ANN401 - transformers' own
-    """Convert a model in memory to float32, and save it, since TRL loads its reference by path."""
+    """Convert a model in memory to float32; save it if a reference model is needed, which TRL loads by path."""
     model.float()
     if not args.beta:
         return

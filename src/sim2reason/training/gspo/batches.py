@@ -28,7 +28,7 @@ BATCH = {"num_items_in_batch"}  # one number for the batch, computed again
 
 
 def cut(output: dict[str, Tensor], number: int, generations: int) -> Group:
-    """Return the `number`-th group of this process from TRL's output of a round.
+    """Return one prompt's group of completions, the `number`-th of this process, from TRL's output of a round.
 
     Raises:
         TrainingError: TRL keeps something that `join` could not put together, such as pictures.
@@ -47,7 +47,7 @@ def cut(output: dict[str, Tensor], number: int, generations: int) -> Group:
 
 
 def filler(size: int, token: int, device: object) -> Group:
-    """Return a placeholder group: one token of prompt, and a completion excluded from the loss."""
+    """Return a group that fills a batch without affecting the loss: a prompt and completions of one token each."""
     torch = library("torch")
     ids = torch.full((size, 1), token, device=device)
     nothing = torch.zeros(size, 1, device=device)
@@ -58,7 +58,7 @@ def filler(size: int, token: int, device: object) -> Group:
 
 
 def join(groups: Sequence[Group], token: int) -> dict[str, Tensor]:
-    """Return one batch of groups, padded to the longest prompt and completion with `token`."""
+    """Return several groups of completions as one batch, padded with `token` to the longest prompt and completion."""
     torch = library("torch")
     batch: dict[str, Tensor] = {}
     for name in sorted(set[str](groups[0]).intersection(*groups)):  # fillers have all names, groups what TRL needs
@@ -77,5 +77,5 @@ def _padded(part: Tensor, width: int, fill: int, *, left: bool) -> Tensor:
 
 
 def moved(group: Group, device: object) -> Group:
-    """Return the group on another device."""
+    """Return a group of completions on another device."""
     return {name: held.to(device) for name, held in group.items()}

@@ -18,7 +18,7 @@ class BetweenUpdates(library("transformers").TrainerCallback):
         self.trainer = trainer
 
     def on_pre_optimizer_step(self, *_: object, **__: object) -> None:
-        """Skip weights without gradients, which momentum and decay would otherwise change."""
+        """Exempt weights with zero gradients from the update, which momentum and decay would otherwise change."""
         if self.trainer.short:
             for weights in self.trainer.model.parameters():
                 if weights.grad is not None and not weights.grad.any():

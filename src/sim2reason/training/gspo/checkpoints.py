@@ -14,7 +14,7 @@ NAME = "cursor.json"
 
 
 class Cursor(BaseModel):
-    """The state of a run between two steps."""
+    """The state of a run between two steps: counts, and the position in the stream of prompts."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
@@ -31,17 +31,17 @@ def folder_of(out: Path, updates: int) -> Path:
 
 
 def unmark(folder: Path) -> None:
-    """Remove the completion mark before a checkpoint is overwritten."""
+    """Remove the file that marks a checkpoint as complete, before it is overwritten."""
     (folder / NAME).unlink(missing_ok=True)
 
 
 def mark(folder: Path, cursor: Cursor) -> None:
-    """Write the cursor, which marks a checkpoint as complete."""
+    """Write the state of the run (the cursor) into a checkpoint, which marks it as complete."""
     put_text(folder / NAME, cursor.model_dump_json() + "\n", folder)
 
 
 def read_cursor(folder: Path) -> Cursor:
-    """Return the cursor of a checkpoint.
+    """Return the state of the run (the cursor) stored in a checkpoint.
 
     Raises:
         TrainingError: it has none, as one that was being written when the run was killed, or it is damaged.
@@ -61,7 +61,7 @@ def last_checkpoint(out: Path) -> Path | None:
 
 
 def clear_behind(out: Path, cursor: Cursor | None) -> None:
-    """Remove incomplete checkpoints later than the cursor; complete ones are an error.
+    """Remove incomplete checkpoints of later steps than the cursor; complete ones raise an error.
 
     Transformers would keep them, since it keeps the checkpoints of the highest numbers.
 

@@ -18,7 +18,7 @@ Tensor: TypeAlias = Any
 
 
 def score(trainer: Any, batch: dict[str, Tensor]) -> None:  # noqa: ANN401 - ours, which imports this module
-    """Add the log-probabilities of completions under the generating policy and the reference.
+    """Add to a batch the log-probabilities of its completions under the generating and the reference policy.
 
     TRL computes them for all completions; here the selection of groups is already known.
     """
@@ -51,7 +51,7 @@ class Rollouts:
 
     @cached_property
     def _models(self) -> tuple[Any, Any]:
-        """Return the trained model, and the generating one: a bfloat16 copy if that is the computing type.
+        """Return the trained model, and the one that generates: a bfloat16 copy if computations use that type.
 
         Autocasting instead would produce keys and values of two types, and cast all weights for each token.
         """
@@ -80,7 +80,7 @@ class Rollouts:
         return [_cut(tokens, ends) for tokens in found]
 
     def _refresh(self) -> None:
-        """Copy the trained weights to the generating model."""
+        """Copy the trained weights to the model that generates completions."""
         trained, answering = self._models
         if answering is not trained:
             with library("torch").no_grad():
@@ -88,12 +88,12 @@ class Rollouts:
                     mine.copy_(theirs)
 
     def _sampled(self, logits: Tensor) -> Tensor:
-        """Return a sampled token per row, by the smallest of exponential variables with these rates."""
+        """Return a random token per row with the probabilities that the logits imply, by exponential variables."""
         rates = (logits / self._trainer.temperature).softmax(dim=1)
         return (rates / library("torch").empty_like(rates).exponential_()).argmax(dim=1)
 
 
 def _cut(tokens: list[int], ends: frozenset[int]) -> list[int]:
-    """Return the tokens up to the first end token."""
+    """Return the tokens of a completion up to its first end token, inclusive."""
     end = next((place for place, token in enumerate(tokens) if token in ends), len(tokens))
     return tokens[: end + 1]

@@ -27,7 +27,7 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class Answered:
-    """A round of completions with their rewards."""
+    """The rewards of one round of completions, and access to the completions of each prompt."""
 
     rewards: Sequence[Sequence[float]]
     """Of each prompt of all processes, in the order of the prompts; NaN where nothing could be scored."""
@@ -53,7 +53,7 @@ class Sampler(Protocol):
 
 @dataclass
 class Filled:
-    """The groups of a step, and the statistics of its rounds."""
+    """The groups of completions selected for a step, and the statistics of the rounds that gave them."""
 
     owners: list[int] = field(default_factory=list[int])
     """Of each good group of all processes, the process that answered it; in the order of the prompts."""
@@ -75,7 +75,7 @@ class Filled:
 
 
 def fill(sampler: Sampler, place: Place, wanted: int, rounds: int, first: int = 0) -> Filled:
-    """Return as many useful groups as wanted over all processes, or as `rounds` and the stream allow.
+    """Answer prompts in rounds until enough groups have unequal rewards, or the rounds or prompts are used up.
 
     The first round answers `first` prompts, at least as many as groups are wanted.
 
@@ -104,7 +104,7 @@ def round_size(wanted: int, filled: Filled, world: int, first: int = 0) -> int:
 
 
 def _add_round(filled: Filled, sampler: Sampler, place: Place, rows: list[Row], wanted: int) -> None:
-    """Answer prompts, and keep useful groups while there is room.
+    """Answer prompts, and keep the groups of completions with unequal rewards while there is room.
 
     At the end of a stream some prompts are answered twice so that no process waits; only the first time counts.
     """
@@ -127,12 +127,12 @@ def _add_round(filled: Filled, sampler: Sampler, place: Place, rows: list[Row], 
 
 
 def has_spread(rewards: Sequence[float]) -> bool:
-    """Return whether the standard deviation of rewards exceeds rounding errors."""
+    """Return whether the rewards of a group differ by more than rounding errors."""
     return bool(rewards) and max(rewards) - min(rewards) > REWARD_TOLERANCE
 
 
 def balance(owners: Sequence[int], world: int) -> list[int]:
-    """Return the process that trains on each group, in nearly equal numbers with few transfers."""
+    """Return which process trains on each group of completions, in nearly equal numbers with few transfers."""
     shares = [len(owners) // world + (rank < len(owners) % world) for rank in range(world)]
     left, homeless, places = list(shares), list[int](), list(owners)
     for number, owner in enumerate(owners):
@@ -188,15 +188,15 @@ class Meter:
             self.parts[part] = self.parts.get(part, 0.0) + perf_counter() - start
 
     def update(self, filled: Filled) -> None:
-        """Record a filled batch, whose update begins now."""
+        """Record the groups selected for a step, and that the update of the weights begins now."""
         self.filled, self._updating = filled, perf_counter()
 
     def made(self, cpu_seconds: float) -> None:
-        """Record the CPU time that other processes have spent on problems."""
+        """Record the total CPU time that other processes have spent on generating problems, s."""
         self._problems, self._made = cpu_seconds - self._made, cpu_seconds
 
     def flat(self) -> dict[str, float]:
-        """Return metrics for TRL's log in addition to its own."""
+        """Return the metrics of the step that are added to TRL's own log."""
         filled, rewards = self.filled, self.filled.rewards
         found: dict[str, float] = {
             "rounds": len(filled.sizes),
@@ -218,7 +218,7 @@ class Meter:
         return StepSeconds(step=now - self._began, update=update, problems=self._problems, **spent)
 
     def record(self, logged: Mapping[str, float | None], *, step: int, updates: int, consumed: int) -> StepRecord:
-        """Return the log record of a step.
+        """Return the record of a step for the log file.
 
         Raises:
             TrainingError: one of them is not finite.
@@ -249,7 +249,7 @@ def _mean(values: Sequence[float]) -> float:
 
 
 def collapse(metrics: MutableMapping[str, list[float]], before: Mapping[str, int], sizes: Sequence[int]) -> None:
-    """Merge the entries of TRL's metrics from the rounds of a step, weighted by prompts.
+    """Merge the values that TRL logged in several rounds of a step into one per metric, weighted by prompts.
 
     `sizes` are the prompts of each round; `before` is the number of earlier entries of each metric. TRL would weight
     rounds equally.

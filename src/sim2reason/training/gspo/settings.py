@@ -110,7 +110,7 @@ class GSPOSettings(_Settings):
         return self
 
     def shares(self, processes: int) -> tuple[int, int]:
-        """Return the completions per forward pass of each process, and the number of passes per update.
+        """Return how many completions a process handles per forward pass, and how many passes make an update.
 
         TrainingError if completions cannot be divided evenly.
         """
@@ -150,25 +150,25 @@ class PromptStream(Protocol):
         ...
 
     def next_prompts(self, count: int) -> Sequence[Mapping[str, Any]]:
-        """Return the next `count` rows; fewer mean that the stream has ended."""
+        """Return the next `count` rows; a smaller number means that the stream has ended."""
         ...
 
     def observe(self, row: Mapping[str, Any], rewards: Sequence[float]) -> None:
-        """Receive the rewards of a row's completions, in row order, for a curriculum."""
+        """Receive the rewards of a row's completions, from which a curriculum measures pass rates."""
         ...
 
     def state(self) -> JsonValue:
-        """Return the cursor from which `restore` continues with the next row."""
+        """Return a value from which `restore` continues the stream with the next row."""
         ...
 
     def restore(self, state: JsonValue) -> None:
-        """Continue from a cursor."""
+        """Continue from a value that `state` returned."""
         ...
 
 
 @dataclass
 class Drawn:
-    """The rows that one process read for all."""
+    """The rows that one process read from the stream for all processes, and whether the stream has ended."""
 
     rows: list[Row] = field(default_factory=list[Row])
     read: int = 0
@@ -177,7 +177,7 @@ class Drawn:
 
 
 def draw(stream: PromptStream, count: int, fits: Callable[[Row], bool]) -> Drawn:
-    """Return the next `count` rows that fit, or as many as there are, with equal columns.
+    """Return the next `count` rows with short enough prompts, or as many as there are, all with equal columns.
 
     Raises:
         TrainingError: a row has no prompt or has pictures, texts and messages are mixed, or hardly a prompt fits.

@@ -79,7 +79,7 @@ class StepLog:
         self._lines = StepLines(folder / NAME)
 
     def rewind(self, step: int) -> None:
-        """Remove the steps after a given one, from which the run continues."""
+        """Remove from the log all steps after a given one, from which the run continues."""
         self._lines.rewind(step)
 
     def add(self, record: StepRecord) -> None:

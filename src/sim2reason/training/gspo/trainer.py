@@ -137,7 +137,7 @@ class GSPOTrainer(trl.GRPOTrainer):
         return Answered(total.view(-1, size).tolist(), lambda number: cut(output, number, size))
 
     def _batch(self, filled: Filled) -> dict[str, Tensor]:
-        """Return the batch of these groups, equally many on each process, with placeholders if necessary.
+        """Return the batch of a step from the selected groups, equally many per process, filled with placeholders.
 
         Placeholders have no completion to train on. The loss is a mean over completions, so it is scaled to a mean over
         the real ones; all minibatches have the same fraction of placeholders.
@@ -158,7 +158,7 @@ class GSPOTrainer(trl.GRPOTrainer):
         return batch
 
     def _exchanged(self, filled: Filled) -> list[Group]:
-        """Return the groups that this process trains on, in order, after exchange with other processes."""
+        """Return the groups of completions that this process trains on, after an exchange with other processes."""
         places, rank = balance(filled.owners, self.place.world), self.place.rank
         groups = {number: group for number, group in filled.own.items() if places[number] == rank}
         if places != filled.owners:
@@ -169,7 +169,7 @@ class GSPOTrainer(trl.GRPOTrainer):
         return [groups[number] for number in sorted(groups)]
 
     def _warn_short(self, filled: Filled) -> None:
-        """Warn of a step with too few groups."""
+        """Warn of a step with fewer groups of unequal rewards than wanted."""
         if self.accelerator.is_main_process:
             why = "the stream of prompts has ended" if filled.exhausted else f"{len(filled.sizes)} rounds are used up"
             found = len(filled.owners)
@@ -195,7 +195,7 @@ class GSPOTrainer(trl.GRPOTrainer):
         return self._rollouts(prompt_ids), None
 
     def _calculate_rewards(self, *given: Any) -> Tensor:  # noqa: ANN401 - TRL's own
-        """Return the rewards of all processes, (completions, functions), with NaN for None."""
+        """Return the rewards of all completions by each reward function, (completions, functions), NaN for None."""
         with self._meter.time("reward"):
             self._answered = super()._calculate_rewards(*given)
         return self._answered
@@ -210,12 +210,12 @@ class GSPOTrainer(trl.GRPOTrainer):
             return super()._get_per_token_logps_and_entropies(model, input_ids, *given, **named)
 
     def logps(self, *given: Any) -> Tensor:  # noqa: ANN401 - TRL's own
-        """Return the log-probabilities of completion tokens, zero after their ends."""
+        """Return the log-probabilities of the tokens of completions, zero after the end of each."""
         return self._get_per_token_logps_and_entropies(*given)[0]
 
     @property
     def _defers(self) -> bool:
-        """Return whether log-probabilities can be computed after groups are selected, instead of for all.
+        """Return whether log-probabilities are computed only for selected groups, not for all completions.
 
         TRL needs them immediately to correct for vLLM's rounding.
         """

@@ -30,7 +30,7 @@ class Pretrained(ModelSettings):
         return self._checkpoint
 
     def check(self) -> None:
-        """Read the model configuration."""
+        """Check that the checkpoint exists, by reading its configuration."""
         self._checkpoint.check()
 
     @property

@@ -84,7 +84,7 @@ def evaluated(config: ReinforcementLearning, begun: Begun, advance: Advance) -> 
 def _asked(
     config: ReinforcementLearning, models: Mapping[str, tuple[str, str | None]], begun: Begun, advance: Advance
 ) -> tuple[Saved, ...]:
-    """Evaluate models, each with its revision, as far as not yet done; return the benchmarks."""
+    """Evaluate models on the held-out problems, as far as not yet done; return these problems as benchmarks."""
     folder = TrainingFolder(config.out)
     sets = [(each.problems.name, each.samples) for each in config.held_out]
     benchmarks = tuple(Saved(name=name, file=folder.problems(name), samples=samples) for name, samples in sets)
@@ -117,12 +117,12 @@ def cells(name: str, items: Sequence[BenchmarkItem], runs: Mapping[str, Path]) -
 
 
 def _share(points: Sequence[float]) -> str:
-    """Return the mean with Wilson's interval, in per cent; samples of one problem do not narrow it."""
+    """Return a mean with Wilson's interval for as many trials as problems, in per cent."""
     return wilson(round(sum(points)), len(points)).shown if points else "—"
 
 
 def best_constant(items: Sequence[BenchmarkItem]) -> Estimate:
-    """Return the accuracy of the constant answer that is best under the problems' own scoring.
+    """Return the accuracy of the best constant answer: the one number that answers most problems correctly.
 
     Candidates are the answers and both ends of their tolerances; those within the most tolerances are scored.
     """
@@ -134,7 +134,7 @@ def best_constant(items: Sequence[BenchmarkItem]) -> Estimate:
 
 
 def _promising(items: Sequence[BenchmarkItem]) -> list[float]:
-    """Return a few numbers within the tolerances of the most answers."""
+    """Return a few numbers that lie within the tolerances of the most answers, as candidates for a constant answer."""
     known = [(value, tolerance) for value, tolerance in map(_answer, items) if value is not None]
     values, tolerances = np.array(known, dtype=float).reshape(-1, 2).T
     widths = tolerances * np.abs(values)

@@ -40,7 +40,7 @@ Means = Mapping[str, float]
 
 
 class RunAccuracy(NamedTuple):
-    """The accuracy of one run on one set of held-out problems, by one way to choose responses."""
+    """The accuracy of one run on one held-out set before and after training, for greedy or sampled responses."""
 
     problems: str
     responses: str
@@ -53,7 +53,7 @@ class RunAccuracy(NamedTuple):
 
 
 class ArmGain(NamedTuple):
-    """The gain of an arm over its seeds; a problem's points are means over the seeds."""
+    """The gain in accuracy of an arm by training; a problem's points are means over the arm's seeds."""
 
     problems: str
     responses: str
@@ -100,7 +100,7 @@ def _problems(name: str, folder: TrainingFolder) -> Sequence[BenchmarkItem]:
 
 
 def _points(study: TrainingStudy, arm: Arm, responses: str, name: str) -> tuple[Means, Means]:
-    """Return the points of all problems, before and after."""
+    """Return the mean points of each held-out problem before and after training, for one run of a study."""
     run = answered(study.configs[arm])[responses]
     before, after = (scores_of(f"{run}:{who}").means(name) for who in (BEFORE, AFTER))
     return before, after
@@ -126,12 +126,12 @@ def _arms(study: TrainingStudy, name: str, responses: str, held: Mapping[Arm, tu
 
 
 def _values(held: Means) -> list[float]:
-    """Return the values in the order of the problems' names."""
+    """Return the points of all problems, ordered by the problems' names."""
     return [held[item] for item in sorted(held)]
 
 
 def _over_seeds(runs: Sequence[Means]) -> list[float]:
-    """Return the mean points of each problem."""
+    """Return the mean points of each problem over the runs of an arm with different seeds."""
     return [float(mean) for mean in np.mean([_values(run) for run in runs], axis=0)]
 
 
@@ -144,7 +144,7 @@ def _write(study: TrainingStudy, found: StudyReport) -> None:
 
 
 def _series(study: TrainingStudy, name: str) -> dict[str, list[float | None]]:
-    """Return the mean over seeds at each step, by arm."""
+    """Return a logged quantity at each step by arm, as the mean over the arm's seeds."""
     found: dict[str, list[float | None]] = {}
     for arm in study.arms:
         logs = [StepLog(TrainingFolder(study.configs[Arm(arm, seed)].out).train).read() for seed in study.seeds_of(arm)]

@@ -93,7 +93,7 @@ class ReinforcementLearning(_Settings):
         return self
 
     def check_shares(self, processes: int) -> None:
-        """Raise TrainingError if `processes` cannot share the batches evenly."""
+        """Raise TrainingError if the completions and rows of a step cannot be divided evenly among `processes`."""
         self.gspo.shares(processes)
         if self.warm_start is not None:
             try:

@@ -52,7 +52,7 @@ class TrainingFolder:
         self.evaluation, self.report = path / "evaluation", path / "report" / "report.json"
 
     def claim(self, config: ReinforcementLearning) -> None:
-        """Claim the folder for a configuration, as `run_plan.claim` does."""
+        """Write the plan of a new run, or check that the folder holds a run with equal settings."""
         prepared = self.held_out, self.initial, *SftFolder(self.warm_start).prepared
         claim(self.path / RL_PLAN, config.decisive, config.check, prepared)
 
@@ -71,11 +71,11 @@ class TrainingFolder:
 
     @property
     def _avoided(self) -> Path:
-        """Return the path of the fingerprints to avoid, written after all held-out problems."""
+        """Return the path of the file with the prompts and hashes of held-out problems, which training must avoid."""
         return self.held_out / AVOIDED
 
     def hold_out(self, sets: Sequence[HeldOut], workers: int) -> frozenset[str]:
-        """Generate the held-out problems unless they exist; return the fingerprints that streams must avoid."""
+        """Generate the held-out problems unless they exist; return the prompts and hashes that training must avoid."""
         keys = self._avoided
         if not keys.is_file():
             self.held_out.mkdir(exist_ok=True)

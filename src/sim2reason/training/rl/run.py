@@ -109,7 +109,7 @@ def _entered(settings: ReinforcementLearning) -> Generator[tuple[TrainingFolder,
 
 
 def _held_out(settings: ReinforcementLearning, folder: TrainingFolder, state: External) -> frozenset[str]:
-    """Generate the held-out problems; return the fingerprints to avoid."""
+    """Generate the held-out problems; return the prompts and hashes that training must avoid."""
     if not settings.held_out:
         return frozenset()
     with state.main_process_first():
@@ -150,7 +150,7 @@ def _train(settings: ReinforcementLearning, begun: Begun, advance: Advance) -> N
 def _checkpoint(
     settings: ReinforcementLearning, folder: TrainingFolder, avoid: frozenset[str], begun: Begun, advance: Advance
 ) -> Checkpoint:
-    """Return the checkpoint to train: the configured one, or the result of the warm start."""
+    """Return the model to train by reinforcement learning: the configured one, or the result of the warm start."""
     warm = settings.warm_start
     if warm is None:
         assert settings.model is not None

@@ -196,7 +196,7 @@ class SftFolder:
         self.model, self.adapter = path / "model", path / "adapter"
 
     def claim(self, config: FineTuning) -> None:
-        """Claim the folder for a configuration, as `run_plan.claim` does."""
+        """Write the plan of a new run, or check that the folder holds a run with equal settings."""
         claim(self.path / SFT_PLAN, config.decisive, config.check, self.prepared)
 
     @property
@@ -209,7 +209,7 @@ class SftFolder:
         return result_in(self.path, FineTuned)
 
     def finish(self, result: FineTuned) -> None:
-        """Write the result."""
+        """Write the result of the run into its folder."""
         finish(self.path, result)
 
     def draw(self, config: FineTuning, avoid: frozenset[str] = frozenset()) -> None:
@@ -242,7 +242,7 @@ class SftFolder:
         return found[max(found)] if found else None
 
     def rewind(self) -> int:
-        """Remove everything after the last complete checkpoint; return its step, zero without one."""
+        """Remove everything later than the last complete checkpoint; return its step, zero without one."""
         last = self.checkpoint()
         step = int(last.name.removeprefix(CHECKPOINT)) if last else 0
         for path in self.checkpoints.glob(f"{CHECKPOINT}*"):

@@ -26,7 +26,7 @@ AMONG = 50  # batches sorted together: more of them mean less padding and a less
 
 
 def batches_by_length(lengths: Sequence[int], batch: int, seed: int, epoch: int) -> list[int]:
-    """Return the indices of all rows by batches of similar length, in random order, a partial one last."""
+    """Return the indices of all rows in batches of similar length; the order is random, an incomplete batch last."""
     rng, held = generator("length", seed, epoch), np.asarray(lengths)
     order = rng.permutation(len(held))
     stretches = np.split(order, range(AMONG * batch, len(order), AMONG * batch))
@@ -187,7 +187,7 @@ def _trainer() -> External:
 
 
 def _scale(trainer: External) -> int:
-    """Return the factor on the loss of one process, since gradients of processes are averaged."""
+    """Return the factor on a process's loss that makes up for the averaging of gradients over processes."""
     return trainer.accelerator.num_processes if trainer.args.average_tokens_across_devices else 1
 
 

@@ -30,7 +30,7 @@ def _base(given: object) -> object:
 
 
 class Arm(NamedTuple):
-    """One run of a study: an arm with a seed."""
+    """One run of a study: the name of an arm (a variation of the settings), and a seed."""
 
     name: str
     seed: int
@@ -83,7 +83,7 @@ class TrainingStudy(BaseModel):
         return SEEDS.validate_python(self.arms[arm]["seeds"]) if "seeds" in self.arms[arm] else self.seeds
 
     def first(self, arm: str) -> ReinforcementLearning:
-        """Return the configuration of an arm with its first seed."""
+        """Return the configuration of the run of an arm with the arm's first seed."""
         return self.configs[Arm(arm, self.seeds_of(arm)[0])]
 
     @cached_property
@@ -127,7 +127,7 @@ def _merged(base: Mapping[str, Any], change: Mapping[str, Any]) -> Settings:
 
 
 def _drawn_anew(given: object, seed: int) -> object:
-    """Return a source with its seed derived for a run; a file has no seed."""
+    """Return a source of problems with a new seed derived from its own and the run's; a file has no seed."""
     if not isinstance(given, Mapping) or "seed" not in given:
         return cast("object", given)
     settings = cast("Settings", given)

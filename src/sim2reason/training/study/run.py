@@ -120,7 +120,7 @@ def _finished(study: TrainingStudy, arm: Arm) -> bool:
 def _warm_starts(
     study: TrainingStudy, until: Stage, advance: Callable[[int], object] = lambda _: None
 ) -> dict[str, str]:
-    """Prepare the first run of each warm start, and share its files with the other runs.
+    """Prepare the first run of each different warm start, and share its files with runs that have the same one.
 
     Returns the last output of failed preparations, by run.
     """
@@ -138,7 +138,7 @@ def _warm_starts(
 
 
 def _firsts(study: TrainingStudy) -> dict[Arm, list[Arm]]:
-    """Return the runs with equal warm start and held-out problems, by the first of them."""
+    """Return the groups of runs with equal warm start and held-out problems, by the first run of each group."""
     known = dict[str, list[Arm]]()
     for arm in study.runs:
         config = study.configs[arm].decisive
@@ -152,7 +152,7 @@ def _made(
     until: Stage | None = None,
     advance: Callable[[int], object] = lambda _: None,
 ) -> dict[str, str]:
-    """Execute or prepare runs; return the last output of those that failed, by name."""
+    """Execute the runs, or only prepare them; return the last output of each failed run, by its name."""
     running, failed = dict[Arm, Popen[bytes]](), dict[str, str]()
     with ThreadPoolExecutor(study.workers) as pool:
         try:
@@ -170,7 +170,7 @@ def _made(
 
 
 def _share(study: TrainingStudy, first: Arm, arm: Arm) -> None:
-    """Link the prepared files of the first run into the folder of another."""
+    """Link the warm start, held-out problems and answers of the first run into another run's folder."""
     earlier, folder = _folder(study, first), _folder(study, arm)
     if first == arm:
         return

@@ -21,7 +21,7 @@ def asked(prompt: str) -> list[Message]:
 
 
 def facts(item: Item) -> dict[str, str]:
-    """Return the properties of an item by which results are grouped."""
+    """Return the mode, kind, recipe and difficulty of an item, by which results are grouped."""
     return {name: getattr(item, name) for name in FACTS}
 
 

@@ -93,7 +93,7 @@ class FileBenchmark(Benchmark):
 
     @abstractmethod
     def problem(self, row: Row, number: int) -> BenchmarkItem | None:
-        """Return the problem of the `number`-th row; None to omit it.
+        """Return the problem in the `number`-th row of the file; None to omit it.
 
         KeyError, TypeError or ValueError if the row is invalid.
         """

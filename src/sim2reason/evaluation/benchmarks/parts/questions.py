@@ -48,7 +48,7 @@ class QuestionFile(FileBenchmark):
 
     @property
     def column_of_subject(self) -> str:
-        """Return the column in the setting."""
+        """Return the name of the column with the subject, as configured."""
         return self.subject_column
 
     def needs_figure(self, row: Row) -> bool:
@@ -70,7 +70,7 @@ class QuestionFile(FileBenchmark):
         )
 
     def reference(self, row: Row) -> dict[str, JsonValue]:
-        """Return the reference of a row in the form of the scoring rule; ValueError if the answer is invalid."""
+        """Return the correct answer of a row as the scoring rule needs it; ValueError if it is invalid."""
         held: Any = _at(row, self.answer_column)
         several = [str(part) for part in cast("list[object]", held)] if isinstance(held, list) else [str(held)]
         if not all(part.strip() for part in several):
@@ -81,7 +81,7 @@ class QuestionFile(FileBenchmark):
         return told | ({"unit": unit} if isinstance(unit, str) else {}) | self._number(several, unit)
 
     def _number(self, several: list[str], unit: object) -> dict[str, JsonValue]:
-        """Return the additional reference fields of the rule for one number."""
+        """Return the number and unit of the correct answer, for the rule that compares one number."""
         if self.scoring != "numeric":
             return {}
         known = unit_or_none(unit)

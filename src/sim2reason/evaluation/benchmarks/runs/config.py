@@ -56,7 +56,7 @@ class Evaluation:
                 raise EvaluationError(f"{what}: the name {twice[0]!r} stands twice; give each its own")
 
     def check(self) -> None:
-        """Check before a run that all policies are available; it raises the errors of `Policy.check`."""
+        """Check before a run that all policies are available; PolicyError if one is not."""
         for policy in (*self.policies, *(() if self.judge is None else (self.judge,))):
             policy.check()
 

@@ -26,7 +26,7 @@ class _Record(BaseModel):
 
 
 class PolicyPlan(_Record):
-    """The record of a policy in a run: all its settings, and those that affect its answers."""
+    """The record of a policy in a run: all its settings, and the subset that affects its answers."""
 
     kind: str
     settings: dict[str, JsonValue]
@@ -34,7 +34,7 @@ class PolicyPlan(_Record):
 
     @property
     def step(self) -> int | None:
-        """Return the number of training steps of the checkpoint, if any."""
+        """Return the number of training steps of the evaluated checkpoint; None if its settings state none."""
         found = self.settings.get("step")
         return found if isinstance(found, int) else None
 
@@ -61,7 +61,7 @@ class RunRecord(_Record):
     versions: dict[str, str]
 
     def difference(self, other: "RunRecord") -> str:
-        """Return the first difference for which a run cannot continue with `other`; empty if it can.
+        """Return the first difference, such as another seed, that keeps `other` from continuing this run; or empty.
 
         More samples, policies and benchmarks are allowed.
         """
@@ -78,7 +78,7 @@ class RunRecord(_Record):
         return ""
 
     def joined(self, other: "RunRecord") -> "RunRecord":
-        """Return the record with the additions and changes of `other`, but never fewer samples."""
+        """Return this record extended and updated by `other`, with the larger numbers of samples of both."""
         more = {
             name: plan.model_copy(update={"samples": max(plan.samples, self.benchmarks[name].samples)})
             if name in self.benchmarks
@@ -175,7 +175,7 @@ class RunFolder:
 
 
 def _drawn_before(out: Path, benchmark: Benchmark) -> list[BenchmarkItem]:
-    """Return the stored problems of a continued run if its settings would generate the same ones; else none."""
+    """Return the stored problems of a run that continues with the same settings; an empty list otherwise."""
     if not benchmark.pure or not (out / RUN).is_file():
         return []
     before = RunFolder(out)

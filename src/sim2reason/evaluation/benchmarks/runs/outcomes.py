@@ -16,7 +16,7 @@ __all__ = ["Ending", "SampleOutcome", "ending_of", "outcomes"]
 
 
 class Ending(StrEnum):
-    """How a sample ended; the first applicable member counts."""
+    """The ways in which a sample can end, such as correct or truncated; the first that applies counts."""
 
     CORRECT = "correct"
     PARTIAL = "partial"

@@ -28,12 +28,12 @@ class Award:
 
     @classmethod
     def unreadable(cls, why: str) -> "Award":
-        """Return zero points for a response without a readable answer."""
+        """Return an award of zero points for a response without a readable answer."""
         return cls(0.0, readable=False, why=why)
 
     @classmethod
     def all_or_nothing(cls, right: bool, parsed: str, why: str = "") -> "Award":  # noqa: FBT001 - the verdict itself
-        """Return one point for a correct answer, else zero."""
+        """Return an award of one point for a correct answer and zero for any other."""
         return cls(float(right), parsed=parsed, why=why)
 
 
@@ -54,12 +54,12 @@ class Scoring(ABC):
         """Return the award for a response including its thinking; no response text raises an error."""
 
     def question(self, response: str, reference: Reference, prompt: str) -> str | None:
-        """Return the prompt for a judge about a response; None if the rule alone decides."""
+        """Return the prompt by which a judge is asked about a response; None if the rule alone decides."""
         del response, reference, prompt
         return None
 
     def ruling(self, said: str) -> Award:
-        """Return the award from a judge's text; only for rules with a judge."""
+        """Return the award that a judge's text expresses; only for rules with a judge."""
         raise NotImplementedError(said)
 
 

@@ -78,7 +78,7 @@ def _completion(choice: Mapping[str, Any], usage: object, hidden: Callable[[str]
 
 
 def _refusal(reply: Reply, hidden: Callable[[str], str]) -> Completion | Fault:
-    """Return the meaning of a status other than 200, without any text about a key."""
+    """Return what an endpoint's error status means: a fault, or a completion for a prompt that is too long."""
     found = _json(reply.body) or {}
     said = _said(found, hidden)
     if reply.status in BUSY:
@@ -141,7 +141,7 @@ def _text(content: object) -> str:
 
 
 def _whole(text: str) -> str:
-    """Return the text with unpaired surrogates replaced, since no file can contain them."""
+    """Return the text with unpaired surrogates replaced, because UTF-8 files cannot contain them."""
     return text.encode(errors="replace").decode()
 
 

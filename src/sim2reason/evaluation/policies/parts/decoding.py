@@ -25,7 +25,7 @@ ATTENTION, LAYER = "sdpa", "StaticLayer"
 
 
 def check_recordable(config: Any) -> None:  # noqa: ANN401 - of transformers
-    """Raise PolicyError for a model with layers that a single mask does not describe, such as windows."""
+    """Raise PolicyError for a model whose layers need several attention masks, as with sliding windows."""
     layers = import_module("transformers").StaticCache(config=config, max_cache_len=ALIGNED).layers
     if others := {type(layer).__name__ for layer in layers} - {LAYER}:
         raise PolicyError(f"cuda_graphs: the model has layers with a {', '.join(sorted(others))}; leave it out")
@@ -37,7 +37,7 @@ class Decoder:
     """A decoder of prompts with one model, whose weights may change between two calls."""
 
     def __init__(self, model: Any) -> None:  # noqa: ANN401 - of transformers
-        """Store a model, which computes in the type of its weights; PolicyError as in `check_recordable`."""
+        """Store the model; PolicyError for one whose layers need several attention masks, as with sliding windows."""
         check_recordable(model.config)
         self._model = model
         self._held: _RecordedPass | None = None
@@ -74,7 +74,7 @@ class Decoder:
         return import_module("torch").cuda.device(device) if device.type == "cuda" else nullcontext()
 
     def _recorded(self, rows: int, length: int) -> "_RecordedPass":
-        """Return a recorded pass for at least these rows and tokens; the last one, if it is large enough."""
+        """Return a recorded forward pass for at least so many rows and tokens; the last one if it is large enough."""
         held = self._held
         if held is None or held.rows < rows or held.length < length:
             rows, length = (rows, length) if held is None else (max(rows, held.rows), max(length, held.length))
@@ -84,7 +84,7 @@ class Decoder:
 
 
 class _RecordedPass:
-    """A recorded pass for one token per row, with inputs and outputs at fixed addresses."""
+    """A forward pass for one token per row, recorded as a CUDA graph with inputs and outputs at fixed addresses."""
 
     def __init__(self, model: Any, rows: int, length: int) -> None:  # noqa: ANN401 - of transformers
         self.rows, self.length = rows, length
@@ -126,7 +126,7 @@ class _RecordedPass:
         return self._logits
 
     def _filled(self, given: Tensor) -> Tensor:
-        """Return the tensor padded to the full number of rows by repeating the last one."""
+        """Return the rows of a tensor padded to the recorded number of rows by repeating the last row."""
         return self._torch.cat([given, given[-1:].expand(self.rows - len(given), -1)])
 
     def _next(self) -> Tensor:
@@ -137,7 +137,7 @@ class _RecordedPass:
         return logits
 
     def _forward(self, ids: Tensor, visible: Tensor, position_ids: Tensor, **given: int) -> Tensor:
-        """Return the logits of the last token from the class's own pass, without a trainer's wrappers."""
+        """Return the logits of the last token from the model class's own forward, without a trainer's wrappers."""
         run, named = type(self._model).forward, {"attention_mask": visible, "position_ids": position_ids}
         found = run(self._model, input_ids=ids, past_key_values=self._cache, use_cache=True, **named, **given)
         return found.logits[:, -1].float()

@@ -22,7 +22,7 @@ WORTH_IT: Final = 2.0  # factor between successive delays
 
 
 def delay(attempt: int, seed: int, asked: float | None = None) -> float:
-    """Return the delay after the `attempt`-th failure, counted from zero, s.
+    """Return how long to wait after a request has failed for the `attempt`-th time, counted from zero, s.
 
     It doubles up to a minute, minus a fraction of up to one half determined by `seed` and `attempt`; at least as long
     as the server `asked`, up to five minutes.

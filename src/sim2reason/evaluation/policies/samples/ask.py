@@ -20,7 +20,7 @@ MAX_FAILURES = 8  # failed requests in a row after which the endpoint counts as 
 
 @dataclass
 class Asked:
-    """The result of the requests of one run."""
+    """The result of requesting samples: how many were finished before and now, and why others have no answer."""
 
     finished_before: int = 0
     finished_now: int = 0
@@ -83,7 +83,7 @@ def _run(
     asked: Asked,
     advance: Callable[[int], object],
 ) -> None:
-    """Keep `width` batches in flight; stop at the first error that would affect others.
+    """Keep `width` batches of requests running at once; stop at the first error that would affect all others.
 
     Batches in flight are then awaited, since they are paid for, except when a person interrupts.
     """

@@ -27,11 +27,11 @@ class Budget:
         return tokens_in + tokens_out, price
 
     def most(self, request: SampleRequest) -> tuple[int, float]:
-        """Return the largest tokens and cost of a request; a token has at least one byte."""
+        """Return the largest number of tokens and the cost that a request may cause, before it is sent."""
         return self._cost(len(request.prompt.encode(errors="replace")) + TEMPLATE, self._policy.sampling.max_tokens)
 
     def used(self, completion: Completion, most: tuple[int, float]) -> tuple[int, float]:
-        """Return the tokens and cost of a completion, or the largest possible ones if not reported."""
+        """Return the tokens and cost of a completion; the largest possible ones if the endpoint reports none."""
         if completion.finish == "overflow":
             return 0, 0.0
         if completion.prompt_tokens is None or completion.completion_tokens is None:
@@ -39,18 +39,18 @@ class Budget:
         return self._cost(completion.prompt_tokens, completion.completion_tokens)
 
     def charge(self, used: tuple[int, float]) -> None:
-        """Add earlier use."""
+        """Add tokens and cost to those spent so far."""
         self._spent = [self._spent[0] + used[0], self._spent[1] + used[1]]
 
     def charge_finished(self, journal: Path, requests: Iterable[SampleRequest]) -> None:
-        """Add the use of a journal's samples; for those in `requests` it is exact."""
+        """Add the tokens and cost of a journal's samples; those in `requests` count fully if they are unreported."""
         by_key = {(request.id, request.sample): request for request in requests}
         for found in finished(journal):
             request = by_key.get(found.key)
             self.charge(self.used(found.completion, self.most(request) if request else (0, 0.0)))
 
     def reserve(self, most: tuple[int, float]) -> None:
-        """Reserve `most`, waiting for other reservations; PolicyError if the budget is insufficient."""
+        """Reserve tokens and cost before a request, waiting for others to finish; PolicyError beyond the budget."""
         with self._changed:
             while not self._fits(most):
                 if not self._reserved[0]:
@@ -62,7 +62,7 @@ class Budget:
             self._reserved = [self._reserved[0] + most[0], self._reserved[1] + most[1]]
 
     def settle(self, most: tuple[int, float], used: tuple[int, float]) -> None:
-        """Release a reservation and add the actual use."""
+        """Replace the tokens and cost reserved for a request by those that it really used."""
         with self._changed:
             self._reserved = [self._reserved[0] - most[0], self._reserved[1] - most[1] if self._reserved[0] else 0.0]
             self.charge(used)

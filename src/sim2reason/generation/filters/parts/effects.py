@@ -18,7 +18,7 @@ LONGER = 3.0  # factor by which the simulated time is extended if the answer doe
 
 @dataclass(frozen=True, slots=True)
 class Effect:
-    """The effect on the answer of one misconception about one part of the scene."""
+    """The change of the answer if one misconception is applied to one part of the scene."""
 
     simplification: Misconception
     subject: str
@@ -29,7 +29,7 @@ class Effect:
 
     @property
     def is_unchanged(self) -> bool:
-        """Return whether the answer is unchanged."""
+        """Return whether the misconception leaves the answer unchanged."""
         return self.change < UNCHANGED_FRACTION * self.tolerance
 
     @property
@@ -44,7 +44,7 @@ class Effect:
 
     @property
     def text(self) -> str:
-        """Return the effect in one line."""
+        """Return in one line which misconception was applied, and how the answer changes."""
         about = f" ({self.subject})" if self.subject else ""
         if self.answer is None:
             return f"{self.simplification.name}{about}: there is no answer any more"
@@ -52,7 +52,7 @@ class Effect:
 
 
 def effects(candidate: Candidate, *, part: bool) -> Iterator[Effect]:
-    """Yield the effects of all misconceptions that remove a part of the scene, or of all others.
+    """Yield the changes of the answer by all misconceptions that omit a part of the scene (`part`), or by all others.
 
     Objects named in the question are never removed or held. Omissions on which answers of this kind never depend, such
     as the initial state for a period of small oscillations, are not errors.
@@ -63,7 +63,7 @@ def effects(candidate: Candidate, *, part: bool) -> Iterator[Effect]:
 
 
 def effects_of(simplification: Misconception, candidate: Candidate) -> Iterator[Effect]:
-    """Yield the effects of one misconception on the possible subjects."""
+    """Yield the changes of the answer by one misconception, for each part of the scene to which it applies."""
     query, study = candidate.question.query, candidate.study
     subjects = [*simplification.subjects(query, study)]
     if not subjects or _is_beside(simplification, candidate):
@@ -80,7 +80,7 @@ def effects_of(simplification: Misconception, candidate: Candidate) -> Iterator[
 
 
 def far_effects(candidate: Candidate) -> Iterator[Effect]:
-    """Yield the effects of misconceptions that change the mechanism, simulated for longer.
+    """Yield the changes of the answer by misconceptions that change the mechanism, with longer simulated motions.
 
     These are the most expensive effects; their answers are usually far from the correct one.
     """
@@ -107,7 +107,7 @@ def _effect(
 
 
 def _spared(simplification: Misconception, candidate: Candidate) -> set[str]:
-    """Return the unknown, and the subjects of the question that the misconception must not remove or hold.
+    """Return the addresses to which a misconception is not applied: the unknown, and the subjects of the question.
 
     The empty name stands for the whole scene and is excluded.
     """
@@ -123,7 +123,7 @@ def _until(candidate: Candidate) -> float:
 
 
 def _is_beside(simplification: Misconception, candidate: Candidate) -> bool:
-    """Return whether a misconception reinterprets a motion on which the answer does not depend."""
+    """Return whether a misconception concerns the simulated motion, while the answer does not depend on it."""
     return isinstance(simplification, MisinterpretedMotion) and _is_of_no_motion(candidate)
 
 

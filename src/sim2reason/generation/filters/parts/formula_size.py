@@ -12,7 +12,7 @@ LENGTH = Symbol("length")
 
 
 def size(whole: Expression) -> int:
-    """Return the number of symbols in a formula, counted with repetitions; an initial vector counts once.
+    """Return the number of symbols in a formula, with repetitions; a given initial vector counts as one symbol.
 
     The magnitude of a given vector counts as one symbol, and so does a repeated root, such as √(k/m) in A ω sin ωt.
     """
@@ -26,7 +26,7 @@ def has_logarithm(held: Expression) -> bool:
 
 
 def _again(held: Expression, seen: set[Expression]) -> Iterator[Expression]:
-    """Yield the roots in a formula that occurred before, largest first."""
+    """Yield the roots, such as √(k/m), that repeat an earlier root of the formula; the largest repeated ones only."""
     if isinstance(held, Root) and held in seen:
         yield held
         return

@@ -38,7 +38,7 @@ class Given:
         return self.paths[0].rpartition(".")[0]
 
     def at(self, scene: Scene, factors: tuple[float, float], turn: float = 0.0) -> dict[str, float]:
-        """Return the values by address, with components multiplied by two factors in turn, or angles changed."""
+        """Return the values by address after a change: components times two factors alternately, or angles turned."""
         values = [float(scene.value(path)) for path in self.paths]
         if self.unit == "deg" and turn:
             return {path: value + turn for path, value in zip(self.paths, values, strict=True)}
@@ -47,7 +47,7 @@ class Given:
 
 @dataclass(frozen=True, slots=True)
 class Elasticity:
-    """The response of an answer to a small relative change of a stated number."""
+    """The relative change of an answer per small relative change of one stated number."""
 
     given: Given
     size: float  # |d ln answer/d ln number|
@@ -74,7 +74,7 @@ def _is_said(scene: Scene, parameter: Parameter) -> bool:
 
 
 def elasticities(candidate: Candidate) -> Iterator[Elasticity]:
-    """Yield the elasticities of the answer to all stated numbers, each shifted by one part in a thousand.
+    """Yield the elasticity (d ln answer/d ln number) of the answer for each stated number, from a shift by 0.1 %.
 
     Numbers that the worked solution does not use come first, so that an irrelevant one is found early.
     """
@@ -93,7 +93,7 @@ def elasticities(candidate: Candidate) -> Iterator[Elasticity]:
 
 
 def _used(candidate: Candidate) -> set[str]:
-    """Return the addresses of all numbers that the worked solution uses; None without a solution."""
+    """Return the addresses of all numbers that the worked solution uses; empty without a solution."""
     if candidate.words is None or candidate.solution is None:
         return set()
     relations = (relation for step in candidate.solution.steps for relation in step.relations)
@@ -122,7 +122,7 @@ def matters(candidate: Candidate, found: Elasticity) -> bool:
 
 
 def shifted(study: SimulatedScene, given: Given, until: float | None) -> SimulatedScene | None:
-    """Return the motion with a number shifted, in the other direction if invalid; None if neither is valid.
+    """Return the motion after a number is shifted by 0.1 %, downwards if upwards is invalid; None if neither is valid.
 
     The components of a vector are shifted in opposite directions, which rotates it.
     """
@@ -141,7 +141,7 @@ MASS = "kg"
 
 
 def minimum_relevant(candidate: Candidate) -> int:
-    """Return the minimum count of numbers that must change the answer."""
+    """Return the minimum count of numbers in the text that must change the answer, by difficulty."""
     bodies = [body for body in candidate.study.mechanism.bodies if body.mass > 0.0 and body.coordinates]
     return (MIN_SINGLE_BODY if len(bodies) < 2 or candidate.difficulty == "easy" else MIN_SEVERAL_BODIES)[
         candidate.difficulty
@@ -155,7 +155,7 @@ def question_number_count(candidate: Candidate) -> int:
 
 
 def shortfall(candidate: Candidate, moving: Sequence[Given]) -> str:
-    """Return what the numbers that change the answer lack, in a few words; empty if they suffice.
+    """Return in a few words why too few numbers change the answer; empty if there are enough.
 
     The numbers stated in the question and its unknown count as well; g does not.
     """

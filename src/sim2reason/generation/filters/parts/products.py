@@ -63,7 +63,7 @@ def product_of(candidate: Candidate) -> str:
 
 
 def _products(factors: Sequence[Factor], candidate: Candidate, view: View) -> Iterator[float]:
-    """Yield candidates for the product of all factors; numbers with other powers form one sum."""
+    """Yield the products of powers of all numbers; numbers without a simple power enter as one sum."""
     each = [list(_plain(factor, candidate, view)) for factor in factors]
     terms = [factor for factor, plain in zip(factors, each, strict=True) if not plain]
     rest = _sum(terms) if terms else 1.0
@@ -72,7 +72,7 @@ def _products(factors: Sequence[Factor], candidate: Candidate, view: View) -> It
 
 
 def _sum(terms: Sequence[Factor]) -> float | None:
-    """Return a power of the sum of all terms, with either sign; None if their powers fit no sum."""
+    """Return the power of a sum of numbers, with signs, that has the measured powers; None if no such sum fits."""
     rates = [term.power / term.value for term in terms]  # of (Σ ± x)^E the power of x is ± E x/Σ
     alike = max(map(abs, rates)) <= (1.0 + 4.0 * POWER_TOLERANCE) * min(map(abs, rates))
     if not alike or len({term.unit for term in terms}) > 1:
@@ -82,7 +82,7 @@ def _sum(terms: Sequence[Factor]) -> float | None:
 
 
 def _plain(factor: Factor, candidate: Candidate, view: View) -> Iterator[float]:
-    """Yield the powers of a number, with a multiple of one half as exponent; for an angle, of its functions."""
+    """Yield a number raised to its measured power if that is a multiple of ½; of an angle, its sine and so on."""
     if factor.unit != ANGLE:
         halves = _halves(factor.power)
         yield from [factor.value ** (halves / 2.0)] if halves else []
@@ -96,7 +96,7 @@ def _plain(factor: Factor, candidate: Candidate, view: View) -> Iterator[float]:
 
 
 def _goes_with(candidate: Candidate, view: View, angle: Factor, function: View) -> bool:
-    """Return whether the answer stays proportional to a function of an angle when the angle changes."""
+    """Return whether the answer changes in proportion to a function of an angle if the angle is changed by 5°."""
     if not angle.path:
         return True
     found = turned(candidate, angle)
@@ -108,7 +108,7 @@ def _goes_with(candidate: Candidate, view: View, angle: Factor, function: View) 
 
 
 def turned(candidate: Candidate, angle: Factor) -> tuple[float, float] | None:
-    """Return an angle changed by `FAR`, rad, and the answer there; None if there is no answer either way."""
+    """Return the change of an angle by 5°, rad, and the answer after it; None if there is no answer for either sign."""
     study = candidate.study
     for turn in (FAR, -FAR):
         values = {angle.path: float(study.scene.value(angle.path)) + turn}
@@ -119,7 +119,7 @@ def turned(candidate: Candidate, angle: Factor) -> tuple[float, float] | None:
 
 
 def _halves(power: float) -> int | None:
-    """Return twice a power that is a small multiple of one half; None otherwise."""
+    """Return the number of halves in a measured power, 3 for 1.5; None unless it is a small multiple of ½."""
     found = round(2.0 * power)
     return (
         found if abs(2.0 * power - found) <= 2.0 * POWER_TOLERANCE and abs(power) <= HIGHEST + POWER_TOLERANCE else None
@@ -127,7 +127,7 @@ def _halves(power: float) -> int | None:
 
 
 def factors_of(candidate: Candidate, view: View) -> list[Factor] | None:
-    """Return the numbers on which the answer depends; None for a vector, or if the answer ceases to exist."""
+    """Return the numbers on which the answer depends, with powers; None for a vector or a missing answer."""
     study, question, found = candidate.study, candidate.question, list[Factor]()
     for given in givens(study.scene, question.left_open):
         other = shifted(study, given, candidate.until)
@@ -145,7 +145,7 @@ def factors_of(candidate: Candidate, view: View) -> list[Factor] | None:
 
 
 def _of_question(candidate: Candidate, view: View) -> list[Factor] | None:
-    """Return the factors among the question's own numbers; None if the answer ceases to exist."""
+    """Return the powers of the answer in the numbers that the question states; None if an answer is missing."""
     question, found = candidate.question, list[Factor]()
     rate = _rate(question, view)
     if question.unknown and question.given is not None:
@@ -169,7 +169,7 @@ def _of_question(candidate: Candidate, view: View) -> list[Factor] | None:
 
 
 def _rate(question: Question, view: View) -> float:
-    """Return the power of the given result in the unknown; 0 if the unknown changes its sign."""
+    """Return the exponent with which the answer scales with the given result of a reverse question."""
     seen = _power(view(question.answer), view(question.answer * (1.0 + SHIFT)), 1.0 + SHIFT)
     return (seen or 0.0) / question.elasticity
 

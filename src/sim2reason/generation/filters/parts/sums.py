@@ -29,7 +29,7 @@ SIMPLE = (1.0, 2.0, 4.0, 0.5, 0.25, sqrt(2.0), sqrt(0.5))  # factors in front of
 
 
 class _Place(NamedTuple):
-    """The exponents of a function of a number in the first and the second term."""
+    """A number, or a function of it, with its exponents in the first and in the second of two products."""
 
     factor: Factor
     function: View
@@ -37,7 +37,7 @@ class _Place(NamedTuple):
     value: tuple[float, float]  # what it is there
 
     def at(self, turned: float) -> tuple[float, float]:
-        """Return the two factors if an angle of the scene has another value, rad."""
+        """Return the factors that the number contributes to both products if an angle has another value, rad."""
         turn = turned if self.factor.unit == ANGLE and self.factor.path else 0.0
         return _raised(self.function(self.factor.value + turn), self.powers)
 
@@ -47,7 +47,7 @@ _Way = tuple[View, float, float | None]
 
 
 def sum_of(candidate: Candidate) -> str:
-    """Return the sum of two products of stated numbers that equals the answer; empty if there is none."""
+    """Return in a few words the sum of two products of stated numbers that equals the answer; empty if none does."""
     question = candidate.question
     factors = factors_of(candidate, float) if question.unit != ANGLE else None
     if not factors or not 2 < len(factors) <= MAX_NUMBERS:
@@ -62,7 +62,7 @@ def sum_of(candidate: Candidate) -> str:
 
 
 def _fronts(value: float, share: float, terms: Terms) -> Iterator[tuple[float, float]]:
-    """Yield the signed simple factors for which two terms add up to a value; the first has about a given share."""
+    """Yield simple factors, such as ±½, of two products whose sum is a value; `share` is the first one's part of it."""
     first, second = _multiplied(place.value for place in terms)
     ones = _simple(first, share * value)
     if not ones:  # as nearly always
@@ -73,7 +73,7 @@ def _fronts(value: float, share: float, terms: Terms) -> Iterator[tuple[float, f
 
 
 def _simple(term: float, part: float) -> list[float]:
-    """Return the signed simple factors for which a term approximately equals a part."""
+    """Return the simple factors, such as ½ or 2, with which a product approximately equals part of a value."""
     size, sign = abs(part), -1.0 if part < 0.0 else 1.0
     return [sign * front for front in SIMPLE if isclose(front * term, size, rel_tol=SHARE_TOLERANCE)]
 
@@ -93,7 +93,7 @@ def _holds_turned(candidate: Candidate, root: float, terms: Terms, front: tuple[
 
 
 def _terms(factors: Sequence[Factor], root: float) -> Iterator[tuple[float, Terms]]:
-    """Yield pairs of products whose sum may be the answer to the power `root`, with the share of the first.
+    """Yield pairs of products that may add up to the answer (or its square), with the first one's share of the sum.
 
     In Z = A + B, the elasticity of Z in x is q A/Z if x^q is in A, q (1 − A/Z) if it is in B, and q if it is in both.
     """
@@ -119,13 +119,13 @@ def _added(values: Iterable[tuple[float, float]], front: tuple[float, float]) ->
 
 
 def _ways(factor: Factor, root: float) -> list[_Way]:
-    """Return the functions of a number with their measured powers, and the simple powers near these."""
+    """Return the possible functions of a number, each with its measured power and the nearest multiple of ½."""
     powers = [(function, root * factor.power / slope) for function, slope in _shapes(factor)]
     return [(function, power, _half(power, POWER_TOLERANCE)) for function, power in powers]
 
 
 def _places(factor: Factor, ways: Sequence[_Way], share: float) -> list[_Place]:
-    """Return the possible exponents of a number in the two terms, by the share of the first term.
+    """Return the possible exponents of a number in two products, for a given share of the first in their sum.
 
     A number may occur in one term, in both, or with a higher power in one, as k does in √(k² d² + k m v²).
     """
@@ -148,7 +148,7 @@ def _raised(value: float, powers: tuple[float, float]) -> tuple[float, float]:
 
 
 def _shapes(factor: Factor) -> Iterator[tuple[View, float]]:
-    """Yield the functions of a number that may occur, and the power with which each scales with the number."""
+    """Yield the functions in which a number may occur, with the exponent by which each scales with the number."""
     if factor.unit != ANGLE:
         yield float, 1.0
         return

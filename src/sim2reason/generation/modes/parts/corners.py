@@ -26,7 +26,7 @@ UNCHANGED_MARGIN = 1e-9  # smaller changes of a margin count as none
 def find_corner(
     variations: Variations, margin: Margin, others: Sequence[Margin], known: Sequence[Variation]
 ) -> Variation | None:
-    """Return the scene, with each number at an end of its range, that minimises a margin; others stay positive.
+    """Return the scene, with each number at an end of its range, that comes closest to violating a condition.
 
     The ends are guessed by adding the effects of the single numbers, taken from the `known` variations. Starting from
     the best guess, and from some `known` scenes, each number is tried at both ends. None if nothing is known about the
@@ -57,7 +57,7 @@ def find_corner(
 
 
 def _least(told: Sequence[Margin], known: Sequence[Variation], own: Variation) -> list[list[float]]:
-    """Return the factors on the numbers in the valid scenes with the smallest margins."""
+    """Return the factors on the numbers in the known scenes that come closest to violating a condition."""
     within = [other for other in known if all((each(other) or 0.0) > 0.0 for each in told[1:])]
     margins = {n: found for n, other in enumerate(within) if (found := told[0](other)) is not None}
     least = sorted(margins, key=lambda n: margins[n])[:STARTS]
@@ -67,7 +67,7 @@ def _least(told: Sequence[Margin], known: Sequence[Variation], own: Variation) -
 def _alone(
     variations: Variations, told: Sequence[Margin], known: Sequence[Variation], own: Variation
 ) -> tuple[Array, Array]:
-    """Return the factors on each number, (n, s), and the change of each margin by each factor alone, (m, n, s).
+    """Return the factors tried on each number, (n, s), and how each alone shifts each condition, (m, n, s).
 
     The first factor is 1; shorter lists are padded with 1.
     """
@@ -89,7 +89,7 @@ def _moved(other: Variation, own: Variation) -> list[str]:
 def _descended(
     variations: Variations, told: Sequence[Margin], factors: Array, times: list[float]
 ) -> tuple[Variation | None, float]:
-    """Return a scene after one pass of coordinate descent on the first margin, and the margin there.
+    """Return the scene after a change of one number at a time towards violation, and its distance from it.
 
     One pass suffices. For numbers of the question, intermediate factors are tried too, because an event may fail to
     occur at both ends.
@@ -138,7 +138,7 @@ def counterexample(
     *,
     signed: bool,
 ) -> Variation | None:
-    """Return a scene in which the formula fails, sought where it is negative or undefined; None if none is found.
+    """Return a scene with other numbers for which the formula fails, such as by its sign; None if none is found.
 
     All or some numbers are multiplied by factors with logarithms of at most `width`; half of the sets have random
     signs.
@@ -154,7 +154,7 @@ def counterexample(
 
 
 def _tried(variations: Variations, unfit: Array, is_counterexample: Callable[[Variation], bool]) -> Variation | None:
-    """Return the first counterexample among sets of numbers, (n, s)."""
+    """Return the first scene, among sets of numbers (n, s), in which the formula fails; None if none does."""
     here, answered = np.array([held.value for held in variations.symbols]), False
     distance = (np.abs(np.log(np.abs(unfit / here))) + OTHER_SIGN * (unfit * here < 0.0)).sum(1)
     most = SIMULATED[bool(changing(variations.study.mechanism))]
@@ -169,7 +169,7 @@ def _tried(variations: Variations, unfit: Array, is_counterexample: Callable[[Va
 
 
 def _in_turn(closest: list[int], most: int) -> Iterator[int]:
-    """Yield indices in a mixed order, `most` at most: the closest ones, some from everywhere, then the next."""
+    """Yield at most `most` of the given indices: the first few, then some spread over the rest, then the others."""
     first, beyond = closest[:CLOSEST], closest[CLOSEST:]
     scattered = beyond[:: max(1, len(beyond) // SCATTERED)][:SCATTERED]
     rest = (number for number in beyond if number not in scattered)
@@ -177,7 +177,7 @@ def _in_turn(closest: list[int], most: int) -> Iterator[int]:
 
 
 def _drawn(variations: Variations, width: float) -> Array:
-    """Return random sets of numbers around the scene's own, (n, s), without repetitions."""
+    """Return random sets of the numbers of a problem, (n, s), around the stated ones, without repetitions."""
     rng, here = np.random.default_rng(COUNTEREXAMPLE_SEED), np.array([held.value for held in variations.symbols])
     changed = rng.random((DRAWN, len(here))) < np.where(np.arange(DRAWN) % 2, CHANGED, 1.0)[:, None]
     drawn = here * np.exp(np.where(changed, rng.uniform(-width, width, changed.shape), 0.0))

@@ -24,10 +24,10 @@ STEP_ERROR_RTOL = 1e-3  # relative; larger deviations are not due to the engine'
 
 
 class FormulaValidity:
-    """The scenes with other numbers in which a formula is tested; each is simulated when first needed."""
+    """Tests of a formula in scenes with other numbers, each of which is simulated when first needed."""
 
     def __init__(self, variations: Variations, factor: float) -> None:
-        """Store the variations and the `factor` from the engine's unit to that of formulas (degrees to radians)."""
+        """Store the scenes with other numbers, and the factor from the engine's to the formula's unit of the answer."""
         self._variations, self._factor = variations, factor
         self._whole: tuple[Expression, ...] = ()  # the formula as its derivation left it: what cancels has signs, too
         self._signed = False  # whether the sign of the answer is asked for
@@ -46,7 +46,7 @@ class FormulaValidity:
     def stated_formula(
         self, whole: Expression, rng: np.random.Generator, words: Words, *, signed: bool
     ) -> tuple[ClosedForm, tuple[Regime, ...]] | None:
-        """Return the formula as the answer, and its assumptions; None if no formula agrees with the engine.
+        """Return the formula in its final form with the assumptions it needs; None if it disagrees with the engine.
 
         If no sign is requested and no few regimes fix the signs, absolute values stay between bars.
         """
@@ -70,7 +70,7 @@ class FormulaValidity:
     def _sized(
         self, formula: ClosedForm, rng: np.random.Generator, words: Words
     ) -> tuple[ClosedForm, tuple[Regime, ...] | None]:
-        """Return the absolute value of a formula, without bars where its sign is constant, and its assumptions."""
+        """Return a formula for the magnitude, with bars only where the sign varies, and the assumptions it needs."""
         found = formula.of_sizes([other.values for other in (*self._near, *self._wide)])
         assumed = self.assumed(found, rng, words)
         if not assumed:
@@ -80,7 +80,7 @@ class FormulaValidity:
         return (plainer if self.assumed(plainer, rng, words) == assumed else found), assumed
 
     def near(self, formula: Expression, rng: np.random.Generator) -> bool:
-        """Return whether enough scenes with nearby numbers in the same regime are found and agree."""
+        """Return whether a formula agrees with the engine in several scenes with slightly different numbers."""
         own = self._near[0]
         for width in NEAR_WIDTHS:
             found = [own]
@@ -93,7 +93,7 @@ class FormulaValidity:
         return False
 
     def formula(self, found: ClosedForm, symbols: Sequence[ProblemSymbol]) -> Formula:
-        """Return the formula in the form that a question stores."""
+        """Return the formula with its symbols, units and tested values, as a question stores it."""
         own = [held.symbol for held in symbols if not held.of_world]
         return Formula(
             found.latex,
@@ -106,7 +106,7 @@ class FormulaValidity:
         )
 
     def assumed(self, formula: ClosedForm, rng: np.random.Generator, words: Words) -> tuple[Regime, ...] | None:
-        """Return the fewest regimes that exclude all scenes in which the formula fails; None if no few do.
+        """Return the fewest assumptions, such as taut strings, that exclude all scenes in which the formula fails.
 
         Regimes that are always stated come first. After each choice a counterexample is sought.
         """
@@ -122,7 +122,7 @@ class FormulaValidity:
         return None
 
     def _chosen(self, formula: ClosedForm, rng: np.random.Generator, words: Words) -> tuple[Regime, ...] | None:
-        """Return the fewest regimes that exclude all known counterexamples; None if no few do.
+        """Return the fewest assumptions that exclude all known scenes in which the formula fails; None if no few do.
 
         Scenes are sought far from the original, and at the limits of the regimes: a string may go slack, or a sliding
         body stick, without a change of sign in the formula.
@@ -144,7 +144,7 @@ class FormulaValidity:
         return chosen
 
     def _fewest(self, kept: Sequence[Regime], excluding: Sequence[set[Regime]]) -> tuple[Regime, ...] | None:
-        """Return the fewest regimes with at least one in each given set, with all that are always stated.
+        """Return the fewest assumptions with at least one of each given set, and with all that texts must state.
 
         Among equally few regimes, those are preferred that also exclude scenes without an answer that begin differently
         or leave a regime, because the text would otherwise seem to include them.
@@ -162,15 +162,15 @@ class FormulaValidity:
 
     @staticmethod
     def _leaving_out(other: Variation, kept: Sequence[Regime]) -> set[Regime]:
-        """Return the regimes that exclude a scene."""
+        """Return the assumptions that a scene does not satisfy."""
         return {held for held in kept if not held.holds(other.study, other.until)}
 
     def _missed(self, formula: Expression, told: Sequence[Regime], other: Variation) -> bool:
-        """Return whether a formula fails in a scene that satisfies the stated regimes."""
+        """Return whether a formula fails in a scene although the scene satisfies all stated assumptions."""
         return not self._leaving_out(other, told) and not self._agrees(formula, other)
 
     def _leaving(self, held: Regime, told: Sequence[Regime]) -> Variation | None:
-        """Return a scene outside a regime, or as close to its limit as possible, that satisfies the stated regimes.
+        """Return a scene that violates one assumption, or nearly does, but satisfies the stated ones.
 
         None if a known variation is already outside the regime.
         """
@@ -187,7 +187,7 @@ class FormulaValidity:
     def _plainer(
         self, formula: ClosedForm, assumed: tuple[Regime, ...], rng: np.random.Generator, words: Words
     ) -> ClosedForm:
-        """Return the formula without roots of squares, where that needs no more assumptions."""
+        """Return the formula with √(x²) replaced by x or −x where no further assumption is needed, else by |x|."""
         sized = formula.without_roots_of_squares()
         if sized == formula:
             return formula
@@ -196,7 +196,7 @@ class FormulaValidity:
         return signed if fits and self.assumed(signed, rng, words) == assumed else sized
 
     def _widely(self, formula: Expression, rng: np.random.Generator) -> Iterator[Variation]:
-        """Yield scenes with numbers far from the scene's own."""
+        """Yield scenes with numbers far from the problem's own, in which the formula may fail."""
         yield from self._wide
         self._more = self._more or chain(
             self._variations.across(rng, NEAR_WIDTHS[-1], ACROSS),
@@ -210,7 +210,7 @@ class FormulaValidity:
             yield other
 
     def _shared(self, words: Words) -> list[Regime]:
-        """Return the regimes that all nearby scenes satisfy."""
+        """Return the assumptions that hold in the problem's own scene and in those with slightly different numbers."""
         own, *others = self._near
         found = regimes(own.study, words, own.until)
         if own.query.hides:  # the text does not tell the motion
@@ -218,7 +218,7 @@ class FormulaValidity:
         return [held for held in found if all(held.holds(other.study, other.until) for other in others)]
 
     def _begun_otherwise(self, kept: Sequence[Regime]) -> Iterator[set[Regime]]:
-        """Yield, for each scene without an answer, the regimes that it violates at the start or later."""
+        """Yield, for each scene without an answer, the assumptions whose violation may be the reason."""
         own = self._near[0].study
         first = [held for held in kept if held.holds(own, 0.0)]
         found = (
@@ -243,7 +243,7 @@ def _margin(held: Regime) -> Margin:
 
 
 def _kept(held: Regime) -> Margin:
-    """Return the margin of a regime, negative wherever the regime does not hold."""
+    """Return a function of a scene: its distance from violating an assumption, negative if it violates it."""
 
     def margin(other: Variation) -> float:
         found = held.margin(other.study, other.until) if held.holds(other.study, other.until) else -1.0
@@ -253,6 +253,6 @@ def _kept(held: Regime) -> Margin:
 
 
 def _some(found: Sequence[Regime], few: int) -> Iterator[tuple[Regime, ...]]:
-    """Yield single regimes, then combinations of a few."""
+    """Yield single assumptions, then combinations of two and more, up to a few."""
     for count in range(1, few + 1):
         yield from combinations(found, count)

@@ -11,7 +11,7 @@ from sim2reason.text.prose.symbol_names import factor
 
 
 def likely_answers(query: Query, study: SimulatedScene, words: Words, path: str) -> Callable[[float], float] | None:
-    """Return the expected answer to a query about a limit as a function of the number at an address.
+    """Return the likely answer as a function of the number at an address, for a question about its limit.
 
     The function returns 0 where the formula has no value. None for other queries, and if no formula is derived.
     """

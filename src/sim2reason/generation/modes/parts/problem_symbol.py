@@ -50,12 +50,12 @@ class Variation:
 
     @property
     def story(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
-        """Return the events before that time, in order; turning points are omitted."""
+        """Return the events up to the latest time on which the answer depends, in order, without turning points."""
         return self.study.trace.story(self.until)
 
     @property
     def finer(self) -> "Variation | None":
-        """Return the variation simulated with the smallest steps; None if it has no answer, or already has them."""
+        """Return the variation simulated with the smallest steps; None without an answer, or if it already is."""
         scene, trace = self.study.scene, self.study.trace
         if not trace.tolerance:
             return None

@@ -35,7 +35,7 @@ FARTHEST = 2.0  # times the largest number of a unit, by which signed numbers ar
 
 @dataclass(frozen=True)
 class Variations:
-    """A query about a scene in which all stated numbers can be replaced."""
+    """A problem in which all stated numbers can be replaced, for tests of its formula."""
 
     study: SimulatedScene
     query: Query
@@ -44,14 +44,14 @@ class Variations:
     factor: float = 1.0  # which makes the engine's answers those of formulas
 
     def own(self) -> Variation | None:
-        """Return the variation with the scene's own numbers."""
+        """Return the problem with its own numbers; None if it has no answer."""
         found = answered(self.query, self.study)
         return None if found is None else Variation(self._counted([held.value for held in self.symbols]), *found)
 
     def drawn(
         self, rng: np.random.Generator, width: float, tries: int, unanswered: list[SimulatedScene] | None = None
     ) -> Iterator[Variation]:
-        """Yield answered variations with every number times a random factor of logarithm at most `width`.
+        """Yield problems with each number multiplied by a random factor between exp(−`width`) and exp(`width`).
 
         Motions without an answer are added to `unanswered`.
         """
@@ -61,12 +61,12 @@ class Variations:
                 yield found
 
     def widely(self, rng: np.random.Generator, width: float, unanswered: list[SimulatedScene]) -> Iterator[Variation]:
-        """Yield many random variations; fewer where motions need integration, which costs ten times as much."""
+        """Yield many problems with random numbers; fewer if the motion must be integrated, which is far slower."""
         tries, wanted = WIDELY[bool(changing(self.study.mechanism))]
         yield from islice(self.drawn(rng, width, tries, unanswered), wanted)
 
     def across(self, rng: np.random.Generator, width: float, tries: int) -> Iterator[Variation]:
-        """Yield variations with the question's numbers mirrored at the initial value.
+        """Yield problems that ask about a value on the other side of the initial one, such as 1.25 instead of 0.8.
 
         None are drawn for numbers that are restricted to one side.
         """
@@ -84,7 +84,7 @@ class Variations:
     def turned(
         self, rng: np.random.Generator, formulas: Sequence[Expression], width: float, unanswered: list[SimulatedScene]
     ) -> Iterator[Variation]:
-        """Yield variations in which a sum in one of the formulas changes its sign or vanishes.
+        """Yield problems with numbers at which a sum in one of the formulas changes its sign or vanishes.
 
         Formulas likely fail there, and random numbers may miss such a small region. Numbers just beyond the change of
         sign are included; a sum that random numbers never change is changed deliberately.
@@ -106,15 +106,15 @@ class Variations:
             yield from self._moving(values, unanswered)
 
     def _turns(self, held: Expression, sign: float | None, drawn: Sequence[Sequence[float]]) -> list[bool]:
-        """Return, for each set of numbers, whether a sum changes its sign or vanishes."""
+        """Return, for each set of numbers, whether a sum has another sign than `sign`, or no value."""
         return turns(held, sign, self.columns(np.array(drawn)))
 
     def columns(self, drawn: Array) -> dict[str, Array]:
-        """Return the columns (n,) of sets of numbers (n, s), by symbol, in formula units."""
+        """Return the values (n,) of each symbol in sets of numbers (n, s), in the units of formulas."""
         return {held.symbol: held.counted(1.0) * numbers for held, numbers in zip(self.symbols, drawn.T, strict=True)}
 
     def _just_beyond(self, values: Sequence[float], held: Expression, sign: float | None) -> tuple[float, ...]:
-        """Return numbers between the scene's and others, slightly beyond a sum's change of sign."""
+        """Return numbers between the problem's own and `values` at which a sum has just changed its sign."""
         low, high = 0.0, 1.0
         while high - low > BEYOND_TURN / 2.0:
             middle = (low + high) / 2.0
@@ -123,11 +123,11 @@ class Variations:
         return self._towards(values, min(1.0, high + BEYOND_TURN))
 
     def _towards(self, values: Sequence[float], share: float) -> tuple[float, ...]:
-        """Return numbers at a fraction of the way to others, on a logarithmic scale."""
+        """Return numbers at a fraction of the way from the problem's own to `values`, on a logarithmic scale."""
         return tuple(held.value * (to / held.value) ** share for held, to in zip(self.symbols, values, strict=True))
 
     def one_by_one(self, width: float, unanswered: list[SimulatedScene]) -> Iterator[Variation]:
-        """Yield variations with one number far smaller or larger than all others of its unit.
+        """Yield problems with one number far smaller or larger than all others of the same unit.
 
         Symbols state neither which of several numbers is the largest, nor whether an angle is acute.
         """
@@ -142,7 +142,7 @@ class Variations:
                 yield from self._moving([*here[:n], copysign(end, here[n]), *here[n + 1 :]], unanswered)
 
     def mirrored(self, rng: np.random.Generator, width: float) -> Iterator[Variation]:
-        """Yield variations with one signed number negated, then with random signs and shifted numbers.
+        """Yield problems with one signed number negated, then with random signs and shifts of all signed numbers.
 
         A text in symbols does not state their signs. Cheap motions are drawn more often, since most of these variations
         have no answer.
@@ -161,11 +161,11 @@ class Variations:
             yield from self._moving(np.where(may, np.array(here) + shifts, values).tolist(), unanswered)
 
     def _sizes(self, extreme: Callable[[Iterable[float]], float]) -> list[float]:
-        """Return, for each number, the largest or smallest magnitude in its unit."""
+        """Return, for each number, the largest (or smallest) magnitude among all numbers of its unit."""
         return [extreme(abs(each.value) for each in self.symbols if each.unit == held.unit) for held in self.symbols]
 
     def having(self, values: Sequence[float], unanswered: list[SimulatedScene] | None = None) -> Variation | None:
-        """Return the variation with given numbers; None if it has no answer, or nearly a right angle."""
+        """Return the problem with given numbers; None if it has no answer, or an angle is nearly a right angle."""
         return None if self._is_steep(values) else self._at(values, unanswered)
 
     def _moving(self, values: Sequence[float], unanswered: list[SimulatedScene]) -> Iterator[Variation]:
@@ -174,7 +174,7 @@ class Variations:
             yield found
 
     def _corner(self, held: Expression, width: float) -> tuple[float, ...] | None:
-        """Return numbers, each at an end of its range, at which a sum changes its sign; None if there are none."""
+        """Return numbers, each at an end of its range, for which a sum changes its sign; None if there are none."""
         values = [held.value for held in self.symbols]
         sign = sign_of(held, self._counted(values))
         for n in range(len(values)):
@@ -183,7 +183,7 @@ class Variations:
         return tuple(values) if sign_of(held, self._counted(values)) != sign else None
 
     def _size(self, held: Expression, values: Sequence[float], sign: float | None) -> float:
-        """Return the distance of a sum from its change of sign."""
+        """Return the value of a sum, times its original sign: negative if the sum has changed its sign."""
         try:
             return held.value(self._counted(values)).real * (sign or 1.0)
         except (ValueError, ArithmeticError):
@@ -206,7 +206,7 @@ class Variations:
     def _at(
         self, values: Sequence[float], unanswered: list[SimulatedScene] | None, ends: tuple[float, ...] = ()
     ) -> Variation | None:
-        """Return the variation with given numbers, simulated to each of the end times `ends` (s) in turn."""
+        """Return the problem with given numbers, simulated to each of the times `ends` (s) until there is an answer."""
         said = dict(zip(self.symbols, values, strict=True))
         query, seen = self._asking(values), None
         error = (
@@ -230,14 +230,14 @@ class Variations:
 
     @cached_property
     def _roomy(self) -> Scene:
-        """Return the scene with enough clearance on strings and edges for other numbers."""
+        """Return the scene with strings and faces so long that other numbers cause no collision with their ends."""
         return with_long_strings(self.study.scene)
 
     def _counted(self, values: Sequence[float]) -> dict[str, float]:
         return {held.symbol: held.counted(value) for held, value in zip(self.symbols, values, strict=True)}
 
     def _asking(self, values: Sequence[float]) -> Query:
-        """Return the query with other numbers, and with its expected answer."""
+        """Return the query with the question's numbers replaced, and with the answer that the formula predicts."""
         moment = self.query.moment
         numbers = [value for held, value in zip(self.symbols, values, strict=True) if not held.path]
         query = replace(self.query, moment=moment.having(numbers)) if moment is not None else self.query
@@ -248,11 +248,11 @@ class Variations:
 
     @staticmethod
     def _waits(query: Query) -> bool:
-        """Return whether the motion determines the time of the answer."""
+        """Return whether the moment asked about is an event or a reached value, whose time follows from the motion."""
         return query.moment is not None and bool(query.moment.event or query.moment.channels)
 
     def _ends(self, query: Query) -> tuple[float, ...]:
-        """Return the end times of the simulation, s: a stated time, else multiples of the original time."""
+        """Return the times to which the motion is simulated, s: a stated one, else multiples of the original time."""
         here, least = KINDS[self.query.kind].time(self.query, self.study) or 0.0, SHORTEST * self.study.scene.horizon
         moment = query.moment
         times = [number for number, unit in moment.stated if unit == "s"] if moment is not None else []

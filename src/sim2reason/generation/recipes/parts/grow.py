@@ -65,7 +65,7 @@ def _steepness(scene: Scene, end: Stop) -> float:
 
 
 def _alone(scene: Scene, end: Stop) -> Builder:
-    """Return the builder of only the entity at one end of a string."""
+    """Return the mechanism builder of the entity at one end of a string, built without the other entities."""
     return next(named.alone for named in scene.entities if named.name == end.owner.partition(".")[0])
 
 
@@ -88,7 +88,7 @@ CLOSERS = {HAND: 0.4, "FixedSupport": 0.6}
 
 @dataclass(frozen=True)
 class Tier:
-    """The difficulty settings of growth: number and types of entities, and ranges of numbers.
+    """The settings of random growth at one difficulty: number and types of entities, and ranges of numbers.
 
     `groups` are pools of entity types with weights; a scene has one entity of each. `rough` is the probability of
     friction, `massive` that of massive pulleys, and `more` that of using an optional port.
@@ -116,7 +116,7 @@ class Grower:
     """The state of one scene during random growth."""
 
     def __init__(self, tier: Tier, rng: np.random.Generator) -> None:
-        """Decide friction and massive pulleys once for the whole scene."""
+        """Draw what holds for the whole scene: number of entities, friction, massive pulleys and ranges of masses."""
         self.tier, self.rng = tier, rng
         self.left = int(rng.integers(tier.size.low, tier.size.high + 1))
         self.choices: dict[str, Choice] = {"load?": LOADED, **tier.choices, **self._masses()}
@@ -134,7 +134,7 @@ class Grower:
         self.pulled = False  # whether a hand pulls: two would do no more than one
 
     def _masses(self) -> dict[str, Choice]:
-        """Return settings for masses: comparable blocks, lighter pulleys, and pulling forces like weights."""
+        """Draw the ranges of masses and forces: blocks of similar mass, lighter pulleys, pulls similar to weights."""
         blocks, pulleys = self.tier.choices["mass"], self.tier.choices["pulley mass"]
         assert isinstance(blocks, Range)
         assert isinstance(pulleys, Range)
@@ -251,7 +251,7 @@ class Grower:
         return [stop for stop in open_ports(named) if isinstance(stop.port, Pass)][:1]
 
     def _far_end(self, kind: type[Connection], here: OpenPort, path: list[OpenPort]) -> OpenPort:
-        """Return the other end of a connection; a fixed end only if something on the way can move."""
+        """Return the port at which a connection ends; on a fixed support only if something on the way can move."""
         pool = {name: w for name, w in self.tier.pool.items() if not is_passed(name, kind)}
         moving = any(isinstance(stop.port, Pass) for stop in (here, *path))
         onward = not path or not moving or bool(self._missing()) or self._chance(ONWARD)

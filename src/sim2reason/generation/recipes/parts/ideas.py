@@ -23,7 +23,7 @@ V = TypeVar("V", bound=Model)
 def idle_numbers(
     value: V, response: Callable[[V], Sequence[float]], least: float = MIN_RESPONSE_CHANGE
 ) -> Iterator[str]:
-    """Yield the addresses of numbers whose halving and doubling changes all responses by less than `least`."""
+    """Yield the addresses of numbers that affect no response: halved or doubled, each changes by under `least`."""
     before = response(value)
     for number in parameters(value):
         if (
@@ -39,7 +39,7 @@ def idle_numbers(
 
 
 def _moved(value: V, number: Parameter) -> Iterator[V]:
-    """Yield the valid models with a number halved and doubled."""
+    """Yield the models with one number halved and doubled, or an angle turned by ±10°, as far as they are valid."""
     assert number.value is not None
     turned = number.measure.unit == "deg"
     for new in (number.value + turn for turn in TURNS) if turned else (number.value * factor for factor in FACTORS):
@@ -54,7 +54,7 @@ REDRAWS = 200  # of scenes that do not fit an idea
 
 @dataclass(frozen=True)
 class Idea:
-    """A type of problem: its entity, the ranges and parts to draw from, and its weight."""
+    """A type of random scene with one entity: the ranges and parts to draw from, a condition, and a weight."""
 
     entity: str
     choices: Choices = field(default_factory=dict[str, Choice])

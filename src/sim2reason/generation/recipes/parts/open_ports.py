@@ -67,7 +67,7 @@ def ends_for(named: Named, kind: type[Connection], here: OpenPort) -> list[OpenP
 
 
 def is_passed(name: str, kind: type[Connection]) -> bool:
-    """Return whether a connection must pass through an entity, which then is never its end."""
+    """Return whether connections of a kind only pass through an entity of a type, and never end there."""
     ports = outer_ports(ENTITIES[name]).values()
     return any(isinstance(port, Pass) and port.required and isinstance(port, kind.joins) for port in ports)
 

@@ -119,7 +119,7 @@ def _unit(text: str, at: int) -> tuple[str, int]:
 
 @lru_cache(maxsize=512)
 def _kind(unit: str) -> tuple[str, float]:
-    """Return the kind of a unit and its factor to the SI unit of that kind; `PLAIN` and 1 if it is not a unit."""
+    """Return the physical quantity of a unit, such as mass, and its factor to SI; `PLAIN` and 1 for other words."""
     found = _known(unit)
     for kind, usual in KINDS.items() if found is not None else ():
         factor = found.factor_to(parse_unit(usual)) if found is not None else None

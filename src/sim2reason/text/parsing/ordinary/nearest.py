@@ -16,7 +16,7 @@ _SYMBOL = re.compile(r"\$[^$\n]{1,40}\$")
 
 
 def equivalent_forms(sentence: str) -> list[Form]:
-    """Return the forms equivalent to a sentence in any wording, those with the same letters first."""
+    """Return the library's sentences that say the same as a user's, those with the same letters of bodies first."""
     said = content(sentence)
     return sorted(
         (form for form in forms() if _equal(said, form)), key=lambda form: form.content.letters != said.letters
@@ -32,12 +32,12 @@ def _by_core() -> dict[frozenset[str], list[Form]]:
 
 
 def _core(said: Content) -> frozenset[str]:
-    """Return the words by which a sentence is looked up; equivalent sentences have the same words."""
+    """Return the words by which the library's equivalent sentences are found; they are the same for all of these."""
     return said.facts - NOUNS - {"rough"}
 
 
 def nearest(sentence: str) -> str | None:
-    """Return the form that shares most words with a sentence, with its numbers filled in; None if none is similar."""
+    """Return the most similar sentence of the library, with the user's numbers filled in; None if none is similar."""
     if len(sentence) > MAX_SENTENCE_LENGTH:
         return None
     said = content(sentence)
@@ -46,13 +46,13 @@ def nearest(sentence: str) -> str | None:
 
 
 def fill_form(form: Form, said: Content) -> str:
-    """Return the text of a form with the numbers of a sentence; a symbol without a number remains."""
+    """Return a sentence of the library with the numbers of a user's sentence; symbols without a number remain."""
     values = iter(_values(form, said))
     return _SYMBOL.sub(lambda symbol: next(values) or symbol[0], form.text)
 
 
 def _values(form: Form, said: Content) -> Iterator[str | None]:
-    """Yield, for each number of a form, the matching number of the user's sentence, or None if ambiguous.
+    """Yield, for each number of a library sentence, the user's matching number, or None if several may match.
 
     Numbers correspond if they are of the same kind, such as two masses, and in order.
     """
@@ -95,7 +95,7 @@ def _common(some: Sequence[str], others: Sequence[str]) -> int:
 
 
 def _equal(said: Content, form: Form) -> bool:
-    """Return whether a form is equivalent to a sentence: same words, same order of bodies, matching numbers."""
+    """Return whether two sentences are equivalent: same words, same order of bodies, matching numbers."""
     other = form.content
     kinds, units = [number.bare for number in said.numbers], [coherent(unit)[0] for unit in form.units]
     if sorted(kinds) != sorted(units) or not (_agree(said, other) or _of_one(said, other)):
@@ -106,12 +106,12 @@ def _equal(said: Content, form: Form) -> bool:
 
 
 def _agree(said: Content, other: Content) -> bool:
-    """Return whether two contents have the same words; *rough* may be missing if the friction is stated."""
+    """Return whether two sentences have the same words; *rough* may be missing if the friction is stated."""
     return said.facts in (other.facts, other.facts - {"rough"}) and said.order == other.order
 
 
 def _of_one(said: Content, other: Content) -> bool:
-    """Return whether two contents have the same words, except for one noun, such as *block*, in only one of them."""
+    """Return whether two sentences have the same words, except for one noun, such as *block*, in only one of them."""
     mine, theirs = said.facts & NOUNS, other.facts & NOUNS
     if said.letters or other.letters or len(mine) + len(theirs) != 1:
         return False
@@ -120,13 +120,13 @@ def _of_one(said: Content, other: Content) -> bool:
 
 
 def _introduced(form: Form) -> bool:
-    """Return whether each letter of a form occurs once, beside a number, as in a sentence that introduces bodies."""
+    """Return whether each body's letter in a library sentence occurs once, beside a number, which introduces it."""
     beside = {word for index in range(len(form.units)) for word in form.content.beside(index)}
     return len(set(form.content.letters)) == len(form.content.letters) and beside.issuperset(form.content.letters)
 
 
 def _in_turn(said: Content, other: Content, kinds: list[str], units: list[str], kind: str) -> bool:
-    """Return whether the numbers of a kind match one by one: beside the same words, or the same letters of bodies."""
+    """Return whether numbers of the same quantity match in order: beside the same words, or letters of bodies."""
     pairs = zip(_of_kind(kinds, kind), _of_kind(units, kind), strict=True)
     return all(_alike(said.beside(mine), other.beside(theirs)) for mine, theirs in pairs)
 

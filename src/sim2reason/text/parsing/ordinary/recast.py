@@ -33,7 +33,7 @@ _ENDS = re.compile(r"^(?:it |they )?(?:is|are) ")
 
 @dataclass(frozen=True, slots=True)
 class RewrittenText:
-    """A text in the library's sentences; the scene's closing decides whether it starts from rest."""
+    """A user's text rewritten in the library's sentences, and whether the original text states a start from rest."""
 
     said: tuple[str, ...]
     from_rest: bool
@@ -41,11 +41,11 @@ class RewrittenText:
 
     @property
     def is_complete(self) -> bool:
-        """Return whether the closings include a start from rest if the original text states one."""
+        """Return whether a start from rest that the original text states is among the added sentences."""
         return not self.from_rest or any(name.startswith("rest") for name in self.added)
 
     def adding(self, name: str) -> "RewrittenText | None":
-        """Return the text with the named closing inserted; None if the text neither states nor presumes it."""
+        """Return the text with a named closing sentence added; None if the original neither states nor presumes it."""
         if not (PRESUMED.fullmatch(name) or (self.from_rest and name.startswith("rest"))):
             return None
         found = next(closing for closing in CLOSINGS if closing.name == name)
@@ -80,7 +80,7 @@ def recast(said: Sequence[str]) -> Iterator[RewrittenText]:
 
 
 def _of_these(told: list[tuple[str, float]], nouns: frozenset[str]) -> list[tuple[str, float]]:
-    """Return the forms that name only bodies of the text, or all forms if every one names others."""
+    """Return the library's sentences that name only bodies of the text, or all of them if each names other bodies."""
     return [each for each in told if nouns.issuperset(content(each[0]).facts & NOUNS)] or told
 
 
@@ -94,7 +94,7 @@ def _unlettered(said: Sequence[str]) -> Sequence[str]:
 
 
 def _comes_after(sentence: str, name: str) -> bool:
-    """Return whether a sentence is a closing that follows the closing `name`; *g = …* is always last."""
+    """Return whether a sentence belongs after the closing sentence called `name`; *g = …* is always last."""
     last = re.search(r"\bg = ", sentence) is not None
     return is_assumption(sentence) and (last or name.startswith(("rest", "start")))
 
@@ -130,7 +130,7 @@ def _known(sentence: str) -> list[tuple[str, float]] | None:
 
 
 def _lettered(text: str, form: Form, said: Content) -> str:
-    """Return a form's text; its only letter is replaced by A if the sentence has no letter."""
+    """Return a library sentence; its only letter of a body is replaced by A if the user's sentence has none."""
     if said.letters or len(form.content.letters) != 1:
         return text
     return re.sub(rf"\b{form.content.letters[0]}\b", FIRST_LETTER, text, count=1)

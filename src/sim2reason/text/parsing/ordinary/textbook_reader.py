@@ -133,7 +133,7 @@ def _taken(pattern: str, words: str, amounts: tuple[Amount, ...], given: dict[st
 
 
 def _kept(found: re.Match[str]) -> str:
-    """Return the replacement of a match: the text of its group `keep`, or nothing."""
+    """Return what remains of a matched phrase: the text of its group `keep`, or nothing."""
     kept = (said for name, said in found.groupdict().items() if name.startswith("keep") and said is not None)
     return next(kept, "|")
 

@@ -23,7 +23,7 @@ RowsOf = Callable[[Request], list[Row] | None]
 def drawn_rows(
     problems: Fresh, rows_of: RowsOf, items: int, workers: int, left_out: Counter[str], reason: str
 ) -> Iterator[Row]:
-    """Yield the rows of the first `items` problems that have rows, in order.
+    """Yield the rows (prompts with completions) of the first `items` problems that have some, in order.
 
     There are fewer rows if problems are too rare. Problems without rows are counted under `reason`.
     """
@@ -46,7 +46,7 @@ def drawn_rows(
 
 
 def _stretch(problems: Fresh, rows_of: RowsOf, number: int, size: int) -> list[list[Row]]:
-    """Return the rows of each problem in an interval of indices."""
+    """Return the rows (prompts with completions) of each problem in an interval of indices."""
     cells, found = problems.cells, list[list[Row]]()
     for place in range(number * size, (number + 1) * size):
         index, cell = divmod(place, len(cells))

@@ -38,7 +38,7 @@ TOKENS = pa.list_(pa.int32())
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """The largest numbers of tokens of a row."""
+    """The largest allowed numbers of tokens: of a prompt, of a completion, and of both together."""
 
     prompt: int
     completion: int
@@ -49,7 +49,7 @@ class Limits:
 
 @dataclass(frozen=True, slots=True)
 class EncodedRow:
-    """A tokenized row."""
+    """A prompt and its completion as tokens."""
 
     prompt: list[int]
     completion: list[int]
@@ -65,7 +65,7 @@ class EncodedRow:
         return [IGNORED] * len(self.prompt) + self.completion
 
     def excess(self, limits: Limits) -> str:
-        """Return the name of the limit that the row exceeds; empty if none."""
+        """Return which token limit the row exceeds, in words; empty if it exceeds none."""
         if len(self.prompt) > limits.prompt:
             return "prompt too long"
         if len(self.completion) > limits.completion:
@@ -137,7 +137,7 @@ MOST_ROWS = 10_000_000
 
 @dataclass(frozen=True, slots=True)
 class Counted:
-    """The counts of rows of one corpus."""
+    """How many rows a corpus has, how many are used, and how many are wrong or omitted."""
 
     kind: str
     rows: int
@@ -152,7 +152,7 @@ class Counted:
 
 @dataclass(frozen=True, slots=True)
 class Mix:
-    """The rows in the order of training, with their corpora."""
+    """All rows in the order of training, and the counts of rows of each corpus."""
 
     rows: list[Row]
     corpora: list[Counted]
@@ -193,7 +193,7 @@ def counted(reasons: Mapping[str, int]) -> str:
 
 
 def _weighted(rows: list[Row], weight: float, rng: np.random.Generator) -> list[Row]:
-    """Return the rows repeated by an integer weight, with a random subset for the fraction; at least one."""
+    """Return the rows repeated as often as the weight says, with a random part for its fraction; at least one row."""
     times, part = divmod(weight, 1.0)
     more = rng.permutation(len(rows))[: round(part * len(rows))]
     return rows * int(times) + [rows[place] for place in sorted(more)] or [rows[0]]

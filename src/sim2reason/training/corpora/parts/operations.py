@@ -33,11 +33,11 @@ Definitions = Mapping[str, Expression]
 
 
 class UnwrittenError(Exception):
-    """An error for a formula without an arithmetic form, such as a numerical root."""
+    """An error for a formula that cannot be written as arithmetic operations, such as a numerical root."""
 
 
 def definitions(solution: Solution) -> Definitions:
-    """Return the formulas from given numbers to the goal, the goal last; empty if there are none."""
+    """Return the formulas that lead from the given numbers to the answer, in order; empty if there are none."""
     known = given(solution)
     found: dict[str, Expression] = {}
     for relation in solution.relations:
@@ -58,7 +58,7 @@ def definitions(solution: Solution) -> Definitions:
 
 
 def arithmetic(solution: Solution, slip: Callable[[Definitions], Definitions] = lambda held: held) -> str:
-    """Return the operations that lead to the answer, with it in a box; empty if a formula has no such form.
+    """Return a solution as arithmetic operations with the boxed answer; empty if a formula has no such form.
 
     `slip` may replace formulas by wrong ones, whose consequences are computed consistently.
     """
@@ -97,7 +97,7 @@ def plain_number(value: float) -> str:
 
 @dataclass(frozen=True, slots=True)
 class _Operand:
-    """A number with its written form."""
+    """A number in an arithmetic operation, with the text in which it is written."""
 
     text: str
     value: float
@@ -116,7 +116,7 @@ def _rounded(value: float) -> _Operand:
 
 @dataclass
 class _Written:
-    """The operations written so far, and their results."""
+    """An arithmetic solution in progress: the operations written so far, and their results by name."""
 
     values: dict[str, _Operand]
     steps: list[str] = field(default_factory=list[str])
@@ -124,7 +124,7 @@ class _Written:
     _last: str = "nothing yet"  # the result of the last operation
 
     def define(self, name: str, formula: Expression) -> None:
-        """Write the operations of a formula; the last one states its name."""
+        """Write the operations that evaluate a formula; the last one states the name of its result."""
         before = len(self.steps)
         found = self._operand(formula)
         plain = UNWRITTEN.sub("", name)
@@ -150,7 +150,7 @@ class _Written:
                 return self._function(held)
 
     def _step(self, text: str, value: float) -> _Operand:
-        """Return the result of an operation, written unless it was already."""
+        """Return the result of an operation; write the operation unless the same one was written before."""
         if text not in self._done:
             self._done[text] = _rounded(value)
             operation = text.removeprefix(self._last)
@@ -167,7 +167,7 @@ class _Written:
         return total
 
     def _product(self, factors: tuple[Expression, ...]) -> _Operand:
-        """Return a product; numbers and functions of given values join the first other factor."""
+        """Return a product; its numbers and functions, such as sin44, are multiplied in one operation with a factor."""
         single = [part for factor in factors for part in _repeated(factor)]
         constants = [factor for factor in single if isinstance(factor, Number | Pi | Call)]
         others = [factor for factor in single if factor not in constants]

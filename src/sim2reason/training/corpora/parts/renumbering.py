@@ -64,7 +64,7 @@ SLIPS: Final[Mapping[str, Changes]] = {"factor": _factor, "function": _function,
 
 
 def slipped(held: Definitions, shares: Mapping[str, float], rng: np.random.Generator) -> Definitions:
-    """Return the formulas with random errors, each kind with its probability where applicable."""
+    """Return the formulas of a solution with random errors, each kind of error with its own probability."""
     for kind, share in sorted(shares.items()):
         wrong = rng.random() < share
         ways = [(name, way) for name, formula in held.items() for way in _anywhere(formula, SLIPS[kind])]
@@ -75,7 +75,7 @@ def slipped(held: Definitions, shares: Mapping[str, float], rng: np.random.Gener
 
 
 def _anywhere(held: Expression, changes: Changes) -> Iterator[Expression]:
-    """Yield a formula with one error, in itself or in one of its parts."""
+    """Yield the variants of a formula with one error, in itself or in one of its parts."""
     yield from changes(held)
     for place, part in enumerate(held.parts):
         for changed in _anywhere(part, changes):
@@ -92,7 +92,7 @@ _NUMBER = re.compile(r"(?<![\w.,])\d+(?:\.\d+)?(?![\w]*[.,]?\d)")
 
 
 def renumbered(prompt: str, solution: Solution, rng: np.random.Generator) -> tuple[str, Solution] | None:
-    """Return a prompt and its solution with other numbers; None if none are found that keep all signs.
+    """Return a prompt and its solution with other numbers; None if no numbers keep the signs of all results.
 
     Only numbers that the prompt states once, in the digits of the problem, are changed.
     """
@@ -129,7 +129,7 @@ def _changed(prompt: str, solution: Solution, rng: np.random.Generator) -> tuple
 
 
 def _positions(places: list[Place], value: float) -> list[Place]:
-    """Return the positions at which a number occurs."""
+    """Return the positions in a text at which a given number occurs."""
     return [(span, text) for span, text in places if isclose(float(text), value, rel_tol=1e-9)]
 
 
@@ -142,7 +142,7 @@ def _like(text: str, value: float) -> str:
 
 
 def _values(solution: Solution, numbers: Mapping[str, float]) -> dict[str, float] | None:
-    """Return the results from the numbers; None if a sign changes, or a formula is undefined."""
+    """Return the results of a solution's formulas for other numbers; None if a sign changes or one is undefined."""
     values = dict(numbers)
     for name, formula in definitions(solution).items():
         try:

@@ -17,5 +17,5 @@ def problems(**settings: object) -> datasets.DatasetDict:
 
 
 def process_results(doc: dict[str, str], results: list[str]) -> dict[str, float]:
-    """Return one response to one problem."""
+    """Return the reward for the response to one problem."""
     return {"accuracy": score(doc["ground_truth"], results[0]).reward}

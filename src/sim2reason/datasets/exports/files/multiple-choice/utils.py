@@ -16,7 +16,7 @@ def problems(**settings: object) -> datasets.DatasetDict:
 
 
 def text(doc: dict[str, Any]) -> str:
-    """Return the question with its choices, before a letter."""
+    """Return the question with its options, after which the model writes a letter."""
     listed = "\n".join(f"{letter}. {choice}" for letter, choice in zip(letters(doc), doc["choices"], strict=True))
     return f"{doc['question']}\n\n{listed}\n\nAnswer:"
 

@@ -19,7 +19,7 @@ DATA = Path(__file__).resolve().parent / "data"
 
 @dataclass
 class ProblemsConfig:
-    """Which problems, in which order, and how many; beyond their number they come again."""
+    """Settings of stored problems: their split, order and number; a larger number repeats them."""
 
     split: str = "train"
     seed: int = 0
@@ -27,11 +27,11 @@ class ProblemsConfig:
 
     @property
     def path(self) -> Path:
-        """The file of the split."""
+        """Return the path of the file with the problems of the split."""
         return DATA / f"{self.split}.jsonl"
 
     def validate(self) -> None:
-        """Refuse what is not there."""
+        """Raise ValueError if the split does not exist or the size is not positive."""
         if not self.path.is_file():
             raise ValueError(f"{self.path}: there is no such split")
         if self.size < 1:
@@ -76,7 +76,7 @@ class Problems(Graded):
         Random(config.seed).shuffle(self.rows)
 
     def __getitem__(self, idx: int) -> dict[str, Any]:
-        """Return a problem with its answer and what it is graded by."""
+        """Return a problem with its answer and its ground truth."""
         return self.told(self.rows[idx % len(self.rows)], idx)
 
 

@@ -14,7 +14,7 @@ DATA = Path(__file__).resolve().parent / "data"
 
 
 class ProblemData(vf.TaskData):
-    """A problem, an answer that passes, and what answers are graded by."""
+    """A problem with an answer that is graded as correct, and the ground truth for grading."""
 
     answer: str
     ground_truth: str
@@ -29,7 +29,7 @@ class Problem(vf.Task[ProblemData]):
 
     @property
     def key(self) -> str:
-        """The item's id, wherever the problem stands in a split."""
+        """Return the item's id, which does not depend on the problem's position in a split."""
         return self.data.id or self.hash
 
     @vf.reward(weight=1.0)

@@ -11,20 +11,20 @@ from sim2reason.rewards import score
 
 
 class ProblemRequest(BaseVerifyRequest):
-    """A response, and what it is graded by."""
+    """A request with a response, and the ground truth by which it is graded."""
 
     ground_truth: str
 
 
 class ProblemResponse(BaseVerifyResponse):
-    """The reward, with the outcome and the sentence that explain it."""
+    """The reward of a response, with the outcome and a sentence that explain it."""
 
     outcome: str
     why: str
 
 
 class Sim2ReasonResourcesServer(SimpleResourcesServer):
-    """Right or wrong by the boxed answer."""
+    """A server that grades the boxed answers of responses: reward 1 or 0."""
 
     config: BaseResourcesServerConfig
 
