@@ -124,7 +124,7 @@ def test_what_can_not_be_read_is_one_line(tmp_path: Path, name: str, content: by
 @pytest.mark.parametrize(
     ("limit", "module", "size", "name"),
     [
-        ("MOST", contamination, 5, "b.txt"),
+        ("MAX_WORDS", contamination, 5, "b.txt"),
         ("LARGEST_FILE", contamination, 100, "b.txt"),
         ("LARGEST_PART", contamination, 100, "b.txt"),
         ("LARGEST_PART", contamination, 100, "b.json"),

@@ -62,7 +62,7 @@ from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
 from sim2reason.questions.moments import MOMENTS, Clause
 from sim2reason.questions.moments.parts.passage import Threshold
-from sim2reason.questions.words import spoken
+from sim2reason.questions.words import rounded_as_written
 
 
 @MOMENTS.register("sped_up")
@@ -75,7 +75,7 @@ class SpedUp(Threshold):
     @classmethod
     def drawn(cls, name, trace, rng):
         """A part of the greatest."""
-        return spoken(rng.uniform(0.2, 0.8) * _speed(trace.scan, name).max())
+        return rounded_as_written(rng.uniform(0.2, 0.8) * _speed(trace.scan, name).max())
 
     def excess(self, state):
         """How much faster it is."""

@@ -124,6 +124,6 @@ def test_an_impact_makes_an_acceleration_infinite() -> None:
 
 def test_why_there_is_no_worked_solution_is_told() -> None:
     """As on the command line."""
-    found = solve(SLIDING, find="greatest speed")
+    found = solve(load(SCENES / "bounce.yaml"), find="greatest acceleration", when="1 s")
     assert found.solution.answer is None
     assert found.reason == found.solution.reason != ""

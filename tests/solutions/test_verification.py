@@ -121,7 +121,7 @@ def test_what_is_refused_lets_the_next_strategy_try(monkeypatch: pytest.MonkeyPa
     def refuse(found: Solution, of: ProblemContext) -> Solution:
         return Solution(found.strategy, reason=WHY) if found.strategy == right.strategy else verify_solution(found, of)
 
-    monkeypatch.setattr(import_module("sim2reason.solutions.solve"), "verified", refuse)
+    monkeypatch.setattr(import_module("sim2reason.solutions.solve"), "verify_solution", refuse)
     other = solve(held)
     assert other.strategy != right.strategy
     assert other.answer is not None or f"{right.strategy}: {WHY}" in other.reason

@@ -74,7 +74,7 @@ CONFORMS = """
 import sim2reason
 from sim2reason.scenes.dsl.entity import ENTITIES
 from sim2reason.testing import check_entity
-from sim2reason.scenes.dsl.choices import closers
+from sim2reason.scenes.dsl.choices import connections_for_port
 
 cls = ENTITIES["HorseAndSledge"]
 check_entity(cls, seeds=range(2))
@@ -85,7 +85,7 @@ assert sim2reason.parse_scene(sim2reason.describe(scene, 3).text).scene.entities
 )
 trace, certificate = sim2reason.certify(scene)
 assert certificate.stable_until == scene.horizon, certificate
-hook = closers(ENTITIES["FixedSupport"], "end")
+hook = connections_for_port(ENTITIES["FixedSupport"], "end")
 assert any(cls in option.partners for option in hook), "others can be tied to it"
 print("fine")
 """

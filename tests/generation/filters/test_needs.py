@@ -79,7 +79,7 @@ def test_a_solution_that_can_not_be_shown_is_replaced_before_a_question_is_kept(
     before = candidate.solution
     assert before is not None
     assert candidate.checked is candidate
-    monkeypatch.setattr("sim2reason.solutions.shortest.verified", lambda *_: Solution("", reason="not shown"))
+    monkeypatch.setattr("sim2reason.solutions.shortest.verify_solution", lambda *_: Solution("", reason="not shown"))
     other = candidate.checked
     assert other is not candidate
     assert other.solution is not None
