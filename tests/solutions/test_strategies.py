@@ -45,16 +45,16 @@ def test_a_strategy_that_is_unfit_for_a_mechanism_would_find_nothing(
     study, description = SimulatedScene.of(scene, np.linspace(0.0, scene.horizon, 41)), describe(scene, 1)
     words, rng = words_of(description), np.random.default_rng(1)
     linear = [STRATEGIES[name] for name in LINEAR if not scene.mechanism.meetings]
-    unfit = [strategy for strategy in linear if strategy.unfit(scene.mechanism)]
+    unfit = [strategy for strategy in linear if strategy.why_unsuitable(scene.mechanism)]
     for kind in sorted(frozenset[str]().union(*(strategy.kinds for strategy in unfit))):
         question = MODES["numeric"].ask(study, words, kind, rng)
         if question is None:
             continue
         setting = ProblemContext(scene, words, words.symbols, study, question.query)
         for strategy in unfit:
-            if kind in strategy.kinds and not strategy.refusal(setting):
+            if kind in strategy.kinds and not strategy.why_not_applicable(setting):
                 with monkeypatch.context() as patched:
-                    patched.setattr(type(strategy), "unfit", lambda *_: "")
+                    patched.setattr(type(strategy), "why_unsuitable", lambda *_: "")
                     assert solve_with(strategy, setting).answer is None, (strategy.name, question.text)
 
 
@@ -66,7 +66,7 @@ def test_no_formula_is_looked_for_where_none_fits_into_a_box() -> None:
     for scene in (sample("springs", "hard", seed=1, index=22), planets):  # of three springs, and of two heavy planets
         mechanism = scene.mechanism
         assert not any(
-            s.formulas(mechanism) & {"start", "state"} for s in STRATEGIES.values() if not s.unfit(mechanism)
+            s.formulas(mechanism) & {"start", "state"} for s in STRATEGIES.values() if not s.why_unsuitable(mechanism)
         )
     tables = (sample("collision", "easy", seed=1, index=n).mechanism for n in range(8))
     aside = [any(meeting.normal is None for meeting in mechanism.meetings) for mechanism in tables]

@@ -95,7 +95,7 @@ def solve_with(strategy: Strategy, setting: ProblemContext, *, shown: bool = Tru
     kind = setting.query.kind
     refused = "" if kind in strategy.kinds else f"no way to the kind {kind}"
     unfit = strategy not in applicable_strategies(setting.mechanism)
-    refused = refused or (strategy.unfit(setting.mechanism) if unfit else strategy.refusal(setting))
+    refused = refused or (strategy.why_unsuitable(setting.mechanism) if unfit else strategy.why_not_applicable(setting))
     if refused:
         return Solution(strategy.name, reason=refused, applies=False)
     found = _written(strategy, setting, shown=shown)

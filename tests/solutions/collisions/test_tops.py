@@ -46,7 +46,7 @@ def test_the_least_speed_is_the_horizontal_component(restitution: float | None) 
 def test_one_body_has_no_motion_relative_to_itself() -> None:
     scene, lands = thrown(None)
     setting = asked(scene, StretchQuery("extremum", None, lands, "greatest height", BALL))
-    assert STRATEGIES["momentum"].unfit(scene.mechanism)
+    assert STRATEGIES["momentum"].why_unsuitable(scene.mechanism)
     assert solve_with(STRATEGIES["momentum"], setting).answer is None
 
 

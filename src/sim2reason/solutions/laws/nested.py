@@ -30,7 +30,7 @@ SHORT = 130  # characters of a formula into which another value is substituted, 
 class AnswerStrategy(Protocol):
     """The methods of a strategy that are needed to answer an inner question."""
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; "" if it does."""
         ...
 
@@ -53,7 +53,7 @@ def write_inner_answer(inner: ProblemContext, book: SolutionBuilder, offered: It
     """
     reasons = ["no strategy has a way to what is asked about"]
     for way in offered:
-        if way.refusal(inner):
+        if way.why_not_applicable(inner):
             continue
         saved = book.saved()
         try:

@@ -36,7 +36,7 @@ class Strategy(ABC):
     finished: ClassVar[bool] = False
     drawn: ClassVar[bool] = True
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty, the default, if it may."""
         del mechanism
         return ""
@@ -50,7 +50,7 @@ class Strategy(ABC):
         return frozenset[str]() if self.integrates else self.kinds
 
     @abstractmethod
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question about a suitable mechanism; empty if it does."""
 
     @abstractmethod
@@ -69,7 +69,7 @@ def strategy(cls: type[Strategy]) -> type[Strategy]:
 
 def applicable_strategies(mechanism: Mechanism) -> list[Strategy]:
     """Return the strategies that may apply to a mechanism, those of lowest cost first."""
-    fit = (held for held in STRATEGIES.values() if not held.unfit(mechanism))
+    fit = (held for held in STRATEGIES.values() if not held.why_unsuitable(mechanism))
     return mechanism.memoize("fitting strategies", lambda: sorted(fit, key=lambda held: held.cost))
 
 

@@ -35,11 +35,11 @@ class Axle(Strategy):
     cost = 1.1
     kinds = Strategy.kinds | {"extremum", "period", "sum"}
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         return "" if lone_axle(mechanism) else "nothing turns about a fixed axle by itself"
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         if isinstance(setting.query, PeriodQuery):
             return ""

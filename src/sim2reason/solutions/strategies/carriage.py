@@ -42,11 +42,11 @@ class OnACarriage(Strategy):
     cost = 1.1
     kinds = frozenset({"start", "event", "extremum", "period", "sum"})
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return the reason that no body swings on a sliding carriage; empty if one does."""
         return "" if carriage_system(mechanism) is not None else "nothing swings on a carriage that slides freely"
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if isinstance(query, PeriodQuery):

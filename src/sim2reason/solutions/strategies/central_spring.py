@@ -45,7 +45,7 @@ class CentralSpring(Strategy):
     cost = 1.1
     kinds = frozenset({"event", "extremum"})
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         moves = any(coordinate.speed for coordinate in mechanism.coordinates)
         return "" if moves and single_spring_law(mechanism) else "no lone body is launched on a single spring"
@@ -55,7 +55,7 @@ class CentralSpring(Strategy):
         del mechanism
         return frozenset({"event"})
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query, quantity = setting.query, quantity_of(setting)
         if not isinstance(query, StretchQuery) and not isinstance(query.moment, MOMENTS):

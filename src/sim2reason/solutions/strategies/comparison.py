@@ -38,12 +38,12 @@ class Comparison(Strategy):
         """Return the kind ``comparison`` if some strategy has a formula for the compared question, else nothing."""
         return self.kinds if any(deriving_strategies(kind, mechanism) for kind in INNER) else frozenset()
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         if not isinstance(setting.query, ComparisonQuery):
             return "it compares nothing"
         inner = inner_setting(setting)
-        offered = any(not held.refusal(inner) for held in _deriving(inner))
+        offered = any(not held.why_not_applicable(inner) for held in _deriving(inner))
         return "" if offered else f"no formula for the kind {inner.query.kind}"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
@@ -77,7 +77,7 @@ class TwoCases(Strategy):
         del mechanism
         return frozenset()
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         if not isinstance(setting.query, ComparisonQuery):
             return "it compares nothing"

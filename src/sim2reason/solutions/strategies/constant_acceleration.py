@@ -38,11 +38,11 @@ class ConstantAcceleration(Strategy):
     cost = 1.0
     kinds = frozenset({"start", "state", "event", "time_to_event", "sum"})
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         return varying_acceleration(mechanism)
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         if unknown := missing_goal(setting, MOMENTS):
             return unknown

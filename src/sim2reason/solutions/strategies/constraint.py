@@ -31,13 +31,13 @@ class Constraint(Strategy):
     cost = 0.5
     kinds = frozenset({"start", "state", "event", "time_to_event", "sum"})
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return the reason that accelerations vary or the motion does not begin at rest; empty otherwise."""
         if any(coordinate.speed for coordinate in mechanism.coordinates):
             return "it does not begin at rest"
         return varying_acceleration(mechanism)
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         target, moment = setting.target, setting.query.moment
         if not isinstance(moment, Moved) or target is None:

@@ -51,7 +51,7 @@ class WorkAndEnergy(Strategy):
     kinds = frozenset({"start", "state", "event", "time_to_event", "extremum"})
     free: ClassVar[int] = 1  # number of free coordinates
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         if mechanism.meetings:
             return "something may collide"
@@ -61,7 +61,7 @@ class WorkAndEnergy(Strategy):
             return "only one thing moves by itself"
         return nonlinear_reason(mechanism)
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         if greatest_target(setting) is None and (unknown := missing_goal(setting, MOMENTS)):
             return unknown

@@ -49,7 +49,7 @@ class FieldsStrategy(Strategy):
     cost = 1.0
     kinds = frozenset({"start", "state", "event", "time_to_event", "extremum", "period", "sum"})
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         m = mechanism
         moving = [body for body in m.bodies if body.coordinates]
@@ -60,7 +60,7 @@ class FieldsStrategy(Strategy):
             return "it does not move in a level plane"
         return "the fields have an end" if any(force.region is not None for force in m.forces) else ""
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         return _unasked(setting)
 

@@ -28,7 +28,7 @@ class ForcesAtStart(Strategy):
     cost = 1.2
     kinds = frozenset({"start"})
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         free = any(body.coordinates and not _bound(mechanism, body.name) for body in mechanism.bodies)
         return "" if free else "every body is led, or pushed by something"
@@ -37,7 +37,7 @@ class ForcesAtStart(Strategy):
         """Return the question kinds with formulas; none if springs or attractions of the mechanism change direction."""
         return frozenset[str]() if nonlinear_reason(mechanism) else self.kinds
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         target = setting.query.target
         if not isinstance(setting.query.moment, AtStart) or target is None:

@@ -26,12 +26,12 @@ class GreatestRange(Strategy):
     cost = 0.5
     kinds = frozenset({"optimum"})
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return the reason that a mechanism is not one body in free fall in a vertical plane; empty if it is."""
         alone = len(mechanism.bodies) == 1 and len(mechanism.coordinates) == len(("x", "z"))
         return "" if alone and only_falls(mechanism) and not mechanism.meetings else "it is no body thrown in a plane"
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if not isinstance(query, OptimumQuery) or setting.sought is None or not query.greatest:

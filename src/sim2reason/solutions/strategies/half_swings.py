@@ -40,7 +40,7 @@ class HalfSwings(Strategy):
     cost = 1.3
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "sum"})
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         if not any(face.friction > 0.0 for face in mechanism.faces):
             return "there is no friction"
@@ -48,9 +48,9 @@ class HalfSwings(Strategy):
             "there are several modes" if min_free_coordinates(mechanism) > 1 else ""
         )
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question about an oscillation; empty if it does."""
-        return STRATEGIES["oscillation"].refusal(setting)
+        return STRATEGIES["oscillation"].why_not_applicable(setting)
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write each half-oscillation, the moment and the answer, and return its symbol."""

@@ -49,7 +49,7 @@ class Impulse(Strategy):
     cost = 0.8
     kinds = frozenset({"start", "state", "event", "time_to_event", "sum", "extremum"})
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         return varying_acceleration(mechanism)
 
@@ -58,7 +58,7 @@ class Impulse(Strategy):
         oblique = any(meeting.normal is None for meeting in mechanism.meetings)
         return frozenset[str]() if oblique else self.kinds
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         if setting.query.kind == "extremum":
             return "" if question_at_top(setting) is not None else "it is no extreme value at the top of a path"

@@ -29,7 +29,7 @@ class InitialValue(Strategy):
         del mechanism
         return frozenset()
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question: no extreme speed or energy at the start; else empty."""
         target = setting.target
         if setting.extreme is None or not isinstance(setting.query.moment, AtStart) or target is None:

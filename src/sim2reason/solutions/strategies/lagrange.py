@@ -34,7 +34,7 @@ class Lagrange(Strategy):
     cost = 3.0
     kinds = frozenset({"start", "state", "event", "time_to_event"})
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism: collisions or nonlinear equations; empty if it may."""
         return "something may collide" if mechanism.meetings else nonlinear_reason(mechanism)
 
@@ -42,7 +42,7 @@ class Lagrange(Strategy):
         """Return the question kinds with formulas; with springs only those about the start."""
         return frozenset({"start"}) if _springy(mechanism) else self.kinds
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         if _springy(setting.mechanism) and not isinstance(setting.query.moment, AtStart):
             return "accelerations change as it moves"

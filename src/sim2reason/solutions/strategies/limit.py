@@ -24,12 +24,14 @@ class Limit(Strategy):
         """Return the kind ``limit`` if some strategy has a formula for the question without the limit, else nothing."""
         return self.kinds if any(deriving_strategies(kind, mechanism) for kind in LimitKind.inner) else frozenset()
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         if not isinstance(setting.query, LimitQuery):
             return "no limit is asked for"
         inner = inner_setting(setting)
-        offered = any(not held.refusal(inner) for held in deriving_strategies(inner.query.kind, inner.mechanism))
+        offered = any(
+            not held.why_not_applicable(inner) for held in deriving_strategies(inner.query.kind, inner.mechanism)
+        )
         return "" if offered else f"no formula for the kind {inner.query.kind}"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:

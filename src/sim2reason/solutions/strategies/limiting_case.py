@@ -31,14 +31,14 @@ class LimitingCase(Strategy):
     cost = 1.0
     kinds = frozenset({"threshold"})
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return the reason that no body released at rest could slip or be lifted; empty if one could."""
         lifted = mechanism.lines or mechanism.forces
         if any(c.speed for c in mechanism.coordinates) or not (lifted or any(f.friction for f in mechanism.faces)):
             return "nothing is let go that could stay at rest"
         return varying_acceleration(mechanism)
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if not isinstance(query, ThresholdQuery) or not isinstance(query.outcome, Slides | Rises):

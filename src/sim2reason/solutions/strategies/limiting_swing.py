@@ -32,12 +32,12 @@ class LimitingSwing(Strategy):
     cost = 1.0
     kinds = frozenset({"threshold"})
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return the reason that no body swings alone about a fixed point or axle; empty if one does."""
         swings = pivot(mechanism) is not None or lone_axle(mechanism)
         return "" if swings else "nothing swings about a fixed point by itself"
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if not isinstance(query, ThresholdQuery) or not isinstance(query.outcome, GoesRound | GoesSlack):

@@ -23,10 +23,10 @@ class MomentumKept(WorkAndEnergy):
     kinds = frozenset({"event", "extremum"})
     free = 2
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply: as for energy, or only one body moves; empty if it may."""
         alone = len({coordinate.body for coordinate in mechanism.coordinates}) < self.free
-        return "a single body moves" if alone else super().unfit(mechanism)
+        return "a single body moves" if alone else super().why_unsuitable(mechanism)
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the reduced mass, the work, the momentum and the answer, and return its symbol."""

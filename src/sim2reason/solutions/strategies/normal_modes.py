@@ -44,7 +44,7 @@ class SeveralModes(Strategy):
     cost = 1.5
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period", "sum"})
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         return no_oscillation_reason(mechanism)
 
@@ -52,9 +52,9 @@ class SeveralModes(Strategy):
         """Return the kind ``period`` for at most two modes; amplitudes have no short formula."""
         return frozenset({"period"} if min_free_coordinates(mechanism) <= PAIR else ())
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the oscillation strategy does not apply to a question; empty if it does."""
-        return STRATEGIES["oscillation"].refusal(setting)
+        return STRATEGIES["oscillation"].why_not_applicable(setting)
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the modes, their excitation, the moment and the answer, and return its symbol."""

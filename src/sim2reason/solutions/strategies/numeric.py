@@ -15,7 +15,7 @@ class NumericalIntegration(Strategy):
     kinds = frozenset({"state", "event", "time_to_event", "sum", "extremum"})
     integrates = True
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         if setting.formula is not None:
             return "integration gives no formula"

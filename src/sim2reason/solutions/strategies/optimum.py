@@ -42,13 +42,15 @@ class Optimum(Strategy):
         """Return the kinds of optima if some strategy has a formula for the quantity to be optimised, else nothing."""
         return self.kinds if any(deriving_strategies(kind, mechanism) for kind in OptimumKind.inner) else frozenset()
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if not isinstance(query, OptimumQuery) or setting.sought is None:
             return "there is no such value"
         inner = inner_setting(setting)
-        offered = any(not held.refusal(inner) for held in deriving_strategies(inner.query.kind, inner.mechanism))
+        offered = any(
+            not held.why_not_applicable(inner) for held in deriving_strategies(inner.query.kind, inner.mechanism)
+        )
         return "" if offered else f"no formula for the kind {inner.query.kind}"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:

@@ -43,11 +43,11 @@ class Orbit(Strategy):
     cost = 1.0
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period", "sum"})
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         return "" if _by_itself(mechanism) else "no light body goes round a fixed one by itself"
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if isinstance(query, PeriodQuery):

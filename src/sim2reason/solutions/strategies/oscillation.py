@@ -51,13 +51,13 @@ class Oscillation(Strategy):
     cost = 1.1
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period", "sum"})
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         return no_oscillation_reason(mechanism) or (
             "there are several modes" if min_free_coordinates(mechanism) > PAIR else ""
         )
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if isinstance(query, StretchQuery) and query.kind == "sum" and query.functional not in SUMS:

@@ -15,7 +15,7 @@ class PhaseByPhase(Strategy):
     cost = 50.0
     kinds = frozenset({"state", "event", "time_to_event", "extremum"})
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply: accelerations vary between events; empty if it may."""
         return varying_acceleration(mechanism)
 
@@ -24,7 +24,7 @@ class PhaseByPhase(Strategy):
         del mechanism
         return frozenset()
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         if setting.formula is not None or setting.unknown:
             return "equations of phases lead to numbers, and to no unknown"

@@ -44,7 +44,7 @@ class PlaneSprings(Strategy):
     kinds = frozenset({"equilibrium", "period"})
     least_need = Need.ROOT
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return the reason that a mechanism is not a single body held by springs in a plane; empty if it is."""
         return "" if _held_in_a_plane(mechanism) else "no lone body is held by springs in a plane"
 
@@ -53,7 +53,7 @@ class PlaneSprings(Strategy):
         del mechanism
         return frozenset()
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query, target = setting.query, setting.target
         if isinstance(query, PeriodQuery):

@@ -43,7 +43,7 @@ class ValueReached(Strategy):
         del mechanism
         return frozenset()
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply; empty if it does."""
         moment = setting.query.moment
         if not isinstance(moment, Reached):

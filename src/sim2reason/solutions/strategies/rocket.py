@@ -33,7 +33,7 @@ class RocketFlight(Strategy):
     cost = 1.0
     kinds = Strategy.kinds | {"extremum"}
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         moving = [body for body in mechanism.bodies if body.coordinates]
         alone = len(mechanism.burns) == len(moving) == len(mechanism.coordinates) == 1
@@ -43,7 +43,7 @@ class RocketFlight(Strategy):
         """Return the question kinds with formulas; none above a planet, whose pull varies."""
         return frozenset[str]() if mechanism.attractions else self.kinds
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         m = setting.mechanism
         if isinstance(setting.query, StretchQuery):

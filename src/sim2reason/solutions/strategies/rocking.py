@@ -41,7 +41,7 @@ class Rocking(Strategy):
     cost = 1.1
     kinds = frozenset({"start", "period"})
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return the reason that a mechanism is not a single rocking body; empty if it is."""
         m = mechanism
         other = m.lines or m.forces or m.attractions or m.burns or m.meetings or m.feet
@@ -52,7 +52,7 @@ class Rocking(Strategy):
             return "it may slip, or its centre of mass lies on its axis"
         return ""
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if isinstance(query, PeriodQuery):

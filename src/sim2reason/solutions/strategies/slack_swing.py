@@ -44,12 +44,12 @@ class SlackSwing(Strategy):
     cost = 1.05
     kinds = Strategy.kinds | {"extremum", "sum"}
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return the reason that no small body swings on a string; empty if one does."""
         found = pivot(mechanism)
         return "" if found is not None and found[1] is not None else "no small body swings on a string"
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         quantity, query = quantity_of(setting), setting.query
         if quantity and quantity not in _Slack.WAYS:

@@ -39,12 +39,12 @@ class SpringLine(Strategy):
     cost = 1.0
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period"})
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         rest = not any(coordinate.speed for coordinate in mechanism.coordinates)
         return "" if rest and single_spring_law(mechanism) else "no lone body is let go on a single spring"
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if _reaches_its_end(setting):

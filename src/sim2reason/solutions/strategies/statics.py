@@ -28,11 +28,11 @@ class Statics(Strategy):
     cost = 0.9
     kinds = frozenset({"equilibrium", "start"})
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         return nonlinear_reason(mechanism)
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         target = setting.target
         if target is None or target.quantity not in GOALS:

@@ -25,11 +25,11 @@ class Swing(Strategy):
     cost = 1.0
     kinds = Strategy.kinds | {"extremum", "sum"}
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return the reason that no small body swings about a fixed point; empty if one does."""
         return "it is no small body that swings about a fixed point" if pivot(mechanism) is None else ""
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         if unknown := unsupported_reason(setting, _Angular.WAYS):
             return unknown

@@ -41,13 +41,13 @@ class Tumbling(Strategy):
     cost = 1.1
     kinds = Strategy.kinds | {"sum"}
 
-    def unfit(self, mechanism: Mechanism) -> str:
+    def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         kinds = sorted(c.kind for c in mechanism.coordinates)
         alone = len(mechanism.bodies) == 1 and kinds == ["hinge", "slide", "slide"]
         return "" if alone and mechanism.feet else "no lone prism tumbles"
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; empty if it does."""
         query, quantity = setting.query, quantity_of(setting)
         if quantity and quantity not in _Tumbling.WAYS:

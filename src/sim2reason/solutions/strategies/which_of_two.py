@@ -30,7 +30,7 @@ class WhichOfTwo(Strategy):
         del mechanism
         return frozenset()
 
-    def refusal(self, setting: ProblemContext) -> str:
+    def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply; empty if it does."""
         if not isinstance(setting.query, WhichQuery):
             return "it asks for none of two"
