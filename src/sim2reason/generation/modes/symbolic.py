@@ -150,7 +150,7 @@ def _worked_out(query: Query, study: SimulatedScene, words: Words) -> Expression
         return None
     setting = forward(ProblemContext(study.scene, words, words.symbols, study, query))
     tried = [held for held in applicable_strategies(study.mechanism) if query.kind in held.formulas(study.mechanism)]
-    if all(strategy.refusal(setting) for strategy in tried):
+    if all(strategy.why_not_applicable(setting) for strategy in tried):
         return None
     solution = derivation(query, study, words)
     try:
