@@ -6,6 +6,7 @@ from plain_scenes import ramp
 from sim2reason.scenes.dsl.entity import Entity
 from sim2reason.scenes.files import dump, load
 from sim2reason.testing import CHECKS, ConformanceError, Finding, check_entity, conformance, specimen
+from sim2reason.testing.checks.claims import CLAIMS
 from spoiled import (
     Airy,
     Alias,
@@ -107,3 +108,19 @@ def test_an_entity_that_comes_later_is_known_to_files() -> None:
 def test_checks_can_be_skipped() -> None:
     with registered(Wind):
         check_entity(Wind, seeds=range(1), checks=["scaling", "symbols"], skip=["scaling"])
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "There is no air drag.",
+        "The drag of the air is negligible.",
+        "Disregard air resistance.",
+        "Air resistance plays no role.",
+        "The ball falls in a vacuum.",
+        "Air resistance may safely be neglected.",
+    ],
+)
+def test_denials_of_the_air_are_known(sentence: str) -> None:
+    (claim,) = (claim for claim in CLAIMS if claim.absent == "resistance of a medium")
+    assert claim.pattern.search(sentence)

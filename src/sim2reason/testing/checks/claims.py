@@ -10,6 +10,7 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import Specimen, Specimens
+from sim2reason.text.parsing.ordinary.textbook_reader import AIRLESS
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,12 +42,7 @@ _NEGLIGIBLE = r"(?:is|are|can be|may be) (?:negligible|neglected|ignored|absent)
 CLAIMS = (
     Claim(
         "resistance of a medium",
-        re.compile(
-            rf"(?:air resistance|drag|resistance of the (?:air|medium)) {_NEGLIGIBLE}"
-            r"|(?:neglect|ignore) (?:air resistance|drag|the resistance of)"
-            r"|(?:no|without) (?:air resistance|drag)|in (?:a )?vacuum",
-            re.IGNORECASE,
-        ),
+        re.compile("|".join((*AIRLESS, r"in (?:a )?vacuum")), re.IGNORECASE),
         _has_drag,
     ),
     Claim(

@@ -10,15 +10,21 @@ from sim2reason.text.parsing.ordinary.textbook_scenes import TEXTBOOK_SCENES, Fa
 MOST_SENTENCES = 12  # longest text in which a superfluous sentence is searched for
 MAX_TEXT_LENGTH = 1500  # characters of a text that is translated
 RESERVED = re.compile(r"[#|]")  # characters that stand for numbers and for matched words below
+_AIR = (
+    r"(?:air resistance|air drag|drag|air friction|(?:the )?(?:resistance|drag|friction) of the (?:air|medium)"
+    r"|effects? of (?:the )?air)"
+)
+AIRLESS = (
+    rf"(?:neglect|ignore|neglecting|ignoring|disregard|disregarding) (?:all |any )?(?:the )?{_AIR}",
+    rf"(?:the )?{_AIR} (?:is|are|can be|may be|may safely be) (?:negligible|neglected|ignored|absent)",
+    rf"(?:the )?{_AIR} plays no (?:role|part)",
+    r"(?:there is )?(?:without|no|negligible) (?:air resistance|air drag)",
+)
+"""Patterns of sentences that deny the resistance of the air."""
 GENERAL = (
     r"(?:(?:take|use|let|assume|with|where|here) )?g (?:= |is |as |to be )?<g:accel>",
     r"(?:(?:take|use|assume) )?(?:the )?acceleration (?:due to|of) gravity (?:is |as |to be )?(?:g = )?<g:accel>",
-    (
-        r"(?:neglect|ignore|neglecting|ignoring|disregard) (?:all |any )?(?:the )?"
-        r"(?:air resistance|air drag|drag|air friction|resistance of the air|effects? of (?:the )?air)"
-    ),
-    r"(?:the )?air resistance (?:is|can be|may be) (?:negligible|neglected|ignored)",
-    r"(?:without|no|negligible) (?:air resistance|air drag)",
+    *AIRLESS,
 )
 """Patterns that any text may contain: the acceleration of free fall, and that there is no air."""
 FILLERS = frozenset(
