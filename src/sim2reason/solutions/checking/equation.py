@@ -50,7 +50,7 @@ class Equation:
 
     @property
     def asserts(self) -> bool:
-        """Return whether the relation only states a value that follows from others: it can be verified, not used."""
+        """Return whether the relation only states a symbol's number, to be verified by other relations."""
         return self.role != "law" and not isinstance(self.right, str | list) and isinstance(self.left, str)
 
     def definition(self, name: str) -> Tree | None:
