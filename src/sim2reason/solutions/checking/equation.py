@@ -43,7 +43,7 @@ class Equation:
 
     @property
     def near(self) -> float | None:
-        """Return the approximate value that the relation states for an implicit symbol; None for other relations."""
+        """Return the approximate value near which the relation is solved for its symbol; None for other relations."""
         if isinstance(self.right, list) and self.right[0] == "solve":
             return float(self.right[1])  # type: ignore[arg-type]
         return None

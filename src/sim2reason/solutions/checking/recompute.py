@@ -45,7 +45,7 @@ def undetermined(
 
 
 def _row(equation: Equation, values: Mapping[str, float], place: Mapping[str, int], sizes: Array) -> Array:
-    """Return the scaled gradient of an equation, (n,), with respect to relative changes of the symbols."""
+    """Return the gradient of an equation, (n,), for relative changes of the symbols; its largest element is ±1."""
     row = np.zeros(len(place))
     _, slopes = equation.slopes(values)
     for name, slope in slopes.items():
