@@ -223,7 +223,7 @@ class Impacts(FreeFlights, ABC):
         return {k: Polynomial.of(name)}
 
     def _kept(self, body: str, k: int) -> str:
-        """Return the statement that the velocity along a wall is unchanged, at the first rebound in a plane."""
+        """Return the clause that the velocity along a wall is unchanged; empty on a line or after a first rebound."""
         others = [j for j in self.coordinates(body) if j != k]
         if not others or any(held.kind == "rebound" for held in self.book.steps):
             return ""

@@ -107,7 +107,7 @@ class CollisionOrder:
             self._close(step)
 
     def _close(self, step: StepBuilder) -> None:
-        """Close a step, and record the number of the step before which it must not be moved."""
+        """Close a step about the order of collisions; record the number of the step before which it must not move."""
         step.close()
         self._book.earliest[self._book.steps[-1].id] = self._first
 

@@ -258,7 +258,7 @@ class FieldTurn:
         return self._rotated(motion, kind, axis, time) if isinstance(motion, RotatingMotion) else None
 
     def _rotated(self, motion: RotatingMotion, kind: str, axis: int, time: Expression) -> Expression | None:
-        """Return a component ``s`` or ``v`` after a full or half turn of the rotating velocity; None at other times."""
+        """Return a displacement ``s`` or velocity ``v`` after a whole or half turn; None at other times."""
         if isinstance(self.moment, VelocityReturned):
             return motion.carried(axis, time) if kind == "s" else None
         if not self.halved:
@@ -289,7 +289,7 @@ class FieldTurn:
         return f"{told}; along {AXES[axis]} the displacement is"
 
     def _told_swung(self, kind: str, axis: int) -> str:
-        """Return the beginning of a sentence with a component after half an oscillation; empty for others."""
+        """Return the first words of a sentence about ``s`` or ``v`` after half an oscillation; empty if none apply."""
         drive, along = self.fields.drive, AXES[axis]
         if drive is not None and axis == drive.axis:
             when = "" if self._timed else ", after which the velocity is perpendicular to the electric field,"
