@@ -72,7 +72,7 @@ class KnownMotion(Protocol):
         ...
 
     def vector(self, kind: str, body: str) -> Components:
-        """Return a body's acceleration ``a``, velocity ``v`` (initial: ``u``) or displacement ``s``, by component."""
+        """Return components of a body's acceleration ``a``, velocity ``v`` (initial ``u``) or displacement ``s``."""
         ...
 
     def apart(self, one: str, other: str) -> Components:

@@ -32,7 +32,7 @@ class SpringGoal(Goal):
 
     @property
     def uses(self) -> str:
-        """Return ``v`` for a rate of extension, otherwise ``s``."""
+        """Return the kind of vector needed: velocities ``v`` for a rate of extension, else displacements ``s``."""
         return "v" if self.noun is RATE else "s"
 
     def bodies(self, target: Target) -> Sequence[str]:

@@ -179,7 +179,7 @@ class EquationsOfMotion:
         return self.number(DualValue(float(here), float(there)))  # type: ignore[arg-type]
 
     def number(self, both: DualValue) -> Polynomial:
-        """Return a number in the text's symbols; if that is impossible, a symbol that must cancel."""
+        """Return a number of the mechanism in the text's symbols; if impossible, a symbol that must cancel later."""
         try:
             return self._lexicon.read(both)
         except UnreadError:

@@ -80,7 +80,7 @@ class Newton:
 
     @cached_property
     def scale(self) -> list[DualValue]:
-        """Return the factor of each coordinate's rate: the radius of a wheel's rim (the largest), or 1."""
+        """Return, by coordinate, the factor of its rate: the largest rim radius of a rotating body, or 1."""
         found = [DualValue(1.0, 1.0)] * len(self.mechanism.coordinates)
         for k, radii in self._rims.items():
             found[k] = max(radii, key=lambda both: both.here)

@@ -98,7 +98,7 @@ class Burning(StraightMotion):
         return name
 
     def _heavier(self, step: StepBuilder, lift: Symbol) -> str:
-        """Return a clause that the thrust is initially too small: shown, verified at the end, or assumed."""
+        """Return a clause that the thrust is at first too small: as shown, assumed, or to be verified at the end."""
         larger = f"{self.first.latex()} > {lift.latex()}"
         if self.book.in_symbols:
             return f"By assumption ${larger}$, so"
@@ -195,7 +195,7 @@ class Burning(StraightMotion):
         return self.setting.display_name(self.burn.body)
 
     def told_when_known(self, write: Callable[[], None], *held: Expression) -> bool:
-        """Call `write` now if the numbers are known, else after the answer; return whether it was called now."""
+        """Call `write` now if the given formulas have known values, else after the answer; return whether now."""
         if not any(map(self.book.is_hidden, held)):
             write()
             return True
@@ -229,7 +229,7 @@ class Burning(StraightMotion):
         return f"Assume that at ${time.latex()}$ no fuel is left and that {moving}. "
 
     def tell_spent(self, time: Symbol) -> bool:
-        """Write that no fuel is left at a time; return whether it could be written already."""
+        """Write that no fuel is left at a time, now or after the answer; return whether the text is written now."""
         formula = (self.first - self.dry) / self.rate_of_burning
         return self.told_when_known(lambda: self._verify_spent(time, formula), formula, time)
 

@@ -172,7 +172,7 @@ def arc_words(dynamics: Dynamics, shared: SharedRate) -> str:
 
 
 def constant_words(dynamics: Dynamics, k: int) -> str:
-    """Return why a rate is constant; on first use, that rolling on level ground needs no friction."""
+    """Return a clause that a velocity is constant; the first one adds that level rolling needs no friction."""
     newton = dynamics.newton
     rolls = any(
         side == 0 and newton.single_slip_coordinate(face) is None for face, side in newton.slip_directions.items()

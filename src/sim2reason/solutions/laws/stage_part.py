@@ -89,7 +89,7 @@ class StagePart(MotionPart):
         return self.stage.time
 
     def force(self, kind: str, name: str) -> Polynomial:
-        """Return a tension, or µN with the sign that makes the work of friction positive."""
+        """Return a tension, or the kinetic friction on a body with the sign that makes its work positive."""
         m, names = self.way.mechanism, self.laws.names
         if kind == "T":
             line = m.line[name]

@@ -141,7 +141,7 @@ class StraightMotion(ABC):
         return x, y, z
 
     def lone(self, kind: str, body: str) -> Polynomial | None:
-        """Return a body's vector as its component along the only line of motion; None if there are several lines."""
+        """Return a vector's component along a body's only line, signed like the coordinate; None for several lines."""
         own = self.moving([body]) if kind == "u" else self.own(body)
         ways = [self._start.center(body).gradient[k] for k in own]
         senses = [dot(way, ways[-1]) for way in ways]

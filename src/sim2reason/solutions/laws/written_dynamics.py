@@ -192,7 +192,7 @@ class DynamicsWriter:
         return found
 
     def _dependent(self, zero: Polynomial) -> str:
-        """Return the acceleration to eliminate: preferably no goal, and with a simple coefficient."""
+        """Return the acceleration to eliminate: preferably one not asked for, and with a coefficient of ±1."""
         names = [n for n in sorted(zero.names() & self.d.units.keys()) if zero.coefficient(n).number is not None]
         if not names:
             raise UnsolvedError("a string binds accelerations at a ratio that changes")
