@@ -221,7 +221,7 @@ class Burning(StraightMotion):
         step.close()
 
     def assumed_at(self, time: Symbol) -> str:
-        """Return the sentence that states as an assumption that no fuel is left at a time."""
+        """Return the sentence that assumes that no fuel is left at a time; the end of the text may verify this."""
         if self.book.in_symbols:
             return f"By assumption, no fuel is left at ${time.latex()}$. "
         rises = self.setting.motion.state(np.array([self.setting.time])).v[0, 0] > 0.0

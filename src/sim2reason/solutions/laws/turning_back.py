@@ -10,7 +10,7 @@ from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
 
 
 def turned_before(book: SolutionBuilder, step: StepBuilder, begun: Expression, a: Symbol, time: Symbol) -> str:
-    """Return words such as *, before t*, added to the sentence that a velocity has become zero before a time."""
+    """Return words such as *, before t*, added to a sentence about a velocity that becomes zero before a time."""
     formula = Quotient(-begun, a)
     record_inequality(book, step, time, formula)
     if book.is_hidden(formula):

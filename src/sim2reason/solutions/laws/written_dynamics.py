@@ -117,7 +117,7 @@ class DynamicsWriter:
         step.close()
 
     def _resting(self) -> list[str]:
-        """Return sentences which bodies stay at rest relative to the bodies that carry them."""
+        """Return sentences that bodies stay at rest relative to the bodies that carry them."""
         found: dict[str, list[str]] = {}
         for k in sorted(self.d.frozen):
             body = self.d.mechanism.coordinates[k].body
