@@ -111,7 +111,7 @@ def _times(held: Polynomial, factors: tuple[Polynomial, ...]) -> Polynomial:
 
 
 def _short(held: Polynomial) -> Polynomial:
-    """Return the polynomial; OverflowError if it has more terms than can be solved."""
+    """Return a polynomial unchanged; OverflowError if it has more terms than a solvable equation may have."""
     if len(held.terms) > MAX_TERMS:
         raise OverflowError("an equation of too many terms")
     return held

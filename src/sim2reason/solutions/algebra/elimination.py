@@ -53,7 +53,7 @@ class Equation:
         return frozenset[str]().union(*self.links.values())
 
     def by(self, labels: Mapping[str, frozenset[str]]) -> "Equation":
-        """Return the equation with a record of the `labels` of equations that eliminated unknowns from its forces."""
+        """Return the equation with `links` to the labels of the equations that eliminated unknowns from its forces."""
         gone = self.told.names() - self.forces.names()
         return replace(self, links={name: labels[name] for name in gone if name in labels})
 
@@ -181,13 +181,13 @@ class Elimination:
         return [] if zero.names() & (left - set(free)) else weighted
 
     def _sum(self, weighted: Sequence[tuple[Equation, Polynomial]], free: Sequence[str], *, labelled: bool) -> Equation:
-        """Write and return the weighted sum of equations; a single equation is returned unchanged."""
+        """Return the weighted sum of equations and write it; a single equation is returned unchanged."""
         return weighted[0][0] if len(weighted) == 1 else self._combined(weighted, free, labelled=labelled)
 
     # ---- in numbers
 
     def _in_numbers(self, equations: Sequence[Equation], names: Sequence[str]) -> None:
-        """Write the equations with numerical coefficients, then eliminate the unknowns, the first one last."""
+        """Write linear equations with numerical coefficients, then eliminate the unknowns, the first unknown last."""
         numeric: list[NumericEquation] = []
         hidden = any(self.book.is_hidden(equation.zero.without(names).expression()) for equation in equations)
         how = "With numbers for the coefficients: " if hidden else "In numbers: "

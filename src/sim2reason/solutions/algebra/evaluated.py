@@ -109,7 +109,7 @@ def _means(modulus: Scalar) -> list[tuple[complex, complex]]:
 
 
 def _real_if(value: complex) -> Scalar:
-    """Return a value as a real number, unless it has an imaginary part, which carries a complex-step derivative."""
+    """Return a number as a real one if its imaginary part is zero; else as it is, for complex-step derivatives."""
     return value if value.imag else value.real
 
 
@@ -151,7 +151,7 @@ class NumericFormula(Expression):
 
 @record(slots=True)
 class NumericRoot(Expression):
-    """The zero of a formula in one further symbol, by Newton's method from a near value; written as its value."""
+    """The root of an equation in one unknown, found by Newton's method near a known value and written as a number."""
 
     residual: Expression
     name: str
@@ -232,7 +232,7 @@ class Chain(Expression):
 
 
 def numeric_parts(held: Expression) -> Iterator[Expression]:
-    """Yield the parts of a formula that are written as numbers."""
+    """Yield the outermost parts of a formula that the text writes as numbers instead of symbols."""
     if isinstance(held, NumericFormula | NumericRoot):
         if not isinstance(held, ImplicitRoot):
             yield held
@@ -260,7 +260,7 @@ def is_special(held: Expression) -> bool:
 
 
 def gradient(held: Expression, at: Mapping[str, float], names: Mapping[str, int]) -> list[float]:
-    """Return the partial derivatives of a formula, (len(names),), at the index of each name; exact if analytic."""
+    """Return the exact partial derivatives of an analytic formula; `names` has each symbol's index in the list."""
     found = [0.0] * len(names)
     for name in dict.fromkeys(held.symbols()):
         if name in names:

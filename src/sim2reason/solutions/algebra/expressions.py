@@ -117,7 +117,7 @@ class Number(Expression):
         return self.x
 
     def latex(self) -> str:
-        """Return a text such as *2, 2/5 or 0.30000*."""
+        """Return the LaTeX of the number, such as *2*, *0.30000* or a fraction."""
         return pure_number(self.x)
 
     @property

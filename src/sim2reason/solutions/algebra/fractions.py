@@ -39,7 +39,7 @@ def reduced_quotient(above: Polynomial, below: Polynomial, *, grouped: bool = Fa
 
 
 def _common_number(factors: list[float]) -> float:
-    """Return the greatest common divisor of integer factors; 1 if one is no integer."""
+    """Return the greatest common divisor of integer coefficients; 1 if a coefficient is no integer."""
     whole = [round(factor) for factor in factors]
     if any(abs(factor - number) > INTEGER_ATOL for factor, number in zip(factors, whole, strict=True)):
         return 1.0
@@ -54,7 +54,7 @@ def _shared_number(factors: list[float]) -> float:
 
 
 def cancel_common_sum(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial] | None:
-    """Cancel a sum that occurs above and below: return both remaining sides, or None if the sides share no sum."""
+    """Cancel two polynomials whose ratio is a single term: return the new numerator and denominator; else None."""
     for whole, part in ((above, below), (below, above)):
         if not whole.terms or len(whole.terms) != len(part.terms):
             continue
@@ -159,7 +159,7 @@ class CrossElimination:
         self.book, self.units, self._opened = book, units, opened
 
     def reduce(self, equations: Sequence[SymbolicEquation], names: Sequence[str]) -> None:
-        """Solve the equations for all names, the first one first."""
+        """Write the steps that solve the equations for all unknowns in `names`, the first unknown first."""
         last = names[-1]
         having = [held for held in equations if last in held.left]
         pivot = min(having, key=lambda held: (len(held.left[last].terms), len(held.left)))

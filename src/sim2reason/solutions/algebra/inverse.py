@@ -67,7 +67,7 @@ def other_solutions(name: str, formula: Expression, value: Expression, at: Mappi
 
 
 def numeric_root(name: str, formula: Expression, value: Expression, at: Mapping[str, float]) -> NumericRoot:
-    """Return the numerical root of formula = value near the known value of a symbol."""
+    """Return the root of formula = value, by Newton's method near the known value of a symbol."""
     return NumericRoot(added(formula, -value), name, at[name])
 
 
@@ -92,7 +92,7 @@ def substitute_all(held: Expression, formulas: Mapping[str, Expression]) -> Expr
 def evaluate_known_parts(
     held: Expression, unknown: frozenset[str], worked: Callable[[Expression], Expression]
 ) -> Expression:
-    """Replace the known parts of a formula by numbers, unless all of them are single symbols."""
+    """Replace the parts of a formula without unknowns by numbers, unless each of them is a single symbol."""
     found = _Settling(unknown, worked).of(held)
     return _without_symbols(found, unknown, worked) if next(numeric_parts(found), None) is not None else found
 
@@ -139,7 +139,7 @@ class _Settling:
         return held.built_of([self.of(part) for part in held.parts])
 
     def _is_open(self, held: Expression) -> bool:
-        """Return whether a part contains an unknown."""
+        """Return whether a part of a formula contains an unknown."""
         if id(held) not in self._open:
             parts = held.parts
             names = () if parts else held.symbols()
@@ -171,7 +171,7 @@ def _branches(name: str, formula: Expression, value: Expression, written: Coeffi
 
 
 def _undone(formula: Expression, part: Expression, value: Expression) -> Iterator[Expression]:
-    """Yield the formulas for one operand of formula = value, by the inverse of the outermost operation."""
+    """Yield what one operand must equal so that formula = value, by the inverse of the outermost operation."""
     match formula:
         case Sum():
             yield reduce(added, (-term for term in formula.terms if term is not part), value)

@@ -78,14 +78,14 @@ class Polynomial:
 
     @property
     def number(self) -> float | None:
-        """Return the number to which the polynomial is equal, or None."""
+        """Return the number to which the polynomial is equal; None for other polynomials."""
         if not self.terms:
             return 0.0
         return self.terms.get(()) if len(self.terms) == 1 else None
 
     @property
     def symbol(self) -> Symbol | None:
-        """Return the symbol to which the polynomial is equal up to a sign, or None."""
+        """Return the symbol to which the polynomial is equal up to its sign; None for other polynomials."""
         if len(self.terms) != 1:
             return None
         (monomial, part), *_ = self.terms.items()
@@ -304,7 +304,7 @@ def _less(monomial: Monomial, shared: Monomial) -> Monomial:
 
 
 def balance(forces: Polynomial) -> tuple[Expression, Expression]:
-    """Return both sides of sum = 0 with positive terms only: the positive terms and the negated negative ones."""
+    """Return both sides of the equation forces = 0: its positive terms, and its negative terms negated."""
     positive = Polynomial({m: part for m, part in forces.terms.items() if part > 0.0})
     negative = Polynomial({m: -part for m, part in forces.terms.items() if part < 0.0})
     return positive.expression(), negative.expression()

@@ -15,7 +15,7 @@ POLE_RATIO = 1e-3  # relative to the values beside a change of sign: larger resi
 
 
 def is_explicit(chain: Chain) -> bool:
-    """Return whether a chain of formulas has no root of an implicit equation, so that it can be evaluated directly."""
+    """Return whether no formula of a chain is a root of an implicit equation, so that all can be evaluated directly."""
     return not any(isinstance(formula, ImplicitRoot) for _, formula in chain.formulas)
 
 
@@ -53,7 +53,7 @@ def is_restitution(name: str, book: SolutionBuilder) -> bool:
 
 
 def range_text(unknown: str, book: SolutionBuilder) -> str:
-    """Return the range of an unknown as words that follow *no*, such as *positive $m$*."""
+    """Return the range in which an unknown was searched for, in words such as *positive $m$*."""
     name = f"${unknown}$"
     if book.units[unknown] == DEGREES:
         return f"{name} between $0^\\circ$ and $90^\\circ$"

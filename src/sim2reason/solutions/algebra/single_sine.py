@@ -42,7 +42,7 @@ def closed_root(chain: Chain, at: Symbol, unknown: str, values: Mapping[str, flo
 
 
 def fraction_in(chain: Chain, at: Symbol, unknown: str, values: Mapping[str, float]) -> tuple[Expression, Expression]:
-    """Return both sides of a chain's equation: the symbol `at` or its square, and a fraction of sums of functions."""
+    """Return both sides of the equation of a chain of formulas: `at` or its square, and a fraction of sums."""
     for power, basis, parts, points in _fractions(chain, unknown, values):
         sizes = np.array([max(abs(held.value({unknown: x})) for x in points.tolist()) for held in basis])
         scaled = [part / _largest(parts[1]) for part in parts]
@@ -91,7 +91,7 @@ def _summed(basis: Basis, parts: Array, kept: Array) -> Expression:
 
 
 def _is_shown(terms: Array) -> Array:
-    """Return which terms of a sum are large enough to be written."""
+    """Return a mask of the terms of a sum, given by their magnitudes, that are large enough to be written."""
     return terms > VISIBLE_TERM_RATIO * terms.max()
 
 
@@ -144,7 +144,7 @@ def trend(formula: Expression, name: str, values: Mapping[str, float]) -> str:
 
 
 def single_sine(name: str, found: Expression) -> str:
-    """Write a sin x + b cos x as a multiple of one sine if x is arcsin(…) ± arctan(…); return "" for any other x."""
+    """Return a clause: a sin x + b cos x is a multiple of one sine, if x is arcsin(…) ± arctan(…); else ""."""
     if not isinstance(found, Sum) or len(found.terms) != 2:
         return ""
     signed = {pair[1].function: pair for term in found.terms if (pair := _signed(term)) is not None}
@@ -159,7 +159,7 @@ def single_sine(name: str, found: Expression) -> str:
 
 
 def beyond_right_angle(others: Sequence[float], value: float) -> str:
-    """State that the other solution for an angle exceeds 90°; return "" if it does not."""
+    """Return the sentence that the only other solution for an angle exceeds 90°; "" if it does not."""
     if len(others) != 1 or not 0.0 < value <= 0.5 * pi < others[0]:
         return ""
     return f"The other solution, ${with_unit(others[0], DEGREES)}$, is more than $90^\\circ$."

@@ -43,14 +43,14 @@ class Equation:
 
     @property
     def near(self) -> float | None:
-        """Return the approximate value that the relation states for an implicit symbol; None for other relations."""
+        """Return the approximate value near which the relation is solved for its symbol; None for other relations."""
         if isinstance(self.right, list) and self.right[0] == "solve":
             return float(self.right[1])  # type: ignore[arg-type]
         return None
 
     @property
     def asserts(self) -> bool:
-        """Return whether the relation only states a value that follows from others: it can be verified, not used."""
+        """Return whether the relation only states a symbol's number, to be verified by other relations."""
         return self.role != "law" and not isinstance(self.right, str | list) and isinstance(self.left, str)
 
     def definition(self, name: str) -> Tree | None:

@@ -52,7 +52,7 @@ class Instant:
             raise TreeError(f"{', '.join(sorted(left))} has no value in the equations of motion")
 
     def _definitions(self, waiting: list[Equation], state: set[str]) -> list[tuple[str, EvaluateAll]]:
-        """Return the symbols defined by the state alone, in order of evaluation, and remove their equations."""
+        """Return symbols with their formulas in terms of the state, in order of evaluation; remove their equations."""
         found, known = list[tuple[str, EvaluateAll]](), state | self.at.keys()
         while True:
             for equation in waiting:
@@ -160,7 +160,7 @@ PARTS = {
 
 
 def formulas(data: Mapping[str, Any]) -> Iterator[Tree]:
-    """Yield all trees in the data of a phase."""
+    """Yield all formulas in the data of a phase, as prefix trees."""
     yield data["begin"]
     yield data["until"]["expression"]
     for part, names in PARTS.items():
@@ -210,11 +210,11 @@ class _Phase:
         return float(self._excess(np.array([time]), self._state(time))[0])
 
     def _piece(self, time: float) -> Piece:
-        """Return the one of the last two steps that contains a time."""
+        """Return the integration step, the last one or the one before it, that contains a time."""
         return self._held[-1] if time >= self._held[-1].begin else self._held[0]
 
     def _state(self, time: float) -> Array:
-        """Return the state at a time in one of the last two steps, (1, n)."""
+        """Return the state at a time in one of the last two integration steps, (1, n)."""
         return self._piece(time).state(time)[None]
 
     def _fits(self, piece: Piece) -> bool:

@@ -45,7 +45,7 @@ def undetermined(
 
 
 def _row(equation: Equation, values: Mapping[str, float], place: Mapping[str, int], sizes: Array) -> Array:
-    """Return the scaled gradient of an equation, (n,), with respect to relative changes of the symbols."""
+    """Return the gradient of an equation, (n,), for relative changes of the symbols; its largest element is ±1."""
     row = np.zeros(len(place))
     _, slopes = equation.slopes(values)
     for name, slope in slopes.items():
@@ -57,7 +57,7 @@ def _row(equation: Equation, values: Mapping[str, float], place: Mapping[str, in
 
 
 def _basis(rows: Sequence[Array], width: int) -> Array:
-    """Return an orthonormal basis of the row space, one vector a row."""
+    """Return an orthonormal basis of the space that rows span, one basis vector a row."""
     if not rows or not width:
         return np.zeros((0, width))
     _, sizes, ways = np.linalg.svd(np.array(rows), full_matrices=False)

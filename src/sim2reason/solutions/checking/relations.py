@@ -21,7 +21,7 @@ EPS = 4e-16  # relative
 
 
 def zero(function: Callable[[float], float], one: float, other: float, *, within: float = EPS) -> float:
-    """Find a zero between two points by the Anderson-Björck method, with bisection where that is slow.
+    """Find a zero of a function between two points by the Anderson-Björck method, bisecting where that is slow.
 
     The values at both points must differ in sign; `within` is the relative accuracy of the zero. Exceptions of the
     function propagate.
@@ -166,7 +166,7 @@ class Relations:
         self.assign(name, found)
 
     def _along(self, chain: Sequence[tuple[str, Tree]], name: str, number: float) -> dict[str, float]:
-        """Return all values that follow from a trial value of a symbol."""
+        """Return the values of all known symbols for a trial value of one symbol, with those that a chain defines."""
         at = self.values | {name: number}
         for other, formula in chain:
             at[other] = value(formula, at)

@@ -45,7 +45,7 @@ class ClosedForm:
     symbols: tuple[str, ...]
 
     def of_sizes(self, points: Sequence[Mapping[str, float]]) -> "ClosedForm":
-        """Return the absolute value; radicands that are negative at one of the `points` become absolute values.
+        """Return the absolute value of the closed form; radicands negative at one of the `points` get bars, too.
 
         Factors with one sign at all points get that sign; all others stand between bars.
         """

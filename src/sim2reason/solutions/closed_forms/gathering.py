@@ -147,7 +147,7 @@ def _term(held: Expression) -> Term:
 
 
 def _product(terms: Sequence[Term]) -> Expression:
-    """Return the common factors of all terms times a sum with its remaining common factors collected."""
+    """Return a sum of terms as a product: the common factors of all terms times the sum of what remains."""
     terms = _merged(terms)
     if len(terms) < 2:
         return _plain(terms)
@@ -175,7 +175,7 @@ def _crosswise(terms: Sequence[Term]) -> Expression | None:
 
 
 def _two_sums(ac: Term, ad: Term, bc: Term, bd: Term) -> tuple[Expression, ...] | None:
-    """Return the factors, two of them sums, of the product of four terms; None if the terms are no product."""
+    """Return four terms as factors, two of them sums: (a + b) and (c + d); None if the terms allow no such product."""
     over, beside = bc.number / ac.number, ad.number / ac.number  # ratios b/a and d/c
     if any(term.below for term in (ac, ad, bc, bd)) or bd.number != ac.number * over * beside:
         return None

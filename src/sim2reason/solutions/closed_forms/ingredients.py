@@ -54,7 +54,7 @@ def with_final_algebra(solution: Solution) -> Solution:
 
 @dataclass(frozen=True)
 class _FinalAlgebra:
-    """The quantities between the given ones and the answer, and their formulas."""
+    """The intermediate quantities of a solution, between the given ones and the answer, and their formulas."""
 
     solution: Solution
 
@@ -77,7 +77,7 @@ class _FinalAlgebra:
 
     @cached_property
     def _whole(self) -> str:
-        """Return the symbol of the goal, or the one whose absolute value or negative is the goal."""
+        """Return the symbol of the goal, or of the quantity whose absolute value, negative or copy is the goal."""
         whole = self.solution.goal
         while (inner := _inside(self._formulas[whole])) in self._formulas and inner not in self._given:
             whole = inner
@@ -97,7 +97,7 @@ class _FinalAlgebra:
         return relations if len(relations) <= MAX_QUANTITIES else [*self._in_given(last)][:MAX_QUANTITIES]
 
     def _last(self) -> Iterator[Expression]:
-        """Yield the derived quantities in the last formula that has several; their sum if that is its denominator."""
+        """Yield derived quantities in the answer's last formula with several; their sum if it is the denominator."""
         whole, names = self._whole, self._parts(self._whole)
         while len(names) == 1 and (deeper := self._parts(names[0])):
             whole, names = names[0], deeper
@@ -119,7 +119,7 @@ class _FinalAlgebra:
         return [name for name in self._formulas if name in found]
 
     def _in_given(self, parts: Sequence[Expression]) -> Iterator[Relation]:
-        """Yield the equations of quantities in terms of given ones that the text does not contain yet."""
+        """Yield equations, not yet in the text, that give quantities in terms of given quantities."""
         for part in parts:
             if isinstance(part, Symbol) and self._is_plain(part.name):
                 continue
@@ -156,7 +156,7 @@ class _FinalAlgebra:
         return isclose(left, right, rel_tol=ANSWER_RTOL)
 
     def insertion(self) -> tuple[str, list[Relation]]:
-        """Return a sentence about the quantities inserted into the last formula, and that unsimplified formula."""
+        """Return a sentence that inserts quantities into the last formula, and the resulting equation in a list."""
         names = self._parts(self._whole)
         closed = {name: found for name in names if (found := self._closed(Symbol(name))) is not None}
         if not names or len(closed) < len(names):

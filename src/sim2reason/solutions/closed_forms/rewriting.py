@@ -78,7 +78,7 @@ def latex_length(held: Expression) -> int:
 
 
 def _over_one(held: Expression) -> Iterator[Expression]:
-    """Yield equivalent forms over one denominator; none if an intermediate form gets too long."""
+    """Yield equivalent forms of a formula as one fraction; none if an intermediate form gets too long."""
     names = tuple(dict.fromkeys(held.symbols()))
     if not names:
         return
@@ -137,7 +137,7 @@ class RationalFunctions:
         return found
 
     def _atom(self, held: Root | Call | Pi, inner: Any) -> Any:
-        """Return a function or π as a generator of the field."""
+        """Return the generator of the field of rational functions that stands for a root, sine, cosine or π."""
         function = held.function if isinstance(held, Call) else held.latex() if isinstance(held, Pi) else "sqrt"
         if (function, inner) not in self._met:
             if len(self._met) == len(self._spare):  # one root in two forms, before and after its sine occurred
@@ -225,7 +225,7 @@ class RationalFunctions:
 
 
 def _factored(side: Any) -> tuple[Any, list[tuple[Any, int]]]:
-    """Return the numerical factor, and the irreducible factors with their powers.
+    """Return the numerical factor of a polynomial, and its irreducible factors with their powers.
 
     The factors of p x + q, of first degree in a symbol x, are those of the greatest common divisor of p and q, and the
     quotient, which is irreducible (Gauss's lemma); that costs far less than Wang's algorithm.

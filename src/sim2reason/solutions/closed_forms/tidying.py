@@ -203,7 +203,7 @@ def _times(number: Number, held: Expression) -> Expression:
 
 
 def _outward(held: Absolute | Call, opposite: Expression) -> Expression:
-    """Rewrite an even or odd function of a negative argument with the opposite one, as sin(−x) to −sin x."""
+    """Rewrite an even or odd function of a negative argument, given the `opposite` argument: sin(−x) as −sin x."""
     match held:
         case Absolute():
             return Absolute(opposite)

@@ -17,7 +17,7 @@ from sim2reason.solutions.writing.unit_latex import SPEED
 
 @dataclass(frozen=True)
 class Exclusion:
-    """A pair that does not collide: its names and letters, the kind of argument and the number that proves it.
+    """One pair of bodies that does not collide, with the kind of argument for this and the number that proves it.
 
     The number follows from relative position and velocity, which the sentence `motion` states; on a line, the words
     `aside` state them.
@@ -33,7 +33,7 @@ class Exclusion:
 
 
 def clauses(told: Sequence[Exclusion]) -> Iterator[str]:
-    """Yield one clause for each kind of argument why pairs of bodies do not collide."""
+    """Yield clauses why pairs of bodies do not collide, one clause for all pairs with the same kind of argument."""
     for kind, clause in CLAUSES.items():
         held = [each for each in told if each.kind == kind]
         if held:
@@ -46,7 +46,7 @@ def _pairs(held: Sequence[Exclusion]) -> str:
 
 
 def _numbers(held: Sequence[Exclusion]) -> str:
-    """Return the numbers that prove that pairs do not collide, such as times, joined as a list."""
+    """Return a list in words of the numbers, such as times, that prove that pairs do not collide."""
     return join_words([each.said for each in held])
 
 
@@ -115,7 +115,7 @@ MAX_FORMULA_LENGTH = 160  # characters of a formula; of a longer one only the va
 
 @dataclass(frozen=True)
 class RelativeMotion:
-    """Named numbers of the relative motion of two bodies for an argument that they do not collide."""
+    """Numbers of the relative motion of two bodies, named for an argument that the two do not collide."""
 
     book: SolutionBuilder
     step: StepBuilder
@@ -137,7 +137,7 @@ class RelativeMotion:
         return ratio(*self.names)
 
     def concluded(self, base: str, formula: Expression, unit: str) -> str:
-        """Write the number that concludes the argument, such as a time, and return its equation."""
+        """Write the number that proves that two bodies do not collide, such as a time, and return its equation."""
         said: list[str] = []
         self._verified(base, formula, unit, "", said)
         return said[0]
@@ -152,7 +152,7 @@ class RelativeMotion:
 
 
 def approach_sentence(flights: Impacts, step: StepBuilder, begins: Impact, following: Impact) -> str:
-    """Return the sentence that the bodies of the `following` collision approach each other; empty if it is obvious."""
+    """Return the sentence that two bodies, after one collision, approach the `following` one; empty if obvious."""
     book, meeting = flights.book, flights.mechanism.meetings[following.meeting]
     pair = meeting.normal is not None and len(meeting.names) > 1 and following.meeting != begins.meeting
     if flights.timed or not pair or any(flights.acceleration(k) for b in meeting.names for k in flights.coordinates(b)):
@@ -170,7 +170,7 @@ def approach_sentence(flights: Impacts, step: StepBuilder, begins: Impact, follo
 
 
 def late_values(flights: Impacts, step: StepBuilder) -> Iterator[str]:
-    """Yield a sentence with the values of quantities in a step that the text has not stated before."""
+    """Yield one sentence with the values of a step's quantities that were unknown before, if there are any."""
     book = flights.book
     used = [name for r in step.relations if r.role == "verified" for name in r.right.symbols()]
     late = [name for name in dict.fromkeys(used) if name in book.formulas and name not in book.stated]
@@ -245,7 +245,7 @@ class Intervals:
         return next((held for held in self.at_end if {*held.bodies} & {*meeting.names}), None)
 
     def _number(self, body: str, begins: Impact | None) -> int:
-        """Return the number of a body's flight that follows a collision."""
+        """Return the number of the flight of a body that follows a collision; 0 for the flight from the start."""
         if begins is None:
             return 0
         return self._flights.count(body, begins) + (body in begins.bodies)

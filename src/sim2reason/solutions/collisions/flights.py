@@ -97,7 +97,7 @@ class FreeFlights(ABC):
         return Flight(None, {k: read(lambda m, k=k: m.coordinates[k].speed) for k in self.coordinates(body)})
 
     def leg(self, body: str, number: int) -> Flight:
-        """Return the flight of a body after a number of its collisions."""
+        """Return the flight of a body that follows a given number of its collisions."""
         legs = self._legs.setdefault(body, [self._first(body)])
         while len(legs) <= number:
             own = [impact for impact in self.impacts if body in impact.bodies]
@@ -125,11 +125,11 @@ class FreeFlights(ABC):
 
     @abstractmethod
     def when(self, impact: Impact) -> Symbol:
-        """Return the time of a collision."""
+        """Return the symbol of the time of a collision; on first use, write the time."""
 
     @abstractmethod
     def event(self, time: Symbol) -> str:
-        """Return the name of the collision at a time."""
+        """Return the name of the collision that happens at a given time."""
 
     @abstractmethod
     def after(self, impact: Impact) -> dict[int, Polynomial]:
@@ -238,7 +238,7 @@ class FreeFlights(ABC):
         return Polynomial.of(name)
 
     def _instant(self, time: Symbol) -> str:
-        """Return, as a subscript, the number of the oblique collision of discs at a time; empty at other times."""
+        """Return a collision number as a subscript if discs collide obliquely at a time; empty at other times."""
         impact = next((self.impacts[n] for n, name in self.times.items() if name == time), None)
         oblique = impact is not None and self.mechanism.meetings[impact.meeting].normal is None
         return self.collision_number(impact) if impact is not None and oblique else ""
@@ -249,14 +249,14 @@ class FreeFlights(ABC):
         return str(impact.number + 1) if several else ""
 
     def _lasting(self, leg: Flight, time: Symbol) -> Expression:
-        """Return the duration of a flight up to a time: its symbol if it has one, else a difference of times."""
+        """Return the duration of a flight up to a time: its symbol if it has one, else the time minus its beginning."""
         begins = self.begins(leg)
         if begins is None:
             return time
         return self._spans.get((begins.name, time.name)) or time - begins
 
     def _axis(self, k: int) -> str:
-        """Return the words for the axis of a coordinate; empty if the body has only one."""
+        """Return the words for the axis of a coordinate; empty if the body of the coordinate has only one axis."""
         label = self.mechanism.coordinates[k].label
         several = len(self.mechanism.body[self.mechanism.coordinates[k].body].coordinates) > 1
         upward = " (upward)" if self.mechanism.coordinates[k].axis[2] > 1.0 - ALIGNED else ""
@@ -269,7 +269,7 @@ class FreeFlights(ABC):
         return ",".join(part for part in (label if several else "", mark) if part)
 
     def _whose(self, body: str, k: int) -> str:
-        """Return the words that introduce a velocity along a coordinate."""
+        """Return the words before the formula of a velocity, such as *the velocity of puck A along x is*."""
         return f"the velocity of {self.setting.display_name(body)}{self._axis(k)} is"
 
     # ---- what they meet

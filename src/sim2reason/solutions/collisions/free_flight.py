@@ -88,14 +88,14 @@ class StruckBodies:
 
     @property
     def loses(self) -> str:
-        """Return the beginning of a sentence with the reason for the loss of kinetic energy."""
+        """Return the first words of a sentence that gives an energy loss: the reason why kinetic energy is lost."""
         motion = "relative motion" if len(self.bodies) > 1 else "motion perpendicular to the surface"
         left = "keeps $e^2$ of its energy" if self.flights.restitution(self.impact.meeting) else "ends"
         return f"The {motion}{self._way} {left}, so"
 
     @property
     def pushes(self) -> str:
-        """Return the beginning of a sentence with the laws that give the impulse."""
+        """Return the first words of a sentence that gives an impulse: the laws from which the impulse follows."""
         e, pair = self.flights.restitution(self.impact.meeting), len(self.bodies) > 1
         if not pair:
             return "The impulse is the change of momentum, so"
@@ -105,7 +105,7 @@ class StruckBodies:
 
     @property
     def _way(self) -> str:
-        """Return the words *along the line of centres* for discs; empty for others."""
+        """Return the words *along the line of centres* for a collision of discs; empty for other collisions."""
         return (
             " along the line of centres" if self.flights.mechanism.meetings[self.impact.meeting].normal is None else ""
         )
@@ -137,7 +137,7 @@ class FlightPart(MotionPart):
     until: Symbol | None  # end time; None: zero duration
 
     def path(self, body: str) -> Expression:
-        """Return the distance covered during the flight."""
+        """Return the distance covered by a body on a line during the flight."""
         own = [k for k in self.flights.coordinates(body) if self.flights.leg(body, 0).speeds.get(k) is not None]
         if len(own) != 1 or self.flights.acceleration(own[0]):
             raise UnsolvedError("it turns back in flight, or flies in a plane")
@@ -184,7 +184,7 @@ def write_highest_point(flights: Impacts, body: str) -> None:
 
 
 def height_at_rest(flights: Impacts, body: str, k: int, *, top: bool) -> Polynomial:
-    """Write the displacement along a coordinate at its turning point, without the time: v² = 2 a s."""
+    """Write the displacement of a body along a coordinate at its turning point, without the time: v² = 2 a s."""
     number, a = flights.count(body, None), flights.acceleration(k)
     leg = flights.leg(body, number)
     before, v = flights.place(body, number, k, None), leg.speeds[k].expression()
@@ -204,7 +204,7 @@ def height_at_rest(flights: Impacts, body: str, k: int, *, top: bool) -> Polynom
 
 
 def _velocity(flights: Impacts, body: str, k: int) -> str:
-    """Return the words for the velocity component along a coordinate."""
+    """Return words for the velocity of a body along a coordinate, such as *vertical velocity of ball A*."""
     coordinate, who = flights.mechanism.coordinates[k], flights.setting.display_name(body)
     if coordinate.axis[2] > 1.0 - ALIGNED:
         return f"vertical velocity of {who}"

@@ -26,7 +26,7 @@ class Impacts(FreeFlights, ABC):
         """Return the velocities of two discs just after their collision, by coordinate."""
 
     def when(self, impact: Impact) -> Symbol:
-        """Return the time of a collision."""
+        """Return the symbol of the time of a collision; on first use, write the time."""
         if impact.number not in self.times:
             self.times[impact.number] = self._meets(impact)
         return self.times[impact.number]
@@ -95,7 +95,7 @@ class Impacts(FreeFlights, ABC):
         return f" after {self.event(since)}"
 
     def root(self, gap: Polynomial, rate: Polynomial, rise: Polynomial, *, first: bool = True) -> Expression:
-        """Return the first root of gap + rate t + ½ rise t² = 0, or the other root if `rate` is not zero."""
+        """Return the first root t of gap + rate t + ½ rise t² = 0; or the other root, if `rate` is not zero."""
         double = multiplied(Number(-2.0), multiplied(rise.expression(), gap.expression()))
         v = rate.expression()
         if not rate:
@@ -223,7 +223,7 @@ class Impacts(FreeFlights, ABC):
         return {k: Polynomial.of(name)}
 
     def _kept(self, body: str, k: int) -> str:
-        """Return the statement that the velocity along a wall is unchanged, at the first rebound in a plane."""
+        """Return the clause that the velocity along a wall is unchanged; empty on a line or after a first rebound."""
         others = [j for j in self.coordinates(body) if j != k]
         if not others or any(held.kind == "rebound" for held in self.book.steps):
             return ""

@@ -81,7 +81,7 @@ def group_steps(steps: Sequence[Step]) -> list[Step]:
 
 
 def without_repeats(steps: Sequence[Step]) -> list[Step]:
-    """Remove from steps about several collisions the sentences that an earlier step contains."""
+    """Shorten or remove the sentences in steps about collisions that repeat an earlier step."""
     said, found = set[str](), list[Step]()
     for step in steps:
         text, (lead, *_) = step.text, step.text.split("$", 1)
@@ -96,7 +96,7 @@ def without_repeats(steps: Sequence[Step]) -> list[Step]:
 
 
 def _row(group: Sequence[Step]) -> Step:
-    """Combine steps of one kind into a list of formulas for each instant; a single step is unchanged."""
+    """Combine steps of one kind into one step that lists their formulas by instant; a single step is unchanged."""
     if group[0].kind not in ROWS or len(group) == 1:
         return group[0]
     rows: dict[str, list[str]] = {}

@@ -105,7 +105,7 @@ def _only_axis(u: Sequence[Expression]) -> int | None:
 
 
 def _ahead(flights: Impacts, velocity: Expression, size: Expression) -> Expression:
-    """Return a magnitude with the sign opposite to that of a relative velocity."""
+    """Return a magnitude with the sign opposite to that of a relative velocity, as a formula."""
     return size if flights.book.value(velocity) < 0.0 else -size
 
 

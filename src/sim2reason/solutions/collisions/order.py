@@ -107,7 +107,7 @@ class CollisionOrder:
             self._close(step)
 
     def _close(self, step: StepBuilder) -> None:
-        """Close a step, and record the number of the step before which it must not be moved."""
+        """Close a step about the order of collisions; record the number of the step before which it must not move."""
         step.close()
         self._book.earliest[self._book.steps[-1].id] = self._first
 
@@ -274,7 +274,7 @@ class CollisionOrder:
         return self._since_start(None if held.begins is None else self._flights.when(held.begins))
 
     def _since_start(self, time: Symbol | None) -> Polynomial:
-        """Return a time since the start as a sum of the durations in the text."""
+        """Return a time since t = 0 as a sum of the durations that have symbols in the text."""
         if time is None:
             return NIL
         if time in self._flights.sums:
@@ -285,21 +285,21 @@ class CollisionOrder:
     # ---- words
 
     def _letters(self, held: FreeInterval) -> str:
-        """Return the letters of a pair."""
+        """Return the letters of the two bodies of an interval, such as *AB*."""
         return "".join(map(self._flights.setting.subscript_of, held.legs))
 
     def _when(self, held: FreeInterval) -> str:
-        """Return the words for the instant at which an interval begins."""
+        """Return words for the instant at which an interval begins, such as *at t = 0*."""
         if held.begins is None:
             return "at t = 0"
         return f"just after {self._flights.event(self._flights.when(held.begins))}"
 
     def _lead(self, begins: Impact | None) -> str:
-        """Return the words that begin a sentence about the motion after a collision."""
+        """Return words that begin a sentence about the motion after a collision, or undisturbed from the start."""
         return f"After {self._flights.event(self._flights.when(begins))}," if begins is not None else "Undisturbed,"
 
     def _hence(self, begins: Impact | None) -> str:
-        """Return the end of a sentence: which pair collides first, or that none collides any more; may be empty."""
+        """Return the last clause of a sentence: which pair collides first, or that no pair collides; may be empty."""
         following = self._flights.impacts[0] if begins is None and self._flights.impacts else None
         if following is not None and (self._time == inf or following.time <= self._time * (1.0 + 1e-9)):
             return f", so {self._meet(following)} first"
@@ -312,6 +312,6 @@ class CollisionOrder:
         return "" if self._held.at_end else f", so there is no further collision before {until}"
 
     def _meet(self, impact: Impact) -> str:
-        """Return a clause about a collision."""
+        """Return a clause about a collision, such as *carts A and B meet*."""
         met = self._flights.collision_clause(impact)
         return met[:1].lower() + met[1:]

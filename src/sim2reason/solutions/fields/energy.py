@@ -36,14 +36,14 @@ class FieldEnergy:
         return work
 
     def _gained(self) -> Expression:
-        """Return the change in kinetic energy."""
+        """Return the change in kinetic energy from the start to the moment of the question."""
         speeds = (self.known.first_speeds.get(number, NIL) for number in self.fields.coordinates)
         first = total(speed * speed for speed in speeds).expression()
         square = self._square()
         return HALF * self.fields.mass * (square - first)
 
     def _square(self) -> Expression:
-        """Return the square of the speed at the moment."""
+        """Return the square of the body's speed at the moment of the question."""
         if self.moment.speed is not None:
             return Power(self.moment.speed, 2)
         last = magnitude(self.known.vector("v", self.fields.body), self.known, VELOCITIES, self.fields.body)

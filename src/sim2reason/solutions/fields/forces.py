@@ -84,7 +84,7 @@ class Fields:
         return self.setting.lexicon.of(number)
 
     def _of(self, kind: type) -> int | None:
-        """Return the index of the force of a kind, or None."""
+        """Return the index of the body's force of a given kind; None if no such force acts."""
         return next((n for n in self.forces if isinstance(self.setting.mechanism.forces[n].law, kind)), None)
 
     # ---- what acts

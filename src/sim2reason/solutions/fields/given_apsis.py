@@ -31,7 +31,7 @@ def given_apsis(orbit: KeplerOrbit, *, far: bool) -> Symbol:
 
 
 def _distance(orbit: KeplerOrbit, *, far: bool) -> float:
-    """Return the numerical value of the greatest or the least distance from the central body."""
+    """Return the value, in m, of the greatest or least distance of an orbiting body from the central body."""
     mu, r, h, square = map(
         orbit.book.value, (orbit.parameter, orbit.radius, orbit.momentum, sum_of_squares(orbit.rate))
     )

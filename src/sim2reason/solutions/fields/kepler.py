@@ -60,7 +60,7 @@ class KeplerOrbit:
 
     @cached_property
     def radius(self) -> Symbol:
-        """Return the initial distance from the centre, m."""
+        """Return the initial distance from the central body, m."""
         formula = vector_length(self.place)
         said = f"The initial distance of {self.setting.display_name(self.body)} is"
         return self.book.add_step("distance", said, self.named("r", "0"), formula, METRES)
@@ -194,7 +194,7 @@ class KeplerOrbit:
         return self.book.add_step("time", f"{self._mean(grown)}, so the time is", self.named("t"), formula, SECONDS)
 
     def _mean(self, angle: Expression) -> str:
-        """Return the words for the increase of the mean anomaly as the eccentric one increases by an angle."""
+        """Return sentences with Kepler's equation and the change of e sin E while E increases by an angle."""
         E, product = self.anomaly.latex(), rf"{self.eccentricity_symbol.latex()} \sin {self.anomaly.latex()}"
         grown = self.e_cos_anomaly * Call("sin", angle) + self.e_sin_anomaly * Call("cos", angle)
         said = (
@@ -206,7 +206,7 @@ class KeplerOrbit:
         return f"{said} ${grown.latex()}$"
 
     def _grown(self, angle: Expression) -> Expression:
-        """Return the increase of the mean anomaly as the eccentric one increases by an angle."""
+        """Return by how much the mean anomaly increases when the eccentric anomaly increases by an angle."""
         return angle - self.e_cos_anomaly * Call("sin", angle) + self.e_sin_anomaly * (ONE - Call("cos", angle))
 
     def to_apsis(self, *, far: bool) -> Expression:
@@ -244,7 +244,7 @@ class KeplerOrbit:
         return f"{said} (${(x * u + y * v).latex()} {'>' if recedes else '<'} 0$)"
 
     def to_distance(self, distance: Symbol) -> Symbol:
-        """Write the increase of the eccentric anomaly, in radians, up to a distance from the start."""
+        """Write the increase of the eccentric anomaly, in radians, until the body is at a distance from its start."""
         name = self.named(r"\eta")
         square = self._away(name)
         level = self.book.value(distance) ** 2
@@ -292,7 +292,7 @@ class KeplerOrbit:
         return f"{said} ${more.latex()}$."
 
     def _away(self, angle: Expression) -> Expression:
-        """Return the squared displacement after the eccentric anomaly has increased by an angle."""
+        """Return the squared distance from the start after the eccentric anomaly has increased by an angle."""
         less, more = self.weights(angle)
         return sum_of_squares([less * place + more * rate for place, rate in zip(self.place, self.rate, strict=True)])
 
@@ -307,7 +307,7 @@ class KeplerOrbit:
 
 
 def _rising(residual: Callable[[float], float]) -> float:
-    """Return the first root, in radians, of a function that is negative at zero."""
+    """Return the first positive zero, in radians, of a function of an angle that is negative at zero."""
     step, low = 0.01, 0.0
     while residual(low + step) < 0.0:
         low += step

@@ -204,12 +204,12 @@ class RotatingMotion(FieldMotion):
         return found
 
     def _left(self, time: Expression) -> Expression:
-        """Return the factor by which drag has reduced the rotating velocity."""
+        """Return the factor by which linear drag has reduced the rotating part of the velocity at a time."""
         assert self.fields.damping is not None
         return Call("exp", -(self.fields.damping * time))
 
     def _kept(self, axis: int, time: Expression | None) -> Expression:
-        """Return the drift velocity along an axis at a time; at the start for None."""
+        """Return the drift velocity along an axis at a time; for None, the drift velocity at the start."""
         return ZERO if self.drive is None else self._kept_as(self.drive, self._drift[axis], axis, time)
 
     def _kept_as(

@@ -64,7 +64,7 @@ class FieldMoment:
 
     @cached_property
     def turn(self) -> FieldTurn:
-        """Return the moment at which the velocity has turned."""
+        """Return the helper for moments at which the velocity has turned, with the formulas that are short then."""
         return FieldTurn(self.setting.query.moment or AtTime(0.0), self.fields, self.motion)
 
     def _stopped(self, name: Symbol) -> Symbol:
@@ -95,7 +95,7 @@ class FieldMoment:
         return name
 
     def _course(self, *, moved: bool = False) -> str:
-        """Return a sentence with the velocity as a function of time; with `moved`, it mentions its integral."""
+        """Return a sentence with the velocity as a function of time; with `moved`, also that its integral is used."""
         time = self.fields.clock
         parts = [(axis, self.motion.course(number, time)) for number, axis in enumerate(AXES)]
         told = [f"${part.latex()}$ along {axis}" for axis, part in parts if part != ZERO]
@@ -103,7 +103,7 @@ class FieldMoment:
         return f"{said}; integrated from 0 on, this gives the displacement." if moved else f"{said}."
 
     def _distance(self, time: Symbol) -> Expression:
-        """Return the squared distance from the start, m²."""
+        """Return the squared distance from the start, m², as a function of time."""
         return sum_of_squares([self.motion.moved(axis, time) for axis in (0, 1)])
 
     @cached_property
@@ -118,7 +118,7 @@ class FieldMoment:
 
     @property
     def launched(self) -> Expression:
-        """Return the initial speed."""
+        """Return the body's initial speed."""
         given = self.setting.given(f"{self.fields.body.rpartition('.')[0]}.start.speed")
         return Symbol(given.symbol) if given is not None else self._size(self.fields.launch)
 
@@ -174,7 +174,7 @@ class FieldMoment:
         return not changing and self.fields.damping is None
 
     def extreme(self, query: StretchQuery) -> Symbol:
-        """Write the extreme value of a functional, where its rate of change vanishes."""
+        """Write the greatest or least value of a functional over the motion, and return its symbol."""
         fields = self.fields
         if query.functional in REACHES:
             return Reach(self.motion, REACHES[query.functional], self.launched).written()
@@ -279,7 +279,7 @@ class FieldMoment:
         step.close()
 
     def _sampled(self, name: Symbol, parts: list[Expression], sign: float) -> float:
-        """Return the approximate time, s, of the greatest or least magnitude of a vector."""
+        """Return the sampled time, s, at which the magnitude of a vector is greatest (`sign` 1) or least (−1)."""
         square = sum_of_squares(parts)
         times: list[float] = np.linspace(0.0, self.setting.time, SAMPLES).tolist()
         return max(times, key=lambda t: sign * square.value({**self.book.values, name.name: t}).real)

@@ -37,7 +37,7 @@ class FieldMotion(ABC):
         return f"{course} gives the displacement of {who} along {AXES[axis]},"
 
     def course(self, axis: int, time: Expression) -> Expression:
-        """Return the velocity along an axis in the form that is integrated."""
+        """Return the velocity along an axis as a formula that suits integration; by default the usual one."""
         return self.rate(axis, time)
 
     def named(self, said: str, base: str, mark: str, formula: Expression, unit: str) -> Expression:

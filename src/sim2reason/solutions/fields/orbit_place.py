@@ -27,7 +27,7 @@ class OrbitPlace(ABC):
 
     @cached_property
     def radius(self) -> Symbol:
-        """Return the distance from the centre."""
+        """Return the distance of the body from the central body."""
         return self._distance()
 
     @abstractmethod
@@ -36,7 +36,7 @@ class OrbitPlace(ABC):
 
     @abstractmethod
     def _distance(self) -> Symbol:
-        """Write the distance from the centre."""
+        """Write the distance of the body from the central body."""
 
     @abstractmethod
     def _moved(self, axis: int) -> Expression:
@@ -68,7 +68,7 @@ class OrbitPlace(ABC):
         return orbit.book.add_step("component", said, orbit.named(kind, label), formula, unit, rests=rests)
 
     def _reason(self, kind: str) -> str:
-        """Return the label of the step from which a displacement or velocity follows; empty for none."""
+        """Return the label of the step that gives displacements or velocities; by default ""."""
         del kind
         return ""
 
@@ -129,7 +129,7 @@ class AtAnomaly(OrbitPlace):
         return {number: self.orbit.named("c", number) for number in "1234"}
 
     def _combined(self, numbers: str, axis: int) -> Expression:
-        """Return a component: Lagrange's coefficients times initial position and velocity, without zero terms."""
+        """Return a component of a vector: Lagrange's coefficients times initial position and velocity."""
         orbit, found = self.orbit, ZERO
         for number, part in zip(numbers, (orbit.place[axis], orbit.rate[axis]), strict=True):
             if part != ZERO:

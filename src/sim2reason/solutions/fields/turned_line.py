@@ -52,7 +52,7 @@ class Turned(OrbitPlace):
 
     @property
     def _across(self) -> Expression:
-        """Return e sin ν, the eccentricity times the sine of the initial true anomaly."""
+        """Return e sin ν: the orbit's eccentricity times the sine of the true anomaly at the start."""
         return self._swift * self._outward / self.orbit.parameter
 
     @property
@@ -115,7 +115,7 @@ class Turned(OrbitPlace):
 
     @property
     def _direction(self) -> tuple[Expression, Expression]:
-        """Return the direction from the centre to the body, times the initial distance."""
+        """Return both components of the direction from the centre to the body, times the initial distance."""
         x, y = self.orbit.place
         if self._quarters == 2:
             return -x, -y
@@ -146,7 +146,7 @@ class Turned(OrbitPlace):
         return f"{said} and the initial velocity times ${more.latex()}$."
 
     def _from_apsis(self) -> Expression:
-        """Return the increase of the eccentric anomaly over a quarter turn from an end of the major axis."""
+        """Return the increase of the eccentric anomaly, in radians, over a quarter turn that starts at an apsis."""
         orbit, name = self.orbit, self.orbit.named(r"\eta")
         step = orbit.book.begin_step("anomaly")
         step.add_text(self._lagrange(name))
@@ -181,7 +181,7 @@ class Turned(OrbitPlace):
         return name
 
     def _opposite_end(self) -> Expression:
-        """Return the increase of the eccentric anomaly over half a turn, when no initial velocity remains in it."""
+        """Return the increase of the eccentric anomaly, in radians, by which the line has turned through 180°."""
         orbit, name = self.orbit, self.orbit.named(r"\eta")
         if orbit.position_dot_velocity == ZERO:
             return PI

@@ -53,7 +53,7 @@ class Reach:
         )
 
     def _round(self, motion: RotatingMotion) -> tuple[Expression, Expression]:
-        """Return the centre along the coordinate and the radius of the circle of the rotating part."""
+        """Return, for the circle of a rotating motion, its centre along the coordinate and its radius."""
         drive, turns = motion.drive, motion.turning
         if motion.fields.damping is not None or (drive is not None and (drive.growth or drive.frequency is not None)):
             raise UnsolvedError("what turns does so about no fixed centre")
@@ -91,7 +91,7 @@ class Reach:
 
 
 def fastest_at_center(fields: Fields, launched: Expression) -> Symbol | None:
-    """Write the greatest speed in a restoring field, by energy, at its zero; None in other fields.
+    """Write the greatest speed in a restoring field, by energy, where the field vanishes; None in other fields.
 
     `launched` is the initial speed.
     """
@@ -238,7 +238,7 @@ class FieldTurn:
         return motion if along and motion.swings else None
 
     def _swung(self, swing: ElectricMotion, kind: str, axis: int, time: Expression) -> Expression | None:
-        """Return a component ``s`` or ``v`` after half an oscillation; None if it has no short formula."""
+        """Return a displacement ``s`` or velocity ``v`` after half an oscillation; None if no short formula exists."""
         drive, turning = self.fields.drive, self.fields.turning
         if drive is not None and axis == drive.axis:
             return TWO_TURNS * swing.center if kind == "s" else None
@@ -258,7 +258,7 @@ class FieldTurn:
         return self._rotated(motion, kind, axis, time) if isinstance(motion, RotatingMotion) else None
 
     def _rotated(self, motion: RotatingMotion, kind: str, axis: int, time: Expression) -> Expression | None:
-        """Return a component ``s`` or ``v`` after a full or half turn of the rotating velocity; None at other times."""
+        """Return a displacement ``s`` or velocity ``v`` after a whole or half turn; None at other times."""
         if isinstance(self.moment, VelocityReturned):
             return motion.carried(axis, time) if kind == "s" else None
         if not self.halved:
@@ -268,7 +268,7 @@ class FieldTurn:
         return motion.carried(axis, time) + TWO_TURNS * motion.turned[1 - axis] * TURNS[axis] / motion.turning
 
     def told(self, kind: str, axis: int) -> str:
-        """Return the beginning of a sentence with a component ``s`` or ``v`` after a turn; empty for others."""
+        """Return the first words of a sentence about ``s`` or ``v`` after a turn; empty if no special law applies."""
         motion = self.motion
         if kind in ("v", "s") and self._swing is not None:
             return self._told_swung(kind, axis)
@@ -289,7 +289,7 @@ class FieldTurn:
         return f"{told}; along {AXES[axis]} the displacement is"
 
     def _told_swung(self, kind: str, axis: int) -> str:
-        """Return the beginning of a sentence with a component after half an oscillation; empty for others."""
+        """Return the first words of a sentence about ``s`` or ``v`` after half an oscillation; empty if none apply."""
         drive, along = self.fields.drive, AXES[axis]
         if drive is not None and axis == drive.axis:
             when = "" if self._timed else ", after which the velocity is perpendicular to the electric field,"

@@ -72,7 +72,7 @@ class KnownMotion(Protocol):
         ...
 
     def vector(self, kind: str, body: str) -> Components:
-        """Return a body's acceleration ``a``, velocity ``v`` (initial: ``u``) or displacement ``s``, by component."""
+        """Return components of a body's acceleration ``a``, velocity ``v`` (initial ``u``) or displacement ``s``."""
         ...
 
     def apart(self, one: str, other: str) -> Components:
@@ -84,15 +84,15 @@ class KnownMotion(Protocol):
         ...
 
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:
-        """Return the component of a vector along a direction of the world frame, or of the body's own line."""
+        """Return a body's vector of the given kind as a component along a world direction, or along its own line."""
         ...
 
     def lone(self, kind: str, body: str) -> Polynomial | None:
-        """Return a vector along a body's only line of motion; None if the body moves along several."""
+        """Return a vector as its signed component along the body's only line of motion; None for several lines."""
         ...
 
     def rim(self, kind: str, body: str) -> Polynomial:
-        """Return acceleration, velocity or distance of the rim of a rotating body; zero for other bodies."""
+        """Return acceleration, velocity or distance of a rotating body's rim, along the rim; zero for other bodies."""
         ...
 
     def radius(self, body: str) -> Polynomial:
@@ -163,7 +163,7 @@ class Goal(ABC):
     @property
     @abstractmethod
     def uses(self) -> str:
-        """Return the needed kinds of vectors: ``a`` accelerations, ``v`` velocities, ``s`` displacements; or ""."""
+        """Return letters of the vectors needed: ``a`` accelerations, ``v`` velocities, ``s`` displacements; or ""."""
 
     @property
     def turns(self) -> bool:
@@ -185,7 +185,7 @@ class Goal(ABC):
         return ()
 
     def force(self, target: Target, setting: ProblemContext) -> str:
-        """Return the unknown force equal to the quantity, such as ``T2``; by default ""."""
+        """Return the name of the unknown force that determines the quantity, such as ``T2``; by default ""."""
         del target, setting
         return ""
 
@@ -227,7 +227,7 @@ def modulus(held: Expression, book: SolutionBuilder, *, of_either_sign: bool = F
 
 
 def _along(way: Vector, part: Polynomial, known: KnownMotion) -> str:
-    """Return the direction in which a named component is positive; in symbols only its line."""
+    """Return words for the direction in which a vector component is positive; in symbols, words for its line."""
     if known.book.in_symbols:
         return "vertically" if way == Z else "horizontally"
     ((x, y, z), (sign,)) = way, part.terms.values()
@@ -290,7 +290,7 @@ class VectorName:
 
 
 def write_answer(known: KnownMotion, formula: Expression, noun: VectorName, mark: str, what: str) -> Symbol:
-    """Write the final step with a name for the answer; a formula that is a symbol needs none."""
+    """Write the last step, which names and computes the answer, and return its symbol; a symbol needs no step."""
     if isinstance(formula, Symbol):
         return formula
     step = known.book.begin_step("answer")

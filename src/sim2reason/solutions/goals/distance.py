@@ -15,11 +15,11 @@ class DistanceGoal(Goal):
 
     @property
     def uses(self) -> str:
-        """Return ``s``, for displacements."""
+        """Return ``s``: the distance is derived from displacements."""
         return "s"
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """Return both bodies."""
+        """Return the two bodies of the subject."""
         return members(target.subject)
 
     def write(self, target: Target, known: KnownMotion) -> Symbol:

@@ -19,7 +19,7 @@ class MassTimes(Goal):
 
     @property
     def uses(self) -> str:
-        """Return the kind of the vector that is multiplied by the mass: velocity ``v`` or acceleration ``a``."""
+        """Return the kind of vector that mass multiplies: velocity ``v`` for momentum, acceleration ``a`` for force."""
         return self.of.base
 
     def write(self, target: Target, known: KnownMotion) -> Symbol:
@@ -42,12 +42,12 @@ class KineticEnergyGoal(Goal):
 
     @property
     def uses(self) -> str:
-        """Return ``v``, for the velocity."""
+        """Return ``v``: the energy is derived from the velocity."""
         return "v"
 
     @property
     def turns(self) -> bool:
-        """Return True: rotation contributes."""
+        """Return True: the rotation of the body contributes to the energy."""
         return True
 
     def write(self, target: Target, known: KnownMotion) -> Symbol:
@@ -68,7 +68,7 @@ class PotentialEnergyGoal(Goal):
 
     @property
     def uses(self) -> str:
-        """Return ``s``, for the displacement."""
+        """Return ``s``: the energy is derived from the displacement."""
         return "s"
 
     def write(self, target: Target, known: KnownMotion) -> Symbol:

@@ -17,16 +17,16 @@ class ForceGoal(Goal):
 
     @property
     def uses(self) -> str:
-        """Return "": no vector is needed."""
+        """Return "": forces are derived without accelerations, velocities or displacements."""
         return ""
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """Return no bodies."""
+        """Return no bodies: a force is derived without the motion of a particular body."""
         del target
         return ()
 
     def force(self, target: Target, setting: ProblemContext) -> str:
-        """Return the letter of the force with the index of its string or contact."""
+        """Return the name of the unknown force, such as ``T2``: its letter with the index of string or contact."""
         if self.kind == "T":
             names = [line.name for line in setting.mechanism.constraints]
         else:

@@ -21,7 +21,7 @@ class HeightGoal(Goal):
 
     @property
     def uses(self) -> str:
-        """Return ``s``, for displacements."""
+        """Return ``s``: the height is derived from the displacement."""
         return "s"
 
     def write(self, target: Target, known: KnownMotion) -> Symbol:

@@ -28,7 +28,7 @@ ACCELERATIONS = VectorName.of("acceleration")
 
 
 def along_sense(whose: str, sense: Sense) -> str:
-    """Return words such as *the x component of* a vector, or the vector's name with the sense taken as positive."""
+    """Return words such as *the x component of the velocity*, or *the velocity (taking up as positive)*."""
     if sense.fixed:
         return f"the {sense.axis} component of the {whose}"
     return f"the {whose} (taking {sense.positive} as positive)"
@@ -80,11 +80,11 @@ class RelativeSpeedGoal(Goal):
 
     @property
     def uses(self) -> str:
-        """Return ``v``, for velocities."""
+        """Return ``v``: the relative speed is derived from velocities."""
         return "v"
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """Return both bodies."""
+        """Return the two bodies of the subject."""
         return members(target.subject)
 
     def write(self, target: Target, known: KnownMotion) -> Symbol:
@@ -105,7 +105,7 @@ class AboutAxis(Goal):
 
     @property
     def turns(self) -> bool:
-        """Return True: the quantity depends on rotation."""
+        """Return True: the quantity depends on the rotation of the body."""
         return True
 
 
@@ -118,7 +118,7 @@ class AngularGoal(AboutAxis):
 
     @property
     def uses(self) -> str:
-        """Return the kind of motion of the rim: ``a``, ``v`` or ``s``."""
+        """Return the kind of motion of the rim that is needed: acceleration ``a``, velocity ``v`` or arc ``s``."""
         return self.of
 
     def write(self, target: Target, known: KnownMotion) -> Symbol:
@@ -149,7 +149,7 @@ class InertiaTimes(AboutAxis):
 
     @property
     def uses(self) -> str:
-        """Return the kind of motion of the rim: ``a``, ``v`` or ``s``."""
+        """Return the kind of motion of the rim that is needed: acceleration ``a``, velocity ``v`` or arc ``s``."""
         return self.of
 
     def write(self, target: Target, known: KnownMotion) -> Symbol:
@@ -173,7 +173,7 @@ class KineticShare(Goal):
 
     @property
     def uses(self) -> str:
-        """Return ``v``, for the velocity."""
+        """Return ``v``: the energy is derived from a velocity."""
         return "v"
 
     @abstractmethod
@@ -187,7 +187,7 @@ class KineticShare(Goal):
         return write_answer(known, self.energy(body, known), self.noun, known.setting.subscript_of(body), what)
 
     def why(self, body: str, known: KnownMotion) -> str:
-        """Return a clause that introduces the energy; by default ""."""
+        """Return a clause with the reason for the energy's formula, for the answer's sentence; by default ""."""
         del body, known
         return ""
 

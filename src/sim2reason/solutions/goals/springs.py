@@ -32,16 +32,16 @@ class SpringGoal(Goal):
 
     @property
     def uses(self) -> str:
-        """Return ``v`` for a rate of extension, otherwise ``s``."""
+        """Return the kind of vector needed: velocities ``v`` for a rate of extension, else displacements ``s``."""
         return "v" if self.noun is RATE else "s"
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """Return no bodies."""
+        """Return no bodies: the quantity depends on the length of the spring, not on a particular body."""
         del target
         return ()
 
     def lines(self, target: Target) -> Sequence[str]:
-        """Return the spring."""
+        """Return the name of the spring, whose length is needed."""
         return (target.subject,)
 
     def write(self, target: Target, known: KnownMotion) -> Symbol:

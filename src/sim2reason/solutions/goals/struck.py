@@ -6,7 +6,7 @@ from sim2reason.solutions.algebra.expressions import Expression
 
 
 class CollisionTerm(Protocol):
-    """A collision of a motion."""
+    """One collision of a motion, with the reasons and formulas for its energy loss and impulse."""
 
     @property
     def bodies(self) -> tuple[str, ...]:
@@ -20,12 +20,12 @@ class CollisionTerm(Protocol):
 
     @property
     def loses(self) -> str:
-        """Return the beginning of a sentence with the reason for the loss of kinetic energy."""
+        """Return the first words of a sentence that gives the energy loss: the reason why kinetic energy is lost."""
         ...
 
     @property
     def pushes(self) -> str:
-        """Return the beginning of a sentence with the laws that give the impulse."""
+        """Return the first words of a sentence that gives the impulse: the laws from which the impulse follows."""
         ...
 
     @property

@@ -38,17 +38,17 @@ class SumGoal(Goal):
 
     @property
     def uses(self) -> str:
-        """Return ``s``, for the displacements at the end of each part."""
+        """Return ``s``: the sum is derived from the displacement in each part of the motion."""
         return "s"
 
     @property
     def throughout(self) -> bool:
-        """Return True: forces during the whole motion count."""
+        """Return True: the sum depends on forces during the whole motion."""
         return True
 
     @abstractmethod
     def term(self, target: Target, setting: ProblemContext, part: MotionPart) -> Expression:
-        """Return the contribution of one part of the motion."""
+        """Return the contribution of one part of the motion to the sum."""
 
     @abstractmethod
     def said(self, target: Target, setting: ProblemContext) -> str:
@@ -77,7 +77,7 @@ class TensionImpulse(SumGoal):
     noun = IMPULSES
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """Return no bodies."""
+        """Return no bodies: the impulse depends on the tension and time, not on a particular body."""
         del target
         return ()
 
@@ -86,7 +86,7 @@ class TensionImpulse(SumGoal):
         return tension(target.subject, setting)
 
     def term(self, target: Target, setting: ProblemContext, part: MotionPart) -> Expression:
-        """Return tension times duration."""
+        """Return tension times duration for one part of the motion."""
         del setting
         return multiplied(part.force("T", target.subject).expression(), part.time)
 
@@ -109,7 +109,7 @@ class TensionWork(SumGoal):
         return tension(_tied(target.subject, setting), setting)
 
     def term(self, target: Target, setting: ProblemContext, part: MotionPart) -> Expression:
-        """Return tension times displacement along the string."""
+        """Return tension times displacement along the string for one part of the motion."""
         name = _tied(target.subject, setting)
         return multiplied(part.force("T", name).expression(), part.moved(target.subject, name).expression())
 
@@ -138,7 +138,7 @@ class HeatGoal(SumGoal):
         return (target.subject,)
 
     def term(self, target: Target, setting: ProblemContext, part: MotionPart) -> Expression:
-        """Return friction times distance of slip."""
+        """Return friction times distance of slip for one part of the motion."""
         del setting
         friction = part.force("f", target.subject)
         return multiplied(friction.expression(), part.slipped(target.subject).expression()) if friction else ZERO
@@ -169,7 +169,7 @@ class HandWork(SumGoal):
         return (target.subject,)
 
     def term(self, target: Target, setting: ProblemContext, part: MotionPart) -> Expression:
-        """Return force times length drawn in."""
+        """Return the force of the hand times the length of string drawn in, for one part of the motion."""
         del setting
         return multiplied(part.force("T", target.subject).expression(), part.drawn(target.subject).expression())
 
@@ -214,7 +214,7 @@ class NetImpulseGoal(Goal):
 
     @property
     def uses(self) -> str:
-        """Return ``v``, for the final velocity."""
+        """Return ``v``: the impulse is derived from the final velocity."""
         return "v"
 
     def write(self, target: Target, known: KnownMotion) -> Symbol:
@@ -244,7 +244,7 @@ def tension(line: str, setting: ProblemContext) -> str:
 
 
 def _tied(body: str, setting: ProblemContext) -> str:
-    """Return the only string attached to a body."""
+    """Return the name of the only string attached to a body; UnsolvedError for none or several."""
     m = setting.mechanism
     found = [line.name for line in m.strings if any(m.site[site].body == body for site in line.through)]
     if len(found) != 1:
@@ -277,7 +277,7 @@ class CollisionGoal(Goal):
 
     @property
     def uses(self) -> str:
-        """Return ``v``, for velocities."""
+        """Return ``v``: the energy lost and the impulse are derived from velocities."""
         return "v"
 
     def bodies(self, target: Target) -> Sequence[str]:
@@ -305,7 +305,7 @@ class CollisionGoal(Goal):
         return write_answer(known, whole, self.noun, "", f"{what} in all is")
 
     def _law(self, struck: CollisionTerm) -> str:
-        """Return the beginning of a sentence with the law for the energy loss or the impulse."""
+        """Return the first words of a sentence that gives a collision's energy loss or impulse: the law for it."""
         return struck.loses if self.noun is LOSS else struck.pushes
 
     def _one(self, struck: CollisionTerm) -> Expression:

@@ -14,7 +14,7 @@ RATE_RTOL = 1e-9  # relative: largest difference of coefficients that count as e
 
 @dataclass(slots=True)
 class SharedRate:
-    """Coordinates with one rate up to a sign: the symbol of the rate, and the sign of each coordinate by index."""
+    """The common rate of several coordinates: its symbol, and by coordinate the sign relative to the symbol."""
 
     symbol: Symbol
     sense: dict[int, int]
@@ -22,7 +22,7 @@ class SharedRate:
 
 @dataclass(frozen=True, slots=True)
 class LawQuantity:
-    """The quantities that laws relate: accelerations, or displacements where no force matters.
+    """The kind of quantity that laws relate: accelerations, or displacements in motions where no force matters.
 
     `values` has the engine's values by coordinate; `known` is a coordinate whose value has a symbol already.
     """
@@ -38,7 +38,7 @@ ACCELERATIONS = LawQuantity("a", ACCELERATION, "acceleration")
 
 
 def equal_rates(row: Row) -> tuple[tuple[int, int], int] | None:
-    """Return the two coordinates that a string binds to equal rates, and their relative sign; None if it does not."""
+    """Return two coordinates that a string binds to equal rates, with their relative sign; None for other laws."""
     if row.kind not in ("string", "grip") or len(row.inertia.terms) != 2:
         return None
     parts = [(int(m[0][0].latex()[1:]), part) for m, part in row.inertia.terms.items() if len(m) == 1 and m[0][1] == 1]

@@ -51,7 +51,7 @@ class Dynamics:
 
     @cached_property
     def unforced(self) -> set[int]:
-        """Return the indices of the coordinates along x or y along which no force acts on the body."""
+        """Return the indices of coordinates along x or y along which no force acts on the coordinate's body."""
         if self.measure.values:
             return set()
         found = {k: self.newton.newton(k) for k, c in enumerate(self.mechanism.coordinates) if c.label in AXES}
@@ -83,7 +83,7 @@ class Dynamics:
         return found
 
     def _tied_outside(self, k: int, j: int, sign: float) -> bool:
-        """Return whether strings depend on a body's motion relative to the world frame, not to its carrier."""
+        """Return whether taut strings depend on a body's motion relative to the world, not to its carrier."""
         for place in self.taut:
             terms = self.newton.string(place).inertia
             own, other = terms.coefficient(f"q{k}"), terms.coefficient(f"q{j}")
@@ -178,7 +178,7 @@ class Dynamics:
             self._called(held, alone=len(classes) == 1, goals=goals)
 
     def _called(self, held: dict[int, int], *, alone: bool, goals: Sequence[str]) -> None:
-        """Name the common rate of several coordinates after one of their bodies."""
+        """Give several coordinates with one common rate a symbol, named after one of their bodies."""
         bodies = [self.mechanism.coordinates[k].body for k in held]
         goal = next(
             (self.mechanism.coordinates[int(g[1:])].body for g in goals if g[0] == "q" and int(g[1:]) in held), ""
@@ -226,7 +226,7 @@ class Dynamics:
         return Row("newton", group[0].number, forces, inertia)
 
     def _grouped(self, rows: Sequence[Row], goals: Sequence[str]) -> list[list[Row]]:
-        """Group Newton's laws so that tensions between blocks in a row on one string cancel."""
+        """Return Newton's laws in groups; tensions between blocks in a row on one string cancel within a group."""
         groups = [[row] for row in rows]
         for name in sorted({n for row in rows for n in row.zero.names() if n[0] == "T" and n[1:].isdigit()} - {*goals}):
             holding = [group for group in groups if name in self.added(group).zero.names()]
@@ -259,7 +259,7 @@ class Dynamics:
         return self._units
 
     def moving(self, k: int, sense: int) -> str:
-        """Return the words for the direction of a coordinate."""
+        """Return words for the direction of motion along a coordinate, such as *in the positive x direction*."""
         coordinate = self.mechanism.coordinates[k]
         x, y, z = coordinate.axis
         labels = [held.label for held in self.mechanism.body[coordinate.body].coordinates]

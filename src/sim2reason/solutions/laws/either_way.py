@@ -18,7 +18,7 @@ DECADES = 1.0  # random factors range over this many decades up and down
 
 
 def has_either_sign(setting: ProblemContext, book: SolutionBuilder, held: Expression, bodies: Collection[str]) -> bool:
-    """Return whether a symbolic quantity has either sign, depending on the numbers, for bodies of unknown direction."""
+    """Return whether the numbers decide the sign of a symbolic quantity, for bodies without an assumed direction."""
     if not book.in_symbols or any(isinstance(each, MovesOneWay) and each.name in bodies for each in setting.assumed):
         return False
     return len({positive for positive, _ in _signs(setting, book, held)}) > 1
@@ -52,7 +52,7 @@ def reason_for_negative(setting: ProblemContext, book: SolutionBuilder, held: Ex
 
 
 def _is_assumed_positive(setting: ProblemContext, book: SolutionBuilder, held: Expression) -> bool:
-    """Return whether the answer is negative or undefined for all random numbers that make a quantity negative.
+    """Return whether the answer is negative or undefined for all sampled numbers for which a quantity is negative.
 
     An answer that holds under an assumption is positive, so this quantity is positive under that assumption.
     """
@@ -69,7 +69,7 @@ def _is_assumed_positive(setting: ProblemContext, book: SolutionBuilder, held: E
 def _signs(
     setting: ProblemContext, book: SolutionBuilder, held: Expression
 ) -> Iterator[tuple[bool, Mapping[str, float]]]:
-    """Yield whether a quantity is positive, for random values of the given numbers, together with these values."""
+    """Yield whether a quantity is positive for one random set of the given numbers, with these numbers by symbol."""
     formulas = defined_by(book.steps)
     angles = {given.symbol for given in setting.lexicon.givens.values() if given.angle}
     random = np.random.default_rng(0)

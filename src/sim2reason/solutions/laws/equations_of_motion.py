@@ -43,7 +43,7 @@ def _exact(mechanism: Mechanism) -> Mechanism:
 
 
 def assembled(mechanism: Mechanism, phase: SwitchState) -> tuple[Assembly, Tape]:
-    """Record the equations of a mechanism in a phase; their inputs are time, coordinates and rates."""
+    """Record the equations of motion of a mechanism in a phase as operations on time, coordinates and rates."""
     mechanism = _exact(mechanism)
     size = len(mechanism.coordinates)
     tape = Tape(["t", *(f"q{k}" for k in range(size)), *(f"v{k}" for k in range(size))])
@@ -130,7 +130,7 @@ class EquationsOfMotion:
         return self.read(self._here.force[k], self._there.force[k])
 
     def pull(self, row: int, k: int) -> Polynomial:
-        """Return the derivative of a constraint's length with respect to a coordinate."""
+        """Return the derivative of the length that a constraint fixes with respect to a coordinate."""
         here, there = (rows[row].along.get(k, 0.0) for rows in self._rows)
         return self.read(here, there)
 
@@ -179,7 +179,7 @@ class EquationsOfMotion:
         return self.number(DualValue(float(here), float(there)))  # type: ignore[arg-type]
 
     def number(self, both: DualValue) -> Polynomial:
-        """Return a number in the text's symbols; if that is impossible, a symbol that must cancel."""
+        """Return a number of the mechanism in the text's symbols; if impossible, a symbol that must cancel later."""
         try:
             return self._lexicon.read(both)
         except UnreadError:
@@ -286,7 +286,7 @@ class EquationsOfMotion:
 
 
 def _by_itself(one: Polynomial, other: Polynomial) -> float:
-    """Return 1 or -1 if it is the ratio of two polynomials; else 0."""
+    """Return the ratio of two polynomials if it is 1 or -1; 0 for other ratios and for single terms."""
     if len(one.terms) < 2 or len(one.terms) != len(other.terms):
         return 0.0
     return 1.0 if not (one - other) else -1.0 if not (one + other) else 0.0

@@ -87,13 +87,13 @@ class LimitingBalance(LimitingDynamics):
         return Row(row.kind, row.number, row.forces.substitute(normals), row.inertia)
 
     def _pressing(self, face: int) -> Polynomial:
-        """Return the normal force on a face in terms of the other forces and the accelerations."""
+        """Return the normal force at a contact as a formula of the other forces and the accelerations."""
         still = {f"q{k}": NIL for k in self.frozen}
         row = self.newton.normal(face)
         return (row.inertia - row.forces.without((f"N{face}",))).substitute(still)
 
     def laws(self, goals: Sequence[str]) -> tuple[list[Row], list[str]]:
-        """Return all laws, except that of the body about to move, and their unknowns."""
+        """Return all laws except the condition on the body about to move, and the unknowns of these laws."""
         rows, unknowns = super().laws(goals)
         held = self._condition
         return [row for row in rows if (row.kind, row.number) != (held.kind, held.number)], unknowns
@@ -137,7 +137,7 @@ class LimitingBalance(LimitingDynamics):
         return self.book.worked(held.factored())
 
     def _solved(self, name: str, formula: Expression) -> tuple[Expression, Expression]:
-        """Return the unknown at which a formula vanishes, and the formula, with numbers where it would be long."""
+        """Return the question's unknown, for which a formula vanishes, and this formula; long ones have numbers."""
         book = self.book
         if name not in formula.symbols():
             raise UnsolvedError("the limit does not depend on the unknown")
@@ -168,7 +168,7 @@ class LimitingBalance(LimitingDynamics):
         return f" {way}" if way else ""
 
     def _with_it(self) -> str:
-        """Return a clause on other bodies at rest with limiting friction, with the reason."""
+        """Return a clause, with the reason, that other bodies at rest also have limiting friction; may be empty."""
         faces = [self.mechanism.faces[n] for n, side in self.newton.slip_directions.items() if side]
         still = {self.mechanism.coordinates[k].name for k in self.frozen}
         others = [f.subject for f in faces if f.subject != self._who and all(name in still for name, _ in f.slip)]
@@ -179,7 +179,7 @@ class LimitingBalance(LimitingDynamics):
         return f", and so has the friction on {self.setting.bodies_phrase(others)}, {why}"
 
     def _bound(self) -> tuple[str, set[str]]:
-        """Return the words for the taut strings, and the bodies that they bind to the one about to slip."""
+        """Return words for the taut strings, and the set of bodies that they bind to the one about to slip."""
         taut = [held for n, held in enumerate(self.newton.lines) if self.values.get(f"T{n}", 0.0) > ACCELERATION_ATOL]
         tied, found = (
             [{self._body_at(line.through[0]), self._body_at(line.through[-1])} - {None} for line in taut],
@@ -194,7 +194,7 @@ class LimitingBalance(LimitingDynamics):
         return self.mechanism.site[site].body
 
     def _introduce(self, *, slides: bool) -> None:
-        """Write the conditions of the limiting case."""
+        """Write the conditions of the limiting case: which body is about to slip or rise, and what is still at rest."""
         step, who = self.book.begin_step("limit"), self.setting.display_name(self._who)
         either = self._either_way() if slides else ""
         way = self._way() if slides and not either else ""

@@ -28,7 +28,7 @@ SHORT = 130  # characters of a formula into which another value is substituted, 
 
 
 class AnswerStrategy(Protocol):
-    """The methods of a strategy that are needed to answer an inner question."""
+    """The part of a strategy's interface that derives the answer to a question nested in another question."""
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return why the strategy does not apply to a question; "" if it does."""
@@ -40,13 +40,13 @@ class AnswerStrategy(Protocol):
 
 
 def inner_setting(setting: ProblemContext) -> ProblemContext:
-    """Return the same scene with the inner question."""
+    """Return the problem of the inner question, which is nested in the question, about the same scene."""
     assert isinstance(setting.query, NestedQuery)
     return replace(setting, query=setting.query.inner, unknown="", stated=None, sought=None)
 
 
 def write_inner_answer(inner: ProblemContext, book: SolutionBuilder, offered: Iterable[AnswerStrategy]) -> str:
-    """Write the answer to the inner question by the first successful strategy; return its symbol.
+    """Write the answer to a nested question by the first strategy that succeeds; return the answer's symbol.
 
     Raises:
         UnsolvedError: no strategy succeeds.
@@ -65,7 +65,7 @@ def write_inner_answer(inner: ProblemContext, book: SolutionBuilder, offered: It
 
 
 def with_changed_scene(inner: ProblemContext, changed: SimulatedScene, path: str, symbol: str) -> ProblemContext:
-    """Return the inner question about a scene with another value of one number, under a symbol of its own."""
+    """Return the nested question about a scene with another value of one number, which gets its own symbol."""
     words = replace(inner.words, mechanism=changed.mechanism)
     symbols = {**inner.symbols, path: symbol}
     return replace(inner, scene=changed.scene, study=changed, words=words, symbols=symbols)
@@ -74,7 +74,7 @@ def with_changed_scene(inner: ProblemContext, changed: SimulatedScene, path: str
 def with_other_value(
     inner: ProblemContext, book: SolutionBuilder, goal: str, symbol: str, changed: Expression, lead: str
 ) -> Symbol:
-    """Write a known result with another expression in place of a given symbol; return its new name.
+    """Write a known result with a symbol replaced by the expression `changed`; return the new result's name.
 
     If all steps combine to a short formula, that formula is used; else each step is repeated.
     """
@@ -104,14 +104,14 @@ def with_other_value(
 
 
 def inserted(book: SolutionBuilder, goal: str, equation: str) -> str:
-    """Return a sentence with the equation of a result after all substitutions."""
+    """Return the sentence that states the equation of a result after all quantities have been inserted."""
     names = [f"${name}$" for name, _ in reversed(_leading(book, goal)) if name != goal]
     lead = f"Inserting {join_words(names)} into the equation for ${goal}$ gives" if names else "In short,"
     return f"{lead} {equation}."
 
 
 def short_formula(inner: ProblemContext, book: SolutionBuilder, goal: str) -> Expression | None:
-    """Return the formula of a result after all substitutions; None if there is no short one."""
+    """Return the formula of a result in given quantities, if a short one exists; else None."""
     try:
         return _shortened(_whole(inner, book, goal))
     except ClosedFormError:
@@ -119,7 +119,7 @@ def short_formula(inner: ProblemContext, book: SolutionBuilder, goal: str) -> Ex
 
 
 def _shortened(formula: Expression) -> Expression | None:
-    """Return a simplified formula; None if it is still long."""
+    """Return a formula in simplified form; None if the simplified form is still long."""
     if len(formula.latex()) > UNSHORTENED:
         return None
     try:
@@ -175,7 +175,7 @@ def _leading(book: SolutionBuilder, goal: str) -> list[tuple[str, Expression]]:
 
 
 def _whole(inner: ProblemContext, book: SolutionBuilder, goal: str) -> Expression:
-    """Return the formula of a result in the given quantities of text and question."""
+    """Return the formula of a result in the quantities that scene and question give."""
     said = {given.symbol for given in inner.lexicon.givens.values()} | book.stated.keys()
     given = tuple(Relation(Symbol(name), Number(book.values[name]), "given") for name in said if name in book.values)
     steps = (Step(-1, "givens", "", given, (), ()), *book.steps)

@@ -44,7 +44,7 @@ class Row:
 
 
 def _push(mechanism: Mechanism, number: int) -> Push:
-    """Return the law of a constant force."""
+    """Return the force law, with magnitude and direction, of a constant force given by its index."""
     law = mechanism.forces[number].law
     assert isinstance(law, Push)
     return law
@@ -80,7 +80,7 @@ class Newton:
 
     @cached_property
     def scale(self) -> list[DualValue]:
-        """Return the factor of each coordinate's rate: the radius of a wheel's rim (the largest), or 1."""
+        """Return, by coordinate, the factor of its rate: the largest rim radius of a rotating body, or 1."""
         found = [DualValue(1.0, 1.0)] * len(self.mechanism.coordinates)
         for k, radii in self._rims.items():
             found[k] = max(radii, key=lambda both: both.here)
@@ -150,7 +150,7 @@ class Newton:
         return Row("newton", k, total(forces), total(inertia))
 
     def _pushes(self, way: Callable[[Frames, str], Triple | None]) -> list[Polynomial]:
-        """Return the components of constant forces along the directions in which their bodies move."""
+        """Return the components of all constant forces along the directions that `way` gives for their bodies."""
         found = list[Polynomial]()
         for number, force in enumerate(self.mechanism.forces):
             if way(self._sides[0][1], force.body) is not None:
@@ -162,13 +162,13 @@ class Newton:
         return found
 
     def _dot(self, body: str, k: int, j: int) -> Polynomial:
-        """Return the scalar product of a body's displacements per unit of two coordinates."""
+        """Return the scalar product of two vectors: a body's displacements per unit of two of its coordinates."""
         if k == j:
             return Polynomial.of(1.0)
         return self.read(lambda _, f: dot(f.center(body).gradient[k], f.center(body).gradient[j]))
 
     def _turning(self, k: int) -> list[Polynomial]:
-        """Return I/r² times the acceleration of the rim, for each rotating body."""
+        """Return terms, I/r² times the acceleration of a rim, for the rotating bodies in the law of a coordinate."""
         hinges = [j for j, coordinate in enumerate(self.mechanism.coordinates) if coordinate.kind == "hinge"]
         return [part * symbol("q", j) for j in hinges if k in hinges and (part := self.turning(k, j))]
 
@@ -186,7 +186,7 @@ class Newton:
         return self._over(self._both(inertia), k, j)
 
     def _pull(self, number: int, line: Line, k: int) -> Polynomial:
-        """Return the force of a line along a coordinate."""
+        """Return the component along a coordinate of the force that a line exerts."""
         tension = self.tension(number, line)
         return (tension * self.stretch(number, k)).scaled(-1.0) if tension else NIL
 
@@ -204,7 +204,7 @@ class Newton:
         return self._over(self._stretch(number, k), k)
 
     def _stretch(self, number: int, k: int) -> DualValue:
-        """Return the increase of a line's length per unit of a coordinate as numbers, without the scale of a rim."""
+        """Return the increase of a line's length per unit of a coordinate as a number; for a rotation, per radian."""
 
         def along(m: Mechanism, f: Frames) -> float:
             line = m.lines[number]
@@ -216,7 +216,7 @@ class Newton:
         return self._stretches[number, k]
 
     def string(self, place: int) -> Row:
-        """Return the constraint that a taut string does not stretch."""
+        """Return the law that the length of a taut string does not change."""
         number = self.mechanism.lines.index(self.lines[place])
         terms = [
             self.stretch(number, k) * symbol("q", k)
@@ -290,7 +290,7 @@ class Newton:
         return Row("normal", face, total(forces), total(inertia))
 
     def rolling(self, face: int) -> Row:
-        """Return the constraint that a body rolls without slipping."""
+        """Return the law that a body rolls without slipping at a contact."""
         return Row("grip", face, NIL, total(part * symbol("q", k) for k, part in self.slip(face).items()))
 
     @cached_property

@@ -98,7 +98,7 @@ class Burning(StraightMotion):
         return name
 
     def _heavier(self, step: StepBuilder, lift: Symbol) -> str:
-        """Return a clause that the thrust is initially too small: shown, verified at the end, or assumed."""
+        """Return a clause that the thrust is at first too small: as shown, assumed, or to be verified at the end."""
         larger = f"{self.first.latex()} > {lift.latex()}"
         if self.book.in_symbols:
             return f"By assumption ${larger}$, so"
@@ -120,7 +120,7 @@ class Burning(StraightMotion):
         step.close()
 
     def _risen(self, time: Expression) -> Expression:
-        """Return the duration of the ascent up to a time."""
+        """Return how long the rocket has risen at a given time."""
         return time - self._wait if self.waits else time
 
     @cached_property
@@ -140,7 +140,7 @@ class Burning(StraightMotion):
 
     @cached_property
     def burned(self) -> Symbol:
-        """Return the time of burnout."""
+        """Return the time of burnout, when no fuel is left."""
         formula = (self.first - self.dry) / self.rate_of_burning
         base = self.book.fresh("t", r"\text{out}") if self.out else self.book.fresh("t")
         return self.book.add_step("time", "The fuel lasts for", base, formula, SECONDS)
@@ -169,7 +169,7 @@ class Burning(StraightMotion):
         return found - self.gravity.expression() * self.since if self.gravity else found
 
     def integrated(self, left: Expression, risen: Expression) -> str:
-        """Return the words for the integration of the velocity, with the mass as the variable."""
+        """Return words that integrate the velocity over time, with the mass as the variable of integration."""
         time, name, full, rate = self.since.latex(), self.book.fresh("x"), self.full, self.rate_of_burning
         x, speed, fallen = name.latex(), self._velocity.latex(), ""
         if self.gravity:
@@ -195,7 +195,7 @@ class Burning(StraightMotion):
         return self.setting.display_name(self.burn.body)
 
     def told_when_known(self, write: Callable[[], None], *held: Expression) -> bool:
-        """Call `write` now if the numbers are known, else after the answer; return whether it was called now."""
+        """Call `write` now if the given formulas have known values, else after the answer; return whether now."""
         if not any(map(self.book.is_hidden, held)):
             write()
             return True
@@ -221,7 +221,7 @@ class Burning(StraightMotion):
         step.close()
 
     def assumed_at(self, time: Symbol) -> str:
-        """Return the sentence that no fuel is left at a time, an assumption that may be verified at the end."""
+        """Return the sentence that assumes that no fuel is left at a time; the end of the text may verify this."""
         if self.book.in_symbols:
             return f"By assumption, no fuel is left at ${time.latex()}$. "
         rises = self.setting.motion.state(np.array([self.setting.time])).v[0, 0] > 0.0
@@ -229,7 +229,7 @@ class Burning(StraightMotion):
         return f"Assume that at ${time.latex()}$ no fuel is left and that {moving}. "
 
     def tell_spent(self, time: Symbol) -> bool:
-        """Write that no fuel is left at a time; return whether it could be written already."""
+        """Write that no fuel is left at a time, now or after the answer; return whether the text is written now."""
         formula = (self.first - self.dry) / self.rate_of_burning
         return self.told_when_known(lambda: self._verify_spent(time, formula), formula, time)
 
@@ -250,7 +250,7 @@ class Burning(StraightMotion):
         step.close()
 
     def _observed(self, step: StepBuilder, mark: str, formula: Expression) -> str:
-        """Return the equation of a time that only a verification uses."""
+        """Name a time that only a verification uses, and return the equation that gives this time."""
         return step.verified(self.book.fresh("t", mark), formula, SECONDS)
 
     def verify_farther(self, distance: Symbol, high: Expression) -> None:

@@ -39,7 +39,7 @@ def rolling_bodies(dynamics: Dynamics, shared: SharedRate) -> list[str]:
 
 
 def only_turning(dynamics: Dynamics, shared: SharedRate) -> str:
-    """Return the only body of a common rate if that is the rate of its rotation, as for a slipping wheel; else ""."""
+    """Return the body of a rate that describes the rotation of one body alone, as of a slipping wheel; else ""."""
     rolling = rolling_bodies(dynamics, shared)
     return rolling[0] if len(rolling) == len(shared.sense) == 1 else ""
 
@@ -64,7 +64,7 @@ def rolling_words(dynamics: Dynamics, body: str, shared: SharedRate) -> str:
 
 
 def rolling_way(dynamics: Dynamics, k: int, sense: float) -> str:
-    """Return the words for the direction of rolling for a sense of rotation; empty without a surface."""
+    """Return words for the direction in which a body rolls for a sense of rotation; "" without a surface."""
     for face in range(len(dynamics.mechanism.faces)):
         slip = dynamics.newton.slip(face)
         slides = [j for j in slip if dynamics.mechanism.coordinates[j].kind == "slide"]
@@ -76,7 +76,7 @@ def rolling_way(dynamics: Dynamics, k: int, sense: float) -> str:
 
 
 def _positive(dynamics: Dynamics, shared: SharedRate, *, last: bool = True) -> str:
-    """Return the words for the positive sense of a rotation rate, as an aside."""
+    """Return words that say which sense of a rotation counts as positive, as an aside; "" without a rotation."""
     hinges = ((k, s) for k, s in shared.sense.items() if dynamics.mechanism.coordinates[k].kind == "hinge")
     ways = [(k, sense, rolling_way(dynamics, k, float(sense))) for k, sense in hinges]
     if not ways:
@@ -103,7 +103,7 @@ def winding_way(dynamics: Dynamics, k: int, sense: int) -> str:
 
 
 def glided_words(dynamics: Dynamics, k: int) -> str:
-    """Return the words before the distance or arc that a coordinate covers at a constant rate."""
+    """Return the words before the formula of the distance or arc that a body covers at a constant rate."""
     coordinate = dynamics.mechanism.coordinates[k]
     if coordinate.kind != "hinge":
         return f"{constant_words(dynamics, k)}, which gives"
@@ -119,7 +119,7 @@ def not_slipping(dynamics: Dynamics, row: Row) -> str:
 
 
 def inertia_words(dynamics: Dynamics, k: int) -> str:
-    """Return the words after *torque on* a body: its moment of inertia, if known, and the division by its radius."""
+    """Return the words between *torque on* a body and the equation: division by the radius, moment of inertia."""
     newton = dynamics.newton
     try:
         radius, inertia = newton.lexicon.read(newton.scale[k]), newton.turning(k, k)
@@ -155,7 +155,7 @@ def slipping_words(dynamics: Dynamics, face: int, normal: Polynomial) -> str:
 
 
 def speed_words(dynamics: Dynamics, shared: SharedRate, begun: Expression, name: Symbol) -> str:
-    """Return words that say which velocity a symbol means if it is plain *v* or belongs to a rotation; else ""."""
+    """Return words for the velocity that a symbol stands for, if it is plain *v* or belongs to a rotation; else ""."""
     body = only_turning(dynamics, shared)
     first = f", at first ${begun.latex()}$," if begun != ZERO else ""
     if body:
@@ -172,7 +172,7 @@ def arc_words(dynamics: Dynamics, shared: SharedRate) -> str:
 
 
 def constant_words(dynamics: Dynamics, k: int) -> str:
-    """Return why a rate is constant; on first use, that rolling on level ground needs no friction."""
+    """Return a clause that a velocity is constant; the first one adds that level rolling needs no friction."""
     newton = dynamics.newton
     rolls = any(
         side == 0 and newton.single_slip_coordinate(face) is None for face, side in newton.slip_directions.items()

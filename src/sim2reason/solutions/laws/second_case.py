@@ -40,7 +40,7 @@ def shorten_second_case(book: SolutionBuilder, begun: int, changed: Mapping[str,
 
 
 def reuse_first_case(book: SolutionBuilder, begun: int, stated: Collection[str]) -> dict[str, str]:
-    """Remove steps of the second case that repeat the first; return old names by new ones.
+    """Remove steps of the second case that repeat the first; return the names of the first case by those of the second.
 
     `stated` has the first case's names of numbers in the question. For a motion with several phases, or a result that
     depends on an unknown, nothing is removed.
@@ -83,7 +83,7 @@ def _same_result(book: SolutionBuilder, new: str, old: str) -> bool:
 
 
 def _is_idle_law(step: Step, kept: Sequence[Step], first: Sequence[Step], book: SolutionBuilder) -> bool:
-    """Return whether a step only sets up laws of the first case, and no kept step depends on it."""
+    """Return whether a step of the second case only repeats laws of the first, and no kept step depends on the step."""
     if step.kind in REPEATED_KINDS or any(name in book.values for name in step.gives):
         return False
     used = {match[0] for other in kept if other is not step for match in TOKEN.finditer(other.text)}
@@ -95,13 +95,13 @@ def _is_idle_law(step: Step, kept: Sequence[Step], first: Sequence[Step], book: 
 
 
 def _moved(step: Step, places: Mapping[int, int]) -> Step:
-    """Return a step with its own number, and those of the steps that it needs, replaced by new ones."""
+    """Return a step with new step numbers in place of its own number and of those that it depends on."""
     needs = {places.get(place, place) for place in step.needs}
     return replace(step, id=places[step.id], needs=tuple(sorted(needs)))
 
 
 def _same_laws(names: Mapping[str, str]) -> str:
-    """Return the sentence that the same laws hold with new names in place of those of the first case."""
+    """Return the sentence that the laws of the first case hold in the second, with new names for old ones."""
     said = [f"${new}$ for ${old}$" for new, old in names.items()]
     return f"The same laws hold, with {join_words(said)}."
 
@@ -222,7 +222,7 @@ def _verify(book: SolutionBuilder, step: Step, held: Relation, sides: Sequence[E
 
 
 def _told(writing: StepBuilder, step: Step, sides: tuple[Expression, Expression]) -> str:
-    """Return one side of an inequality in words: its new value, or its name if it is unchanged."""
+    """Return one side of an inequality as LaTeX: its new value by a new name, or the old name if it is unchanged."""
     before, after = sides
     named = next((r for r in step.relations if r.role == "verified" and before in (r.left, r.right)), None)
     if named is None or before == after:

@@ -35,7 +35,7 @@ def rubs_at_rest(dynamics: Dynamics, face: int) -> bool:
 
 
 def directions_of_friction(dynamics: Dynamics, rows: Sequence[Row]) -> list[str]:
-    """Return sentences about the directions of the friction forces that occur in the given laws."""
+    """Return sentences that give the directions of the friction forces in the laws."""
     used = {name for row in rows for name in row.zero.names()}
     ways: dict[str, list[str]] = {}
     sticking: list[str] = []
@@ -94,7 +94,7 @@ def _tell(dynamics: Dynamics) -> None:
 
 
 def _tell_not_held(dynamics: Dynamics, face: int, needed: Expression) -> None:
-    """State that the friction needed to stick or roll exceeds its maximum; nothing in a limiting case."""
+    """Write that the friction needed to stick or roll exceeds its maximum; nothing if it only reaches the maximum."""
     book, newton = dynamics.book, dynamics.newton
     most = limit_of_friction(newton, face)
     if abs(book.value(needed)) > book.value(most):
@@ -104,7 +104,7 @@ def _tell_not_held(dynamics: Dynamics, face: int, needed: Expression) -> None:
 
 
 def _tell_accelerated(dynamics: Dynamics, relative: Expression, faces: Sequence[int]) -> None:
-    """Write that bodies accelerate relative to the surface under them even against friction."""
+    """Write that bodies accelerate relative to the surface under them in spite of friction."""
     book, setting = dynamics.book, dynamics.setting
     if not {*relative.symbols()} <= book.values.keys() or book.value(relative) <= 0.0:
         return
@@ -152,7 +152,7 @@ def _without_friction(dynamics: Dynamics, found: Symbol) -> Expression | None:
 
 
 def _unvalued(dynamics: Dynamics, face: int) -> Symbol | None:
-    """Return the symbol of a slip acceleration that a string ties to another acceleration; None if no string does."""
+    """Return the symbol of a slip acceleration that a string binds to another acceleration; else None."""
     slips = [*dynamics.newton.slip(face).items()]
     if len(slips) != 1:
         return None
@@ -162,7 +162,7 @@ def _unvalued(dynamics: Dynamics, face: int) -> Symbol | None:
 
 
 def _slides(dynamics: Dynamics, faces: Sequence[int]) -> list[str]:
-    """Return the sliding bodies and their directions, in words."""
+    """Return phrases with the sliding bodies and the directions in which these bodies slide."""
     ways: dict[tuple[str, str], list[str]] = {}
     for face in faces:
         body, way = (
@@ -192,7 +192,7 @@ def _relative(dynamics: Dynamics, face: int) -> Expression | None:
 
 
 def _parts(dynamics: Dynamics, face: int) -> list[tuple[int, Polynomial, Expression]] | None:
-    """Return the coordinates that contribute to slip with factors and accelerations; None if one is unknown."""
+    """Return the coordinates that contribute to slip, with factors and accelerations; None if one is unknown."""
     rows, parts = _laws(dynamics), list[tuple[int, Polynomial, Expression]]()
     for k, part in dynamics.newton.slip(face).items():
         terms = [(k, 1.0)]

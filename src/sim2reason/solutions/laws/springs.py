@@ -24,7 +24,7 @@ class SpringLaws(Newton):
         return symbol("S", number)
 
     def _elastic(self, number: int, what: str) -> Polynomial:
-        """Return a number of a spring in the symbols of the text."""
+        """Return a parameter of a spring, such as the stiffness, in the symbols of the text."""
         return self.read(lambda m, _: getattr(m.lines[number].law, what))
 
     def stiffness(self, number: int) -> Polynomial:

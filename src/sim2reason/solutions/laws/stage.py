@@ -30,7 +30,7 @@ from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
 
 @dataclass(frozen=True, slots=True)
 class End:
-    """The end of a stage: a known time, a distance moved along a coordinate, or a coordinate at rest."""
+    """The end of a stage: at a known time, after a distance along a coordinate, at rest, or when slip ends."""
 
     time: Symbol | None = None
     coordinate: int = -1
@@ -142,7 +142,7 @@ class Stage:
         return added(self._size(name), self._size(self._travelled(shared).expression() - name))
 
     def _size(self, held: Expression) -> Expression:
-        """Return a formula without its sign."""
+        """Return the magnitude of a formula: the formula, or its negative if its value is negative."""
         return held if self.book.value(held) >= 0.0 else -held
 
     def _glided(self, k: int, before: Polynomial) -> Polynomial:
@@ -169,7 +169,7 @@ class Stage:
         return name
 
     def _shared(self, k: int) -> SharedRate | None:
-        """Return the common rate of connected bodies to which a coordinate belongs, or None."""
+        """Return the common rate to which the rate of a coordinate belongs; None if the laws name no such rate."""
         return next((shared for shared in self.dynamics.shared if k in shared.sense), None)
 
     def _begun(self, shared: SharedRate) -> Polynomial:
@@ -199,7 +199,7 @@ class Stage:
         return self.written_time
 
     def _rolling(self) -> Symbol:
-        """Write the time at which slip ends, when Σ factor · (v + a t) over the coordinates is zero."""
+        """Write the time at which slip ends: Σ factor · (v + a t) = 0, summed over the coordinates that slip."""
         begun = total(part * self.speeds.get(k, NIL) for k, part in self.end.slip.items())
         gained = total(part * self.acceleration(k) for k, part in self.end.slip.items())
         step, name = self.book.begin_step("time"), self.book.fresh("t")
@@ -240,7 +240,7 @@ class Stage:
         return name
 
     def _root(self, shared: SharedRate, distance: Expression, *, first: bool = True) -> Expression:
-        """Return the first positive root of d = v t + ½ a t², or the other root."""
+        """Return the first positive root t of d = v t + ½ a t², or the other root."""
         begun, a = self._begun(shared).factored(), shared.symbol
         if begun == ZERO:
             return Root(Quotient(multiplied(Number(2.0), distance), self._over(shared)[0]))

@@ -25,20 +25,20 @@ from sim2reason.solutions.writing.unit_latex import SPEED
 
 
 class Course(Protocol):
-    """The displacements along coordinates in a part of a motion, such as a `Stage`."""
+    """A part of a motion, such as a `Stage`, as displacements along coordinates."""
 
     @property
     def dynamics(self) -> Dynamics:
-        """Return the laws that name its accelerations or displacements."""
+        """Return the laws in which accelerations or displacements have their symbols."""
         ...
 
     @property
     def time(self) -> Symbol:
-        """Return the duration."""
+        """Return the duration of this part of the motion."""
         ...
 
     def gain(self, k: int) -> Polynomial:
-        """Return the displacement along a coordinate."""
+        """Return the displacement along a coordinate in this part of the motion."""
         ...
 
     def gained(self, k: int) -> Polynomial:
@@ -46,7 +46,7 @@ class Course(Protocol):
         ...
 
     def path(self, k: int) -> Expression:
-        """Return the distance travelled along a coordinate."""
+        """Return the distance travelled along a coordinate in this part of the motion."""
         ...
 
 
@@ -85,11 +85,11 @@ class StagePart(MotionPart):
 
     @property
     def time(self) -> Symbol:
-        """Return the duration."""
+        """Return the duration of the stage."""
         return self.stage.time
 
     def force(self, kind: str, name: str) -> Polynomial:
-        """Return a tension, or µN with the sign that makes the work of friction positive."""
+        """Return a tension, or the kinetic friction on a body with the sign that makes its work positive."""
         m, names = self.way.mechanism, self.laws.names
         if kind == "T":
             line = m.line[name]
@@ -163,7 +163,7 @@ def verify_still_sliding(stages: Sequence[Stage]) -> None:
 
 
 def _slowing(stage: Stage) -> list[int]:
-    """Return the contacts at which sliding slows down, except that whose end of slip ends the stage."""
+    """Return the contacts at which sliding slows down without coming to rest at the end of the stage."""
     m, segment, found = stage.dynamics.mechanism, stage.segment, list[int]()
     for number, side in stage.dynamics.newton.slip_directions.items():
         face = m.faces[number]
@@ -200,7 +200,7 @@ def _gained(stage: Stage, face: int, *, first: bool) -> Polynomial | None:
 
 
 def _size(stage: Stage, held: Polynomial) -> Expression:
-    """Return a polynomial as a formula without its sign."""
+    """Return the magnitude of a polynomial as a formula: its negative if its value is negative."""
     formula = held.collected((stage.time.name,))
     return formula if stage.book.value(formula) >= 0.0 else held.scaled(-1.0).collected((stage.time.name,))
 

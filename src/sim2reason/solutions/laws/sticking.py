@@ -38,7 +38,7 @@ def limit_of_friction(newton: Newton, face: int) -> Expression:
 
 
 def _tell(dynamics: Dynamics, number: int, friction: Expression, normal: Expression) -> None:
-    """Write that the friction needed to stick is within the limit of static friction."""
+    """Write that the friction needed to stick is at most the greatest static friction."""
     book, body = dynamics.book, dynamics.mechanism.faces[number].subject
     friction = friction if book.value(friction) >= 0.0 else -friction
     most = multiplied(dynamics.newton.static_coefficient(number).expression(), normal)
@@ -61,7 +61,7 @@ def _tell(dynamics: Dynamics, number: int, friction: Expression, normal: Express
 
 
 def tell_slipping_on(newton: Newton, setting: ProblemContext, book: SolutionBuilder, face: int) -> None:
-    """Write that a body slides the other way from now on, and why."""
+    """Write that a body whose slip has stopped slips in the opposite direction from then on, with the reason."""
     body = setting.mechanism.faces[face].subject
     step, who, carrier = book.begin_step("verify"), setting.display_name(body), setting.mechanism.body[body].parent
     said = f"{who} slips in the opposite direction from then on, and the friction on it is reversed"
@@ -85,7 +85,7 @@ def tell_slipping_on(newton: Newton, setting: ProblemContext, book: SolutionBuil
 def tell_not_held(
     newton: Newton, setting: ProblemContext, book: SolutionBuilder, face: int, needed: Expression, therefore: str = ""
 ) -> None:
-    """State that the friction needed to stay at rest or to roll exceeds its maximum."""
+    """Write that the friction needed to stay at rest or to roll exceeds the greatest static friction."""
     step, most = book.begin_step("verify"), limit_of_friction(newton, face)
     friction = needed if book.value(needed) >= 0.0 else -needed
     record_inequality(book, step, friction, most)
@@ -101,7 +101,7 @@ def _needed_words(
     face: int,
     forces: tuple[Expression, Expression],
 ) -> str:
-    """Return a clause that the friction needed to stay at rest or to roll exceeds its maximum."""
+    """Return a clause that the friction needed to stay at rest or to roll exceeds the greatest static friction."""
     subject = setting.mechanism.faces[face].subject
     mark, who = setting.subscript_of(subject), setting.display_name(subject)
     if newton.single_slip_coordinate(face) is not None:
@@ -152,13 +152,13 @@ def friction_formulas(
     most: Expression,
     named: Symbol | None = None,
 ) -> list[str]:
-    """Return the equations of the needed and the greatest friction; the needed one may be `named` already."""
+    """Return the equations of the needed and of the greatest friction; `named` is the needed one's symbol, if any."""
     names = [named or book.fresh("f", mark), book.fresh(r"f_{\text{max}}", mark)]
     return [step.verified(name, held, NEWTONS) for name, held in zip(names, (friction, most), strict=True)]
 
 
 def force_from_one_law(dynamics: Dynamics, rows: list[Row], name: str) -> Expression | None:
-    """Return a force or acceleration from a law in which all else is known; None if there is none."""
+    """Return a force or acceleration from a law without other unknowns; None if no such law exists."""
     named = dynamics.names.get(name)
     if named is not None:
         named = named if named.names() <= dynamics.book.values.keys() else named.substitute(dynamics.bound)

@@ -44,7 +44,7 @@ class StraightMotion(ABC):
 
     @property
     def goal(self) -> Goal | None:
-        """Return the object that derives the question's quantity; None if a time is asked for."""
+        """Return the object that derives the quantity asked for from the motion; None if a time is asked for."""
         return GOALS[self.target.quantity] if self.target is not None else None
 
     @property
@@ -104,7 +104,7 @@ class StraightMotion(ABC):
         return {k: lexicon.read(speed * scale[k] if scale else speed) for k, speed in speeds.items()}
 
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:
-        """Return a component along a world direction, or the body's own line; ``u`` is the initial velocity."""
+        """Return a vector's component along a world direction, or the body's own line; kind ``u``: initial velocity."""
         if kind == "u":
             moving = [k for k in self.moving([body]) if k in self.first_speeds]
             return self.projected(body, way, {k: self.first_speeds[k] for k in moving})
@@ -141,7 +141,7 @@ class StraightMotion(ABC):
         return x, y, z
 
     def lone(self, kind: str, body: str) -> Polynomial | None:
-        """Return a vector of a body along its line of motion, signed like its coordinate; None for several lines."""
+        """Return a vector's component along a body's only line, signed like the coordinate; None for several lines."""
         own = self.moving([body]) if kind == "u" else self.own(body)
         ways = [self._start.center(body).gradient[k] for k in own]
         senses = [dot(way, ways[-1]) for way in ways]
@@ -151,7 +151,7 @@ class StraightMotion(ABC):
         return total(rate.scaled(float(round(sense))) for rate, sense in zip(rates, senses, strict=True))
 
     def _own(self, body: str) -> list[int]:
-        """Return the two coordinates of a body with perpendicular axes of its own; else an empty list."""
+        """Return the two coordinates of a free body along its own axes x and y; an empty list for other bodies."""
         found = [c for c in self.mechanism.body[body].coordinates if c.label in AXES and c.kind == "slide"]
         free = self.mechanism.body[body].parent is None and len(found) == 2
         return [self.mechanism.number[c.name] for c in found] if free else []
@@ -173,7 +173,7 @@ class StraightMotion(ABC):
         return (x, y, NIL) if own else (x, y, z)
 
     def rim(self, kind: str, body: str) -> Polynomial:
-        """Return the motion of the rim of a rotating body; zero for others."""
+        """Return acceleration, velocity or displacement of a rotating body's rim; zero for other bodies."""
         k = self.hinge(body)
         return self.rate(kind, k) if k is not None else NIL
 

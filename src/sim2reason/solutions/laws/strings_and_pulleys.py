@@ -44,7 +44,7 @@ def balanced_tensions(
 
 
 def doubling_reason(dynamics: Dynamics, row: Row) -> str:
-    """Return why a pulley's acceleration has the factor 2 in a string's law, as an addition to a sentence."""
+    """Return a clause with the reason why a pulley's acceleration has the factor 2 in a law; "" if none has."""
     held = [int(name[1:]) for name in row.inertia.names() if name[1:].isdigit()]
     twice = [k for k in held if abs(row.inertia.coefficient(f"q{k}").number or 0.0) == TWICE]
     bodies = [dynamics.mechanism.coordinates[k].body for k in sorted(twice)]
@@ -91,7 +91,7 @@ def _taking_part(matrix: NDArray[np.float64], target: NDArray[np.float64], goal:
 
 
 def _weights(matrix: NDArray[np.float64], target: NDArray[np.float64]) -> NDArray[np.float64] | None:
-    """Return the weights with which laws add up to the target coefficients; None if no sum does."""
+    """Return weights of laws, the rows of a matrix, whose weighted sum has the target coefficients; else None."""
     if not len(matrix):
         return None
     weights = np.asarray(np.linalg.lstsq(matrix.T, target, rcond=1e-12)[0], dtype=np.float64)
@@ -113,7 +113,7 @@ def verify_taut(dynamics: Dynamics, rows: Sequence[Row]) -> None:
 
 
 def after_what_they_rest_on(steps: Sequence[Step], late: AbstractSet[str]) -> list[Step]:
-    """Move the checks of tautness directly behind the steps that they depend on, unless values are `late`."""
+    """Move checks that strings are taut directly behind the steps they depend on, except checks with `late` symbols."""
     found = [step for step in steps if step.kind != TAUT or not late.isdisjoint(step.symbols())]
     for step in (step for step in steps if step.kind == TAUT and step not in found):
         found.insert(
@@ -159,7 +159,7 @@ def _line(dynamics: Dynamics, place: int) -> str:
 def _positive(
     dynamics: Dynamics, step: StepBuilder, place: int, law: Polynomial, symbols: dict[str, Polynomial]
 ) -> list[tuple[int, str]]:
-    """Record that a tension is positive by its law; return it with its equation, or nothing if it is zero."""
+    """Record that a tension is positive; return a list with index and equation, empty if the tension is zero."""
     own = next(iter(symbols[f"T{place}"].names())) if f"T{place}" in symbols else f"T{place}"
     formula, book = solve_linear(law, own), dynamics.book
     line = dynamics.newton.lines[place]
@@ -179,7 +179,7 @@ def _positive(
 def _ready(
     dynamics: Dynamics, rows: Sequence[Row], waiting: Sequence[int], symbols: Mapping[str, Polynomial]
 ) -> tuple[int, Polynomial] | None:
-    """Return a tension with the shortest law in which all else is known; None if there is none."""
+    """Return a string's index and the shortest law with only its tension unknown; None if there is none."""
     known = dynamics.book.values.keys() | {
         name for n in dynamics.taut if n not in waiting for name in symbols.get(f"T{n}", NIL).names()
     }
@@ -195,7 +195,7 @@ def _ready(
 
 
 def _is_told(dynamics: Dynamics, place: int) -> bool:
-    """Return whether the solution computes a tension."""
+    """Return whether the solution already computes the tension of a string."""
     named = dynamics.names.get(f"T{place}")
     return named is not None and named.names() <= dynamics.book.values.keys()
 

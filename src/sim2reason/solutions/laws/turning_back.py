@@ -10,7 +10,7 @@ from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
 
 
 def turned_before(book: SolutionBuilder, step: StepBuilder, begun: Expression, a: Symbol, time: Symbol) -> str:
-    """Return the words that a velocity has become zero before a time, as an addition to a sentence."""
+    """Return words such as *, before t*, added to a sentence about a velocity that becomes zero before a time."""
     formula = Quotient(-begun, a)
     record_inequality(book, step, time, formula)
     if book.is_hidden(formula):
@@ -37,7 +37,7 @@ def tell_turning_only_later(book: SolutionBuilder, begun: Expression, a: Symbol,
 
 
 def tell_not_turned(book: SolutionBuilder, begun: Expression, a: Symbol, time: Symbol, who: str) -> None:
-    """Write that a body still moves forward at a time, so that it is there for the first time."""
+    """Write that a body is at a place for the first time at a given time, as its velocity is still positive."""
     if book.in_symbols:
         return
     formula = added(begun, multiplied(a, time))
@@ -49,7 +49,7 @@ def tell_not_turned(book: SolutionBuilder, begun: Expression, a: Symbol, time: S
 
 
 def verify_remaining(book: SolutionBuilder, left: Symbol, formula: Expression, until: str) -> None:
-    """Write at the end that earlier stages end before an instant, if the time left depends on the unknown."""
+    """Schedule a check for the end of the text that earlier stages end before an instant; none for known numbers."""
 
     def write() -> None:
         step = book.begin_step("verify")
@@ -62,7 +62,7 @@ def verify_remaining(book: SolutionBuilder, left: Symbol, formula: Expression, u
 
 
 def verify_farther(book: SolutionBuilder, whole: Polynomial, covers: tuple[Symbol, Polynomial], who: str) -> None:
-    """Write that earlier stages do not cover a distance, at the end of the text if it depends on the unknown.
+    """Write, or schedule for the end of the text, that the earlier stages do not cover a whole distance.
 
     `whole` is the remaining distance; `covers` has the distance and the displacement so far.
     """

@@ -64,7 +64,7 @@ class WrittenDynamics(Dynamics):
 
 
 class DynamicsWriter:
-    """A writer of sentences about chosen laws, with their equations."""
+    """A writer of the sentences and equations that derive unknowns from chosen laws."""
 
     def __init__(self, dynamics: Dynamics, rows: Sequence[Row], goals: Sequence[str]) -> None:
         """Take the chosen laws `rows` and the unknowns that they determine, `goals`."""
@@ -84,7 +84,7 @@ class DynamicsWriter:
         return step
 
     def write(self) -> None:
-        """Write the names, the laws and their solution."""
+        """Write the names of the unknowns, then the laws, then their solution."""
         self._introduce()
         equations = [*self._strings(), *self._faces()]
         groups = self.d.groups
@@ -117,7 +117,7 @@ class DynamicsWriter:
         step.close()
 
     def _resting(self) -> list[str]:
-        """Return sentences about bodies at rest relative to their carriers."""
+        """Return sentences that bodies stay at rest relative to the bodies that carry them."""
         found: dict[str, list[str]] = {}
         for k in sorted(self.d.frozen):
             body = self.d.mechanism.coordinates[k].body
@@ -136,12 +136,12 @@ class DynamicsWriter:
         return self.d.setting.string_phrases[self.d.newton.lines[int(name[1:])].name]
 
     def _what(self, shared: SharedRate) -> str:
-        """Return the words after the symbol of a rate: its bodies, or the rotation it describes."""
+        """Return the words after the symbol of a rate: bodies with their directions, or the rotation of one body."""
         alone = only_turning(self.d, shared)
         return f", {turning_noun(self.d, shared)}" if alone else f" {self._whose(shared)}"
 
     def _rolling(self, shared: SharedRate) -> str:
-        """Return the sentences about rolling bodies."""
+        """Return the sentences that bodies roll, as one text; empty if none of the bodies with the rate rolls."""
         bodies = rolling_bodies(self.d, shared) if not only_turning(self.d, shared) else []
         return " ".join(rolling_words(self.d, body, shared) for body in bodies)
 
@@ -192,7 +192,7 @@ class DynamicsWriter:
         return found
 
     def _dependent(self, zero: Polynomial) -> str:
-        """Return the acceleration to eliminate: preferably no goal, and with a simple coefficient."""
+        """Return the acceleration to eliminate: preferably one not asked for, and with a coefficient of ±1."""
         names = [n for n in sorted(zero.names() & self.d.units.keys()) if zero.coefficient(n).number is not None]
         if not names:
             raise UnsolvedError("a string binds accelerations at a ratio that changes")
@@ -265,7 +265,7 @@ class DynamicsWriter:
         step.close()
 
     def _why(self, group: Sequence[Row]) -> str:
-        """Return the words before Newton's law of a group of bodies."""
+        """Return the first words of the sentence with Newton's law of a group of bodies."""
         if self.d.measure.values:
             who, _, direction = self._who(group).rpartition(", ")
             said = f"No external force on {who} has a component {direction}, and they start from rest,"
@@ -294,7 +294,7 @@ class DynamicsWriter:
         return self.d.mechanism.coordinates[k].body
 
     def _who(self, group: Sequence[Row]) -> str:
-        """Return the bodies of a law and its direction, in words."""
+        """Return words for the bodies and the direction of Newton's law of a group of bodies."""
         k = group[0].number
         own = [self._body(row.number) for row in group]
         if self.d.mechanism.coordinates[k].kind == "hinge":
@@ -308,7 +308,7 @@ class DynamicsWriter:
         return f"{who}{' together' if len(own) > 1 or riders else ''}, {self.d.moving(k, self.d.sense.get(k, 1))}"
 
     def _carried(self, body: str, own: Iterable[str]) -> bool:
-        """Return whether one of some bodies carries a body."""
+        """Return whether one of the bodies in `own` carries a body."""
         step = self.d.mechanism.body[body].parent
         while step is not None:
             if step in own:
