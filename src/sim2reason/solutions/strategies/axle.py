@@ -36,11 +36,11 @@ class Axle(Strategy):
     kinds = Strategy.kinds | {"extremum", "period", "sum"}
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
+        """Return the reason, in words, that the strategy cannot apply to a mechanism; empty if it may apply."""
         return "" if lone_axle(mechanism) else "nothing turns about a fixed axle by itself"
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         if isinstance(setting.query, PeriodQuery):
             return ""
         return unsupported_reason(setting, _Turning.WAYS)

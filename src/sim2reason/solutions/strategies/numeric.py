@@ -16,7 +16,7 @@ class NumericalIntegration(Strategy):
     integrates = True
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         if setting.formula is not None:
             return "integration gives no formula"
         return "" if setting.answer is not None else "there is no answer"
