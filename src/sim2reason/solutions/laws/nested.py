@@ -46,7 +46,7 @@ def inner_setting(setting: ProblemContext) -> ProblemContext:
 
 
 def write_inner_answer(inner: ProblemContext, book: SolutionBuilder, offered: Iterable[AnswerStrategy]) -> str:
-    """Write the answer to the inner question by the first successful strategy; return its symbol.
+    """Write the answer to the inner question by the first successful strategy; return the answer's symbol.
 
     Raises:
         UnsolvedError: no strategy succeeds.

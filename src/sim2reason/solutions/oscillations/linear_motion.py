@@ -128,13 +128,13 @@ class LinearMotion:
         return free
 
     def ratio(self, k: int, i: int) -> float:
-        """Return the rate of a coordinate relative to that of a free one."""
+        """Return the rate of the coordinate k divided by the rate of the free coordinate i."""
         return self.ratios[k].get(i, 0.0)
 
     # ---- equations
 
     def _bound(self) -> Mapping[str, Polynomial]:
-        """Return the accelerations of all coordinates in terms of those of the free ones."""
+        """Return the accelerations of all coordinates, by name, in terms of those of the free coordinates."""
         return {
             f"q{k}": total(_unknown(i).scaled(part) for i, part in parts.items()) for k, parts in self.ratios.items()
         }
@@ -217,7 +217,7 @@ class LinearMotion:
         return found
 
     def load(self, i: int) -> Polynomial:
-        """Return Q, the net force along a free coordinate where it is zero, by default at the start."""
+        """Return Q, the net force along a free coordinate at the zero of this coordinate, by default the start."""
         pulls = [(n, self.extension_ratio(n, i)) for n in self.springs]
         found = self.steady(i) - total(self.laws.stiffness(n) * self.laws.strain(n).scaled(p) for n, p in pulls if p)
         return found - self.stiffness(i, i) * self.begin if self.begin else found

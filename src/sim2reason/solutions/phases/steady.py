@@ -149,7 +149,7 @@ def _sticking(inner: PhaseEquations, face: int, who: str, forces: Mapping[str, S
 
 
 def with_used_contacts(steps: Sequence[Step]) -> list[Step]:
-    """Empty the text of steps about contacts whose forces do not occur in the next step with laws."""
+    """Return steps, those on contacts with empty text if the next step with laws does not use their forces."""
     found: list[Step] = []
     for number, step in enumerate(steps):
         if step.kind == CONTACT:

@@ -37,7 +37,7 @@ class Strategy(ABC):
     drawn: ClassVar[bool] = True
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return the reason, in words, that the strategy cannot apply to a mechanism; empty by default: it may apply."""
+        """Return the reason, in words, that the strategy cannot apply to a mechanism; by default empty: it may."""
         del mechanism
         return ""
 

@@ -46,7 +46,7 @@ class Axle(Strategy):
         return unsupported_reason(setting, _Turning.WAYS)
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the moment of inertia, the angle, the angular speed and the answer, and return its symbol."""
+        """Write the moment of inertia, the angle, the angular speed and the answer, and return the answer's symbol."""
         query = setting.query
         if isinstance(query, PeriodQuery) and query.small:
             return small_oscillations(Arm(setting, book), book, query).name
@@ -73,7 +73,7 @@ class _Turning(AxleForces):
     # ---- what is asked
 
     def write(self) -> Symbol:
-        """Write the answer to the query and return its symbol."""
+        """Write the answer to the query and return the answer's symbol."""
         query = self.setting.query
         if isinstance(query, PeriodQuery):
             return measured_period(self.book, query, self.times.frequency)

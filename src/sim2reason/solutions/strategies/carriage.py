@@ -59,7 +59,7 @@ class OnACarriage(Strategy):
         return "" if known else "only integration gives the angle"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the angle, the conserved quantities and the answer, and return its symbol."""
+        """Write the angle, the conserved quantities and the answer, and return the answer's symbol."""
         return _Asked(setting, book).write().name
 
 
@@ -67,7 +67,7 @@ class _Asked(CarriageLaws):
     """The quantities of the arm, of bodies on it, or of bodies that move with the carriage."""
 
     def write(self) -> Symbol:
-        """Write the answer to the query and return its symbol."""
+        """Write the answer to the query and return the answer's symbol."""
         query = self.setting.query
         if isinstance(query, PeriodQuery):
             return self._period(query)

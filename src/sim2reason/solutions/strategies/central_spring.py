@@ -63,7 +63,7 @@ class CentralSpring(Strategy):
         return "" if quantity in _CentralMotion.WAYS else f"no way to the quantity {quantity}"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the conserved quantities, the length of the spring and the answer, and return its symbol."""
+        """Write the conserved quantities, the length of the spring and the answer, and return the answer's symbol."""
         way = _CentralMotion(setting, book)
         return way.answer(way.WAYS[quantity_of(setting)], way.signed).name
 

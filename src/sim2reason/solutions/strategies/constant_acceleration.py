@@ -76,7 +76,7 @@ class _Staged(StraightMotion):
         ]
 
     def write(self) -> str:
-        """Write all relevant stages and the answer, and return its symbol."""
+        """Write all relevant stages and the answer, and return the answer's symbol."""
         if self.target is None or self.goal is None:
             return self._whole_time().name
         found = self.goal.write(self.target, self).name
@@ -216,7 +216,7 @@ class _Staged(StraightMotion):
         return [*found, *(k for name in lines for k in self.stretching(name))]
 
     def own(self, body: str) -> list[int]:
-        """Return the coordinates of a body's motion in the last stage, without those of a carrier that moves the body."""
+        """Return the coordinates of a body's motion in the last stage, without those of a carrier below the body."""
         return self.stages[-1].dynamics.sufficient_coordinates(self.moving([body]))
 
     def _end(self, before: list[Stage], places: Mapping[int, Polynomial]) -> End:

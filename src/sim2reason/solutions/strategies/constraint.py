@@ -47,7 +47,7 @@ class Constraint(Strategy):
         return "something changes on the way" if len(setting.motion.segments) > 1 else ""
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the ratios of displacements and the answer, and return its symbol."""
+        """Write the ratios of displacements and the answer, and return the answer's symbol."""
         return _Proportions(setting, book).write()
 
 
@@ -65,7 +65,7 @@ class _Proportions(StraightMotion):
         return WrittenDynamics(self.setting, self.book, self.setting.motion.segments[0])
 
     def write(self) -> str:
-        """Write the constraints and the answer, and return its symbol."""
+        """Write the constraints and the answer, and return the answer's symbol."""
         assert self.target is not None
         assert self.goal is not None
         self.dynamics.reach([f"q{k}" for k in self.asked_coordinates()])

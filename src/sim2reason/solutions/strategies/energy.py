@@ -69,7 +69,7 @@ class WorkAndEnergy(Strategy):
         return f"no way to the quantity {target.quantity}" if target and target.quantity not in GOALS else ""
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the work, the kinetic energy and the answer, and return its symbol."""
+        """Write the work, the kinetic energy and the answer, and return the answer's symbol."""
         return EnergyModel(setting, book).write().name
 
 

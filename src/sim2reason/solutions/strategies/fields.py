@@ -65,12 +65,12 @@ class FieldsStrategy(Strategy):
         return _unasked(setting)
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the forces, the motion and the answer, and return its symbol."""
+        """Write the forces, the motion and the answer, and return the answer's symbol."""
         return _InFields(setting, book).write().name
 
 
 def _unasked(setting: ProblemContext) -> str:
-    """Return the reason that a query is unsupported, such as *small oscillations are asked about*; empty if supported."""
+    """Return the reason that a query is unsupported, such as *small oscillations are asked about*; else empty."""
     query = setting.query
     if isinstance(query, PeriodQuery):
         return "small oscillations are asked about" if query.small else ""
@@ -95,7 +95,7 @@ class _InFields(StraightMotion):
         self._names: dict[tuple[str, int], Expression] = {}
 
     def write(self) -> Symbol:
-        """Write the answer to the query and return its symbol."""
+        """Write the answer to the query and return the answer's symbol."""
         if isinstance(self.query, PeriodQuery):
             return self._period(self.query)
         if isinstance(self.query, StretchQuery):

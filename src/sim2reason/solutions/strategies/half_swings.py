@@ -49,11 +49,11 @@ class HalfSwings(Strategy):
         )
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return the reason, that of the oscillation strategy, that the strategy does not apply; empty if it applies."""
+        """Return the reason, in words, that an oscillation strategy does not apply to a question; else empty."""
         return STRATEGIES["oscillation"].why_not_applicable(setting)
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write each half-oscillation, the moment and the answer, and return its symbol."""
+        """Write each half-oscillation, the moment and the answer, and return the answer's symbol."""
         return _Swinging(setting, book).write().name
 
 

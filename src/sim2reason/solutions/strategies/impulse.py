@@ -65,7 +65,7 @@ class Impulse(Strategy):
         return missing_goal(setting, MOMENTS)
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the flights and impacts that the answer needs, and return its symbol."""
+        """Write the flights and impacts that the answer needs, and return the answer's symbol."""
         return _Struck(question_at_top(setting) or setting, book).write()
 
 

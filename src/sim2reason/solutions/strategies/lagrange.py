@@ -35,7 +35,7 @@ class Lagrange(Strategy):
     kinds = frozenset({"start", "state", "event", "time_to_event"})
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return the reason that a mechanism is unsuitable: collisions or nonlinear equations; empty if it is suitable."""
+        """Return the reason that a mechanism is unsuitable: collisions or nonlinear equations; else empty."""
         return "something may collide" if mechanism.meetings else nonlinear_reason(mechanism)
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
@@ -49,7 +49,7 @@ class Lagrange(Strategy):
         return missing_goal(setting, MOMENTS)
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the equations, the accelerations and the answer, and return its symbol."""
+        """Write the equations, the accelerations and the answer, and return the answer's symbol."""
         way = _Together(setting, book)
         if way.target is None or way.goal is None:
             return way.time.name

@@ -101,7 +101,7 @@ def _moving(setting: ProblemContext, query: ThresholdQuery) -> Segment:
 
 
 def _rate(dynamics: WrittenDynamics, name: str, *, slides: bool) -> dict[int, Polynomial]:
-    """Return the weights, by coordinate, of the accelerations that add up to that of a slip or of a body on its line."""
+    """Return weights, by coordinate, of the accelerations that add up to that of a slip or of a body on its line."""
     if slides:
         face = next(n for n, held in enumerate(dynamics.mechanism.faces) if held.subject == name)
         found = dynamics.newton.slip(face)

@@ -29,7 +29,7 @@ class MomentumKept(WorkAndEnergy):
         return "a single body moves" if alone else super().why_unsuitable(mechanism)
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the reduced mass, the work, the momentum and the answer, and return its symbol."""
+        """Write the reduced mass, the work, the momentum and the answer, and return the answer's symbol."""
         return _Pair(setting, book).write().name
 
 

@@ -53,11 +53,11 @@ class SeveralModes(Strategy):
         return frozenset({"period"} if min_free_coordinates(mechanism) <= PAIR else ())
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return the reason, that of the oscillation strategy, that the strategy does not apply; empty if it applies."""
+        """Return the reason, in words, that an oscillation strategy does not apply to a question; else empty."""
         return STRATEGIES["oscillation"].why_not_applicable(setting)
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the modes, their excitation, the moment and the answer, and return its symbol."""
+        """Write the modes, their excitation, the moment and the answer, and return the answer's symbol."""
         return _Modal(setting, book).write().name
 
 
@@ -94,7 +94,7 @@ class _Modal(LinearMotionModel):
 
     @property
     def _sought(self) -> list[tuple[int, dict[int, float]]]:
-        """Return the sum that is zero at the moment: [(derivative order, weights by coordinate)]; [] at a given time."""
+        """Return the sum that is zero at the moment as [(derivative order, weights by coordinate)]; else []."""
         if isinstance(self.query.moment, AtTime) and not self.greatest:
             return []
         _, parts, law = self._condition
@@ -114,7 +114,7 @@ class _Modal(LinearMotionModel):
         return min(order, 1) if on_a_ring else order
 
     def write(self) -> Symbol:
-        """Write the answer to the query and return its symbol."""
+        """Write the answer to the query and return the answer's symbol."""
         query = self.query
         if isinstance(query, PeriodQuery):
             return measured_period(self.book, query, natural_frequency(self._all, query))

@@ -22,5 +22,5 @@ class NumericalIntegration(Strategy):
         return "" if setting.answer is not None else "there is no answer"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the phases in order and the answer, and return its symbol."""
+        """Write the phases in order and the answer, and return the answer's symbol."""
         return IntegratedPhases(setting, book).write()

@@ -61,7 +61,7 @@ class Orbit(Strategy):
         return "" if quantity in ("", *QUANTITIES) else f"no way to the quantity {quantity}"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the orbit, the position on it and the answer, and return its symbol."""
+        """Write the orbit, the position on it and the answer, and return the answer's symbol."""
         return _OnOrbit(setting, book).write().name
 
 
@@ -87,7 +87,7 @@ class _OnOrbit(StraightMotion):
         self._places: dict[str, OrbitPlace] = {}
 
     def write(self) -> Symbol:
-        """Write the answer to the query and return its symbol."""
+        """Write the answer to the query and return the answer's symbol."""
         query, target = self.query, self.target
         if isinstance(query, PeriodQuery):
             return self.orbit(query.of[0]).period

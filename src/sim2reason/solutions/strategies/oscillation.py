@@ -66,7 +66,7 @@ class Oscillation(Strategy):
         return f"no way to the quantity {target.quantity}" if target and target.quantity not in GOALS else ""
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the equilibrium, the angular frequency, the moment and the answer, and return its symbol."""
+        """Write the equilibrium, the angular frequency, the moment and the answer, and return the answer's symbol."""
         way = Oscillating(setting, book)
         return (_Pair(setting, book) if len(way.linear.free) == 2 else way).write().name
 
@@ -104,7 +104,7 @@ class Oscillating(OneCoordinateModel):
         return HarmonicOscillation(self.book, motion, name, self.first(i))
 
     def write(self) -> Symbol:
-        """Write the answer to the query and return its symbol."""
+        """Write the answer to the query and return the answer's symbol."""
         query, held = self.query, self.harmonic
         _ = held.numbers
         self.stops_alone()

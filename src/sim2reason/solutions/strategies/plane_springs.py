@@ -62,7 +62,7 @@ class PlaneSprings(Strategy):
         return "" if known else f"no way to the quantity {target.quantity if target is not None else ''}"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the equilibrium and the answer, and return its symbol."""
+        """Write the equilibrium and the answer, and return the answer's symbol."""
         way = _Held(setting, book)
         if isinstance(setting.query, PeriodQuery):
             return way.oscillate(setting.query).name

@@ -56,7 +56,7 @@ class RocketFlight(Strategy):
         return ""
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the remaining mass and the answer, and return its symbol."""
+        """Write the remaining mass and the answer, and return the answer's symbol."""
         return _Burning(setting, book).write()
 
 

@@ -176,7 +176,7 @@ class _Slack:
     # ---- what is asked
 
     def write(self) -> Symbol:
-        """Write the answer to the query and return its symbol."""
+        """Write the answer to the query and return the answer's symbol."""
         if not self.quantity:
             return self._when()
         sense = self.setting.query.target.sense if self.setting.query.target is not None else None

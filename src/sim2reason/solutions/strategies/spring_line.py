@@ -59,7 +59,7 @@ class SpringLine(Strategy):
         return "" if quantity in ("", *_Oscillating.WAYS) else f"no way to the quantity {quantity}"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the amplitude, the angular frequency, the phase and the answer, and return its symbol."""
+        """Write the amplitude, the angular frequency, the phase and the answer, and return the answer's symbol."""
         return _Oscillating(setting, book).write().name
 
 
@@ -131,7 +131,7 @@ class _Oscillating(SingleSpringBody):
     # ---- what is asked
 
     def write(self) -> Symbol:
-        """Write the answer to the query and return its symbol."""
+        """Write the answer to the query and return the answer's symbol."""
         query = self.setting.query
         if isinstance(query, PeriodQuery):
             return self._period(query)

@@ -40,7 +40,7 @@ class Statics(Strategy):
         return ""
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the balance of forces and the answer, and return its symbol."""
+        """Write the balance of forces and the answer, and return the answer's symbol."""
         way = _AtRest(setting, book)
         way.balance()
         assert way.target is not None

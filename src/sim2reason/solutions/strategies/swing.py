@@ -36,7 +36,7 @@ class Swing(Strategy):
         return "it leaves its circle" if setting.earlier_event_kinds & {"slack", "taut"} else ""
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the angle, the speed and the answer, and return its symbol."""
+        """Write the angle, the speed and the answer, and return the answer's symbol."""
         return _Angular(setting, book).write().name
 
 

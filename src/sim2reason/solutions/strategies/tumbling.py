@@ -57,7 +57,7 @@ class Tumbling(Strategy):
         return ""
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the rotation about each edge and the answer, and return its symbol."""
+        """Write the rotation about each edge and the answer, and return the answer's symbol."""
         return _Tumbling(setting, book).write().name
 
 
@@ -246,7 +246,7 @@ class _Tumbling:
         return self.book.add_step("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
 
     def write(self) -> Symbol:
-        """Write the answer to the query and return its symbol."""
+        """Write the answer to the query and return the answer's symbol."""
         query, quantity = self.setting.query, quantity_of(self.setting)
         if query.target is not None and query.target.sense is not None and any(query.target.sense.vector):
             raise UnsolvedError("a component along a direction")

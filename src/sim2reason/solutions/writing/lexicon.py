@@ -40,7 +40,7 @@ TERMS = 2500  # largest number of products of several numbers that are tried
 
 
 class UnreadError(Exception):
-    """A number of the mechanism that is not a simple function of the numbers in the text."""
+    """An error for a number of the mechanism that is not a simple function of the numbers in the text."""
 
 
 @record(slots=True)
@@ -160,7 +160,7 @@ class Lexicon:
         return [*found, *self._attracting()]
 
     def _attracting(self) -> list[tuple[DualValue, Polynomial]]:
-        """Return the gravitational constant; for a planet of given g also 1/G, as its mass is g R²/G."""
+        """Return (value, symbol) of the gravitational constant G; also of 1/G if masses follow from g as g R²/G."""
         pulls = self.mechanism.attractions
         if not pulls:
             return []
@@ -231,7 +231,7 @@ class Lexicon:
         return self._of_several(number)
 
     def _of_several(self, number: DualValue) -> Polynomial:
-        """Return a number as a product of three or four, such as m g R² of a planet."""
+        """Return a number as a product of three or four given numbers, such as m g R², or as a sum of products."""
         for size in (3, 4):
             if comb(len(self._atoms) + size - 1, size) > TERMS:
                 break
@@ -245,7 +245,7 @@ class Lexicon:
         return found
 
     def _of_sums(self, number: DualValue) -> Polynomial | None:
-        """Return a number as a total mass times others or a sum of two products; cached, since the search is slow."""
+        """Return a number, cached, as a total mass times other numbers or a sum of two products; None if neither."""
         if number not in self._sums:
             atoms = [LabelledNumber(atom.here, atom.there, name) for atom, name in self._atoms]
             masses = [Symbol(g.symbol) for g in self.givens.values() if g.counted_unit == latex("kg")]
