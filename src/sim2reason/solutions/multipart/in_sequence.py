@@ -158,7 +158,7 @@ class _Naming:
         return any(q.members.get(part) == name for q in self._found)
 
     def _is_needed(self, name: str, quantity: NamedQuantity) -> bool:
-        """Return whether a name is the only one of another quantity, in as many parts as for `quantity` or more."""
+        """Return whether another quantity has only this name, in no fewer parts than `quantity` has the name."""
         least = [*quantity.members.values()].count(name)
         others = (q for q in self._found if q is not quantity and {*q.members.values()} == {name})
         return any(len(q.members) >= least for q in others)

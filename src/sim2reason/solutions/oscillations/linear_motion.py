@@ -53,7 +53,7 @@ def _on_a_ring(mechanism: Mechanism) -> bool:
 
 
 class LinearMotion:
-    """The equations of one segment; the coordinates in `wanted` are preferred as free ones, in this order."""
+    """The equations of motion of one segment; coordinates in `wanted` are preferred as free coordinates, in order."""
 
     def __init__(self, setting: ProblemContext, segment: Segment, wanted: Sequence[int]) -> None:
         """Derive the equations; raise UnsolvedError or UnreadError if they are not linear in the text's numbers."""

@@ -212,7 +212,7 @@ class LinearMotionModel(StraightMotion):
         return self._from(row, asked, kind, name)
 
     def _alone(self, asked: str, letters: str) -> Row | None:
-        """Return the shortest of Newton's laws with a force but no other force of the given letters; None if none is."""
+        """Return the shortest of Newton's laws with a force but no other force of the given letters; else None."""
         rows = [self.newton.newton(k) for k in self.motion.ratios]
         if asked.startswith("N"):
             rows = [self.newton.normal(int(asked[1:]))]

@@ -91,7 +91,7 @@ HALF = Number(0.5)
 
 @dataclass(frozen=True, slots=True)
 class Launch:
-    """A body launched across its spring: the initial velocity, and a function that writes conserved quantities.
+    """A body launched across its spring: its velocity, and a function that writes energy and angular momentum.
 
     `kept` returns the energy, in J, and the angular momentum per unit of mass, in m²/s.
     """

@@ -137,7 +137,7 @@ class NormalModes(ModeLaws):
 
     @property
     def _why_apart(self) -> str:
-        """Return a sentence why the common motion of all bodies is left out: not excited, or irrelevant here."""
+        """Return a sentence that says why the common motion is left out: not excited, or irrelevant here."""
         shape = self.shapes[:, 0]
         terms = (shape * self.load, shape * (self.mass @ self.begun))
         driven, moves = (abs(float(part.sum())) > EXCITATION_RTOL * float(np.abs(part).max()) for part in terms)

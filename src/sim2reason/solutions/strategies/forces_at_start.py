@@ -34,7 +34,7 @@ class ForcesAtStart(Strategy):
         return "" if free else "every body is led, or pushed by something"
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return the question kinds that have a compact formula: all, or none if springs or attractions turn."""
+        """Return the question kinds that have a compact formula: all, or none if a force changes direction."""
         return frozenset[str]() if nonlinear_reason(mechanism) else self.kinds
 
     def why_not_applicable(self, setting: ProblemContext) -> str:

@@ -25,7 +25,7 @@ class InitialValue(Strategy):
     kinds = frozenset({"start"})
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return the question kinds that have a compact formula: none, as no generated question has this form."""
+        """Return the question kinds that have a compact formula: none, as no generated question asks for this value."""
         del mechanism
         return frozenset()
 

@@ -55,7 +55,7 @@ class ValueReached(Strategy):
         return ""
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the distance, angle or time of the moment, then the answer from it, by the first of them that works."""
+        """Write the distance, angle or time of the moment, and the answer from the first of these that leads to one."""
         reasons: list[str] = []
         for moment, value in instants(setting):
             parts = [*_parts(setting, moment, value)]

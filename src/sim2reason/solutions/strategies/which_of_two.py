@@ -26,7 +26,7 @@ class WhichOfTwo(Strategy):
     finished = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return the question kinds that have a compact formula: none, as *which of two* is not answered by one."""
+        """Return the question kinds that have a compact formula: none, as a choice between two has no formula."""
         del mechanism
         return frozenset()
 

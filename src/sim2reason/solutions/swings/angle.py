@@ -292,7 +292,7 @@ class SwingAngle(ABC):
 
     @property
     def vertical(self) -> bool:
-        """Return whether the upward component is asked for."""
+        """Return whether the question asks for the upward component of a vector."""
         sense = target.sense if (target := self.setting.query.target) is not None else None
         return sense is not None and sense.vector == UP
 

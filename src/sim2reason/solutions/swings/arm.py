@@ -82,7 +82,7 @@ class Arm:
         return x, y, z
 
     def at(self, time: float) -> tuple[float, float, float]:
-        """Return the angle from the downward vertical, the angle turned and the rate at a time, by the engine."""
+        """Return angle from the downward vertical and angle turned, rad, and rate, rad/s, at a time, by the engine."""
         angles, turned, rates = self.seen(np.array([time]))
         return float(angles[0]), float(turned[0]), float(rates[0])
 

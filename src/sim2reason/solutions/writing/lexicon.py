@@ -89,21 +89,21 @@ class StatedNumber:
 
 @record(slots=True)
 class DualValue:
-    """The values of one number in a mechanism and in its twin."""
+    """The values of one number in a mechanism and in its twin, which has slightly different numbers."""
 
     here: float
     there: float
 
     def __mul__(self, other: "DualValue") -> "DualValue":
-        """Return the products in the mechanism and in its twin."""
+        """Return the product of two numbers, in the mechanism and in its twin."""
         return DualValue(self.here * other.here, self.there * other.there)
 
     def __truediv__(self, other: "DualValue") -> "DualValue":
-        """Return the quotients in the mechanism and in its twin."""
+        """Return the quotient of two numbers, in the mechanism and in its twin."""
         return DualValue(self.here / other.here, self.there / other.there)
 
     def __sub__(self, other: "DualValue") -> "DualValue":
-        """Return the differences in the mechanism and in its twin."""
+        """Return the difference of two numbers, in the mechanism and in its twin."""
         return DualValue(self.here - other.here, self.there - other.there)
 
 
@@ -124,7 +124,7 @@ class Lexicon:
 
     @property
     def twin(self) -> Mechanism:
-        """Return the mechanism of the twin."""
+        """Return the mechanism of the twin: the same scene with slightly different numbers."""
         return self._twin[0]
 
     def _built(self) -> tuple[Mechanism, dict[str, float]]:
