@@ -123,7 +123,7 @@ def count_coupled_unknowns(found: Solution) -> int:
 
 
 def _unknowns_of_laws(found: Solution) -> Iterator[set[str]]:
-    """Yield the names in each law that have no value yet where the law is stated, except a name that it defines."""
+    """Yield for each law the set of its names that have no value yet, without a name that the law defines."""
     known: set[str] = set()
     for step in found.steps:
         for relation in step.relations:

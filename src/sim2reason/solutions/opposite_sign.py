@@ -50,7 +50,7 @@ def exclude_opposite_sign(
 
 
 def _impossible(book: SolutionBuilder, step: StepBuilder, goal: str, name: str, formula: Expression) -> str | None:
-    """Return why a formula has no real value, in words; empty if the formula shows it; None if it has a value."""
+    """Return why a formula has no real value, in words; empty if this is obvious; None if the formula has a value."""
     for part in _inner_first(formula):
         if isinstance(part, Root):
             if goal not in part.symbols():

@@ -16,7 +16,7 @@ OPPOSITE = f"{ONLY} with the opposite sign, for which {{}} would be {{}}"
 def write_sign_reason(
     roots: OtherRoots, step: StepBuilder, chain: Chain | None, found: Sequence[tuple[str, Expression]]
 ) -> None:
-    """Write why the opposite sign of the goal is excluded: it has no value of the unknown, or an impossible one.
+    """Write why the opposite sign of the goal is excluded: the unknown would have no value or an impossible value.
 
     The `chain` leads from the unknown to the goal, and is None where the sign is known. If one of its formulas is a
     root that was found numerically, no other values are searched for.

@@ -51,7 +51,7 @@ class OtherRoots:
             step.add_text(beyond_right_angle(others, book.values[name]) or self._obtuse(step, name, found))
 
     def drop(self, step: StepBuilder, name: str, others: Sequence[float]) -> None:
-        """Write why the only other root is excluded: it, or the unknown that would lead to it, would be negative."""
+        """Write why the only other root is excluded: a negative root, or one that follows from a negative unknown."""
         book = self.book
         if len(others) != 1 or book.values[self.unknown] <= 0.0 or (name == self.unknown and others[0] >= 0.0):
             return
@@ -83,7 +83,7 @@ class OtherRoots:
                 self.book.checks.setdefault((self, value), partial(self._tell_excluded, value, lead, must=must))
 
     def _tell_passage(self, value: float) -> None:
-        """Write that the other root for a time is later than the first time, or earlier than the second one."""
+        """Write why a first or second time excludes the other root: that root is later, or earlier."""
         name, ordinal = Symbol(self.unknown), ("first", "second")[self.book.passage - 1]
         earlier = self.book.passage > 1 and value < self.book.values[self.unknown]
         step = self.book.begin_step("verify")

@@ -52,7 +52,7 @@ def chosen(solution: Solution, letter: str) -> Solution:
 
 
 def combine_parts(parts: Sequence[Solution]) -> Solution:
-    """Return one solution of all parts; if a part has no answer, a solution without one that names the part."""
+    """Return one solution of all parts; if a part has no answer, one without an answer whose reason names this part."""
     for label, part in zip(LABELS, parts, strict=False):
         if part.answer is None:
             return Solution("", reason=f"part ({label}): {part.reason}")

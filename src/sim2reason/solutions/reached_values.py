@@ -53,7 +53,7 @@ def _thresholds(setting: ProblemContext, target: Target, value: float) -> Iterat
 
 
 def instants(setting: ProblemContext) -> Iterator[tuple[Moment, float]]:
-    """Yield moments, each with the distance, angle or time that defines it, at the instant of the question's moment.
+    """Yield (moment, its distance, angle or time) for each moment at the same instant as the question's moment.
 
     Distances along a line and angles come first, at which energy gives speeds without the time, which comes last.
     """

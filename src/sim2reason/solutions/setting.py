@@ -73,7 +73,7 @@ class ProblemContext:
 
     @cached_property
     def lexicon(self) -> Lexicon:
-        """Return the symbols of the given numbers, shared by all questions about one motion."""
+        """Return the lexicon: the symbols of the given numbers, which all questions about one motion share."""
         if self.scene is not self.study.scene:
             return Lexicon(self.scene, self.symbols)
         key = "lexicon", tuple(self.symbols.items())

@@ -49,7 +49,7 @@ class Relation:
         return f"${text}$"
 
     def symbols(self) -> Iterator[str]:
-        """Yield all names in both sides, some more than once."""
+        """Yield each name in both sides of the relation, some names more than once."""
         yield from self.left.symbols()
         yield from self.right.symbols()
 
@@ -111,7 +111,7 @@ class Integration:
     accumulated: tuple[Accumulated, ...] = ()
 
     def symbols(self) -> Iterator[str]:
-        """Yield all names that the problem takes from other steps, some more than once."""
+        """Yield each name that the initial-value problem takes from other steps, some names more than once."""
         own = {self.time, *self.unknowns, *(held.name for held in self.accumulated)}
         own |= {name for c in self.coordinates for name in (c.place, c.rate, c.acceleration)}
         formulas = [self.begin, self.until.expression]
@@ -147,7 +147,7 @@ class Step:
     integration: Integration | None = None
 
     def symbols(self) -> Iterator[str]:
-        """Yield all names in its relations and its initial-value problem, some more than once."""
+        """Yield each name in the step's relations and initial-value problem, some names more than once."""
         for relation in self.relations:
             yield from relation.symbols()
         if self.integration is not None:

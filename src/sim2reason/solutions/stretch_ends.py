@@ -43,7 +43,7 @@ CHANGES: Mapping[str, tuple[str, str]] = {
 
 
 def at_end(setting: ProblemContext) -> ProblemContext | None:
-    """Rewrite a question for an extreme value over an interval as one for the value at its start, end or an event.
+    """Rewrite a question for an extreme value in an interval as one for the value at an end of it, or at an event.
 
     Return None if the extreme value is elsewhere, or if no reason is known why no other value exceeds it.
     """

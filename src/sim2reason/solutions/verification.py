@@ -52,7 +52,7 @@ def _misstated(data: Data, values: Mapping[str, float]) -> Iterator[str]:
 
 
 def named_in_text(setting: ProblemContext) -> dict[str, float]:
-    """Return the numbers that have a symbol in the text, without the unknown, and the gravitational constant."""
+    """Return, by symbol, the values of the numbers in the text, without the unknown, and the gravitational constant."""
     pulls = setting.mechanism.attractions
     constants = {"G": pulls[0].constant} if pulls else {}
     givens = setting.lexicon.givens.items()

@@ -31,7 +31,7 @@ class AnswerStrategy(Protocol):
     """The part of a strategy's interface that derives the answer to a question nested in another question."""
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; "" if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         ...
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:

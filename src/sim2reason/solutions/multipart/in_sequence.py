@@ -46,7 +46,7 @@ def naming_fault(parts: Sequence[Solution]) -> str:
 
 
 def _recalled(parts: Sequence[Solution]) -> Iterator[str]:
-    """Yield a message for each result that a part recalls from a part which does not have it."""
+    """Yield an error message for each result that a part recalls from a part without this result or value."""
     for label, part in zip(LABELS, parts, strict=False):
         for step in part.steps:
             if step.kind != EARLIER:
@@ -131,7 +131,7 @@ class _Naming:
             self._spoken.append(names_in_text(" ".join(step.text for step in steps)))
 
     def ordered(self) -> Iterator[NamedQuantity]:
-        """Yield quantities in the order of naming: stated in the question, used in the texts, the others."""
+        """Yield each quantity in the order of naming: those stated in questions, those used in texts, the others."""
         texts = [q for q in self._found if any(name in self._used[part] for part, name in q.members.items())]
         groups = [q for q in texts if q.stated], [q for q in texts if not q.stated]
         yield from chain(*groups)
@@ -158,7 +158,7 @@ class _Naming:
         return any(q.members.get(part) == name for q in self._found)
 
     def _is_needed(self, name: str, quantity: NamedQuantity) -> bool:
-        """Return whether another quantity has the name in all its parts, in at least as many parts as this quantity."""
+        """Return whether another quantity has only this name, in no fewer parts than `quantity` has the name."""
         least = [*quantity.members.values()].count(name)
         others = (q for q in self._found if q is not quantity and {*q.members.values()} == {name})
         return any(len(q.members) >= least for q in others)
@@ -263,7 +263,7 @@ def sequential_solutions(
 
 
 def _without_repeated_checks(solution: Solution, earlier: Sequence[tuple[str, Solution]]) -> Solution:
-    """Return a solution without the step, already in an earlier part, that strings stay taut."""
+    """Return a solution without the verification that strings stay taut if an earlier part contains one."""
     if not any(step.kind == TAUT for _, other in earlier for step in other.steps):
         return solution
     kept = [step for step in solution.steps if step.kind != TAUT]

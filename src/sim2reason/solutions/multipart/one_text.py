@@ -19,7 +19,7 @@ REFERENCES = EARLIER, "equations", "reference", "givens"
 def merge_into_one_text(
     settings: Sequence[ProblemContext], solutions: Sequence[Solution]
 ) -> tuple[list[Solution], list[Step]]:
-    """Merge solutions into one text: return them with consistent names, and their steps except the given numbers.
+    """Merge solutions into one text: return the solutions with consistent names, and all steps without given numbers.
 
     If a name is ambiguous, the solutions have no answer, and there are no steps.
     """
@@ -52,7 +52,7 @@ def _placed(step: Step, places: Mapping[int, int], source: Mapping[str, int]) ->
 
 
 def enter(part: Solution, book: SolutionBuilder) -> None:
-    """Register all symbols of a solution in a book."""
+    """Record the names, values and stated numbers of a solution in a solution builder."""
     said = {name: text for step in part.steps if step.kind == "givens" for name, text in _stated(part, step.text)}
     book.stated |= {name: said[name] for name in part.stated if name in said}
     book.constants |= part.constants

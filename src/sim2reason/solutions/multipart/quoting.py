@@ -69,7 +69,7 @@ class _StatedParts:
         return names
 
     def _without(self, steps: Sequence[Step], values: Container[str]) -> list[Step]:
-        """Return steps without repeated statements; repeated equations that they use are cited."""
+        """Return steps without statements of earlier parts; repeated equations that are used are cited."""
         dropped = [step for step in steps if self._is_said(step, values)]
         left = [step for step in steps if step not in dropped]
         labels = {label for step in left for label in cited_labels(step.text)}
@@ -118,11 +118,11 @@ class _StatedParts:
         return replace(step, text=text, relations=tuple(r for r in step.relations if r.latex() in text))
 
     def _new(self, sentence: str) -> str:
-        """Return a sentence without the symbols that earlier parts introduced; empty if it is then empty."""
+        """Return a sentence without introductions of symbols that earlier parts contain; empty if nothing is left."""
         return "" if sentence in self._sentences else shortened(sentence, lambda item: item not in self._sentences)
 
     def _quoted(self, dropped: Sequence[Step], left: Sequence[Step]) -> Iterator[Step]:
-        """Yield a step for each earlier part whose equations the remaining steps use."""
+        """Yield, for each earlier part whose equations the steps `left` use, a step that cites these equations."""
         text = " ".join(step.text for step in left)
         defined = {label for label, _ in DEFINED.findall(text)}
         labels = [*dict.fromkeys(label for label in LABEL.findall(text) if label not in defined)]
@@ -141,7 +141,7 @@ class _StatedParts:
 
 
 def shortened(sentence: str, kept: Callable[[str], bool]) -> str:
-    """Return a sentence that lists introductions, reduced to the `kept` ones; empty if none is left."""
+    """Return a sentence with a list of introduced symbols, reduced to the `kept` items; empty if no item is kept."""
     match = _LIST.fullmatch(sentence)
     if match is None:
         return sentence
@@ -173,7 +173,7 @@ def cited_labels(text: str) -> list[str]:
 
 
 def _items(text: str) -> list[str]:
-    """Return the items of the lists in a text."""
+    """Return the items, such as introductions of symbols, of the sentences in a text that are lists."""
     matches = (_LIST.fullmatch(sentence) for sentence in SENTENCE.split(text))
     return [item for match in matches if match is not None for item in match["items"].split("; ")]
 
@@ -223,7 +223,7 @@ def _shorter(steps: tuple[Step, ...], accepted: Callable[[tuple[Step, ...]], boo
 
 
 def _stated_equations(step: Step) -> list[str]:
-    """Return the equations of a step that may be left out, each with its label."""
+    """Return the equations, as sentences with labels, of a step from which single equations may be left out."""
     sentences = SENTENCE.split(_HEADING.sub("", step.text))
     return sentences if step.kind in _UNLABELLED or all(map(DEFINED.match, sentences)) else []
 

@@ -42,7 +42,7 @@ def recall_results(solution: Solution, earlier: Sequence[tuple[str, Solution]], 
 
 
 def _verified_earlier(solution: Solution, earlier: Sequence[tuple[str, Solution]]) -> list[Step]:
-    """Return a step, in a list, that cites the first part with the same verification; empty if none has."""
+    """Return [step], which cites the first part with the same verification as the solution; [] if no part has one."""
     reasons = {step.text for step in solution.steps if _is_reason(step)}
     parts = (label for label, other in earlier if any(step.text in reasons for step in other.steps))
     label = next(parts, "")
@@ -133,7 +133,7 @@ def _introductions(solution: Solution, kept: Sequence[Step], said: Container[str
 
 
 def with_bases(names: Iterable[str], solution: Solution) -> set[str]:
-    """Return names, and for names that the solution does not introduce also their bases without subscripts.
+    """Return the given names and, for those that the solution does not introduce, their bases without subscripts.
 
     x_1 is a value of the x that a text introduces; but if a text introduces a_1, it is a different acceleration from a.
     """
@@ -143,7 +143,7 @@ def with_bases(names: Iterable[str], solution: Solution) -> set[str]:
 
 
 def _introduced(solution: Solution) -> Iterator[str]:
-    """Yield the texts of all steps except those that only introduce symbols which no relation uses."""
+    """Yield the text of each step, except steps that only introduce symbols which no relation uses."""
     used = with_bases(names_of(solution.steps), solution)
     yield from (step.text for step in solution.steps if step.kind != "names" or used & {*introduced_names(step.text)})
 

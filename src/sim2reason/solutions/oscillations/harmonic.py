@@ -63,7 +63,7 @@ class HarmonicOscillation:
         return abs(self.state_at(time)[1]) <= AMPLITUDE_RTOL * omega * self.amplitude_value
 
     def instants(self, until: float) -> list[float]:
-        """Return the times, s, up to a limit of turning points and passages through equilibrium."""
+        """Return the times, s, of turning points and of passages through the equilibrium, up to the time `until`."""
         omega, rest, fast = self.numbers
         begun = atan2(fast / omega, -rest)
         found = [(begun + n * pi / 2.0) / omega for n in range(-4, int(2.0 * omega * until / pi) + 5)]
@@ -81,7 +81,7 @@ class HarmonicOscillation:
         return formula + self.begun * Call("sin", angle) if self.begun != ZERO else formula
 
     def displacement(self, time: Symbol) -> Expression:
-        """Return the displacement at a time, in amplitude form if it begins neither at rest nor in equilibrium."""
+        """Return the displacement at a time: x₀ + A cos(ωt − φ), or sums of cos ωt and sin ωt if these are shorter."""
         if ZERO in (self.begun, self.equilibrium):
             return self.displacement_at_phase(self.angular_frequency * time)
         return self.equilibrium + self.amplitude * Call("cos", self.angular_frequency * time - self._first_phase)

@@ -53,7 +53,7 @@ def _on_a_ring(mechanism: Mechanism) -> bool:
 
 
 class LinearMotion:
-    """The equations of one segment; the coordinates in `wanted` are preferred as free ones, in this order."""
+    """The equations of motion of one segment; coordinates in `wanted` are preferred as free coordinates, in order."""
 
     def __init__(self, setting: ProblemContext, segment: Segment, wanted: Sequence[int]) -> None:
         """Derive the equations; raise UnsolvedError or UnreadError if they are not linear in the text's numbers."""
@@ -128,13 +128,13 @@ class LinearMotion:
         return free
 
     def ratio(self, k: int, i: int) -> float:
-        """Return the rate of a coordinate relative to that of a free one."""
+        """Return the rate of the coordinate k divided by the rate of the free coordinate i."""
         return self.ratios[k].get(i, 0.0)
 
     # ---- equations
 
     def _bound(self) -> Mapping[str, Polynomial]:
-        """Return the accelerations of all coordinates in terms of those of the free ones."""
+        """Return the accelerations of all coordinates, by name, in terms of those of the free coordinates."""
         return {
             f"q{k}": total(_unknown(i).scaled(part) for i, part in parts.items()) for k, parts in self.ratios.items()
         }
@@ -217,7 +217,7 @@ class LinearMotion:
         return found
 
     def load(self, i: int) -> Polynomial:
-        """Return Q, the net force along a free coordinate where it is zero, by default at the start."""
+        """Return Q, the net force along a free coordinate at the zero of this coordinate, by default the start."""
         pulls = [(n, self.extension_ratio(n, i)) for n in self.springs]
         found = self.steady(i) - total(self.laws.stiffness(n) * self.laws.strain(n).scaled(p) for n, p in pulls if p)
         return found - self.stiffness(i, i) * self.begin if self.begin else found

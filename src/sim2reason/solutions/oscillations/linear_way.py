@@ -180,7 +180,7 @@ class LinearMotionModel(StraightMotion):
         return self.mechanism.lines.index(self.mechanism.line[line])
 
     def growth(self, kind: str, line: str) -> Polynomial:
-        """Return the increase of a line's length, or its rate."""
+        """Return the increase of a line's length (kind ``s``) or the rate of change of the length (kind ``v``)."""
         number = self._number(line)
         of = {"v": self.speed, "s": self.place}[kind]
         parts = [(i, self.motion.extension_ratio(number, i)) for i in self.motion.free]
@@ -212,7 +212,7 @@ class LinearMotionModel(StraightMotion):
         return self._from(row, asked, kind, name)
 
     def _alone(self, asked: str, letters: str) -> Row | None:
-        """Return the shortest law that contains a force, and no other force of the given letters."""
+        """Return the shortest of Newton's laws with a force but no other force of the given letters; else None."""
         rows = [self.newton.newton(k) for k in self.motion.ratios]
         if asked.startswith("N"):
             rows = [self.newton.normal(int(asked[1:]))]

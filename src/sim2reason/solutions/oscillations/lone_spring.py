@@ -74,7 +74,7 @@ class SingleSpringBody:
         return self.book.add_step("length", said, name, vector_length(self.apart), METRES)
 
     def answer(self, way: Way, turned: Callable[[Expression], Expression]) -> Symbol:
-        """Write the answer by the method in `way` and return its symbol; `turned` gives the formula its sign."""
+        """Write the answer by the method in `way` and return the answer's symbol; `turned` sets a formula's sign."""
         method, said = way
         along: Expression = getattr(self, method)()
         formula, quantity = turned(along), quantity_of(self.setting)
@@ -91,7 +91,7 @@ HALF = Number(0.5)
 
 @dataclass(frozen=True, slots=True)
 class Launch:
-    """A body launched not along its spring: its initial velocity, and a function that writes energy and momentum.
+    """A body launched across its spring: its velocity, and a function that writes energy and angular momentum.
 
     `kept` returns the energy, in J, and the angular momentum per unit of mass, in m²/s.
     """

@@ -10,7 +10,7 @@ TWO = Number(2.0)
 
 
 def measured_period(book: SolutionBuilder, query: PeriodQuery, rate: Expression, said: str = "The period is") -> Symbol:
-    """Write the angular frequency, f = ω/2π or T = 2π/ω that is asked for, from ω in rad/s; return its symbol."""
+    """Write the period, frequency or angular frequency asked for, from ω in rad/s, and return the answer's symbol."""
     if query.measure == "angular frequency" and isinstance(rate, Symbol):
         return rate
     if query.measure == "angular frequency":

@@ -71,7 +71,7 @@ def jerk(modes: Sequence[Mode], i: int, t: Symbol) -> Expression:
 
 
 def plain(modes: list[Mode]) -> list[Mode]:
-    """Drop constant factors from a single mode that is a pure sine or 1 − cosine, to find its zeros; else unchanged."""
+    """Return modes with the same zeros in time: a single pure sine or 1 − cosine loses its constant factors."""
     if len(modes) != 1 or modes[0].rate is None or ZERO not in (modes[0].rise, modes[0].swing):
         return modes
     only = modes[0]

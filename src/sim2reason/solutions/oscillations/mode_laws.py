@@ -66,7 +66,7 @@ class ModeLaws:
     # ---- frequencies
 
     def entry(self, i: int, j: int) -> tuple[Polynomial, Polynomial]:
-        """Return the entries of K and M for two free coordinates, given by their indices."""
+        """Return the entries of the stiffness matrix K and the mass matrix M for the free coordinates i and j."""
         free = self.motion.free
         return self.motion.stiffness(free[i], free[j]), self.motion.mass(free[i], free[j])
 

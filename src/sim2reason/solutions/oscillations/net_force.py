@@ -164,7 +164,7 @@ def tell_extreme_end(setting: ProblemContext, book: SolutionBuilder, place: Symb
 
 
 def told_extensions(motion: LinearMotion | RelativeMotion, place: Expression, setting: ProblemContext) -> str:
-    """Return a sentence with the extensions or compressions of springs at a position; empty for none."""
+    """Return a sentence with the extension or compression of each spring at a position; empty if all are known."""
     said: list[str] = []
     for n in motion.springs:
         stretched = extension(motion, n, place)

@@ -80,7 +80,7 @@ class NormalModes(ModeLaws):
     # ---- shapes
 
     def _counts(self, n: int, forms: Sequence[Form]) -> bool:
-        """Return whether mode n contributes to a combination of displacements, or a derivative of one, in `forms`."""
+        """Return whether mode n contributes to any of `forms`: weighted sums of displacements or their derivatives."""
         shape = self.shapes[:, n] / np.abs(self.shapes[:, n]).max()
         last = self._last(n)
         held = (parts for parts, order in forms if order <= last)
@@ -137,7 +137,7 @@ class NormalModes(ModeLaws):
 
     @property
     def _why_apart(self) -> str:
-        """Return why the common motion is left out: it is not excited, or does not affect the answer."""
+        """Return a sentence that says why the common motion is left out: not excited, or irrelevant here."""
         shape = self.shapes[:, 0]
         terms = (shape * self.load, shape * (self.mass @ self.begun))
         driven, moves = (abs(float(part.sum())) > EXCITATION_RTOL * float(np.abs(part).max()) for part in terms)
@@ -190,7 +190,7 @@ class NormalModes(ModeLaws):
         return f", so that {what} {join_words(told)}"
 
     def _product(self, one: Mode, other: Mode) -> Expression:
-        """Return the mass matrix between two mode shapes, aᵀM b."""
+        """Return the product aᵀM b of two mode shapes a and b with the mass matrix M."""
         found: Expression = ZERO
         for i, a in enumerate(one.shape):
             for j, b in enumerate(other.shape):

@@ -73,7 +73,7 @@ class OneCoordinateModel(LinearMotionModel):
         return self.along("a")
 
     def share(self, k: int) -> tuple[Polynomial, Polynomial] | None:
-        """Return coordinate k's displacement per free coordinate, as numerator and denominator; None if it varies."""
+        """Return displacement k over the free coordinate, as (numerator, denominator); None if the quotient varies."""
         return Polynomial.of(self.motion.ratio(k, self.motion.free[0])), Polynomial.of(1.0)
 
     def moved_to(self, moment: Moved) -> Expression:
@@ -131,7 +131,7 @@ class TwoBodyModel(OneCoordinateModel):
         return RelativeMotion(self.linear, self.book)
 
     def share(self, k: int) -> tuple[Polynomial, Polynomial] | None:
-        """Return coordinate k's displacement per relative displacement of the bodies, as numerator and denominator."""
+        """Return displacement k over the relative displacement, as (numerator, denominator); None if it varies."""
         held = self._relative
         if {*held.ratios[k]} == {*held.free}:
             return super().share(k)

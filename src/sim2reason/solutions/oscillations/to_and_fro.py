@@ -217,7 +217,7 @@ class BackAndForthTravel(MotionPart):
         return summed(self.paths(body))
 
     def paths(self, body: str) -> Sequence[Expression]:
-        """Return the distance that a body travels between each two successive positions, m."""
+        """Return the distances, m, that a body travels between successive positions, one for each interval."""
         own, book, found = self.way.moving([body]), self.way.book, list[Expression]()
         if len(own) != 1 or len(self.way.motion.ratios[own[0]]) != 1:
             raise UnsolvedError("its path is no line of its own")

@@ -245,7 +245,7 @@ def given_symbol(equations: PhaseEquations, base: str, value: float, unit: str) 
 
 
 def signed(parts: tuple[Polynomial, ...]) -> Expression:
-    """Return the component of a vector with a single nonzero component, with its sign; else the magnitude."""
+    """Return the only nonzero component of a vector, with its sign; else the magnitude of the vector."""
     kept = [part for part in parts if part]
     return kept[0].factored() if len(kept) == 1 else vector_magnitude(parts)
 

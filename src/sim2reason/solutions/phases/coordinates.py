@@ -196,7 +196,7 @@ def _simple(place: Polynomial) -> bool:
 
 
 def _along(m: Mechanism, k: int, sense: float) -> list[float]:
-    """Return the positions, m, along a coordinate's axis: its body, other bodies, fixed ends of its lines."""
+    """Return the positions, m, along a coordinate's axis, of its body, other bodies and fixed ends of its lines."""
     coordinate, frames = m.coordinates[k], initial_frames(m)
     sites = [
         site

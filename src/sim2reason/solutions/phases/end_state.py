@@ -66,7 +66,7 @@ class EndState(StraightMotion):
         return equations.acceleration(body) if kind == "a" else equations.displacement(body)
 
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:
-        """Return the component along a direction of the world frame, or along the body's only line of motion."""
+        """Return a vector's component along a world axis, or along the only line on which its body moves."""
         if kind == "u" or way not in (*WORLD_AXES, *((-x, -y, -z) for x, y, z in WORLD_AXES)):
             return super().component(kind, body, way)
         own = self._own(body)
@@ -77,7 +77,7 @@ class EndState(StraightMotion):
         )
 
     def lone(self, kind: str, body: str) -> Polynomial | None:
-        """Return the component along the only straight line on which a body moves; None if there is none."""
+        """Return a vector's component along the only straight line on which a body moves; None if there is no line."""
         moving = self.moving([body])
         hinged = any(self.mechanism.coordinates[k].kind == "hinge" for k in moving)
         return None if hinged else super().lone(kind, body)

@@ -139,7 +139,7 @@ class Jump:
 
     @property
     def pairs(self) -> list[int]:
-        """Return the indices of the pairs that collide."""
+        """Return the indices, among the pairs of bodies that may meet, of the pairs that collide."""
         hit = [set(event.subjects) for event in self._events if event.kind == "collision"]
         return [n for n, held in enumerate(self._before.mechanism.meetings) if set(held.names) in hit]
 

@@ -301,7 +301,7 @@ class IntegratedPhases:
     # ---- the answer
 
     def _answer(self, end: PhaseEquations) -> str:
-        """Write the answer from the state at the end of the last phase, and return its symbol."""
+        """Write the answer from the state at the end of the last phase, and return the answer's symbol."""
         setting, query = self.setting, self.setting.query
         if self._sum is not None:
             found = self._sum

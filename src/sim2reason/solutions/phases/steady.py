@@ -149,7 +149,7 @@ def _sticking(inner: PhaseEquations, face: int, who: str, forces: Mapping[str, S
 
 
 def with_used_contacts(steps: Sequence[Step]) -> list[Step]:
-    """Empty the text of steps about contacts whose forces do not occur in the next step with laws."""
+    """Return the steps, with an empty text for each contact whose forces the next step with laws does not use."""
     found: list[Step] = []
     for number, step in enumerate(steps):
         if step.kind == CONTACT:

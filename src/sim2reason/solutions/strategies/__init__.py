@@ -37,12 +37,12 @@ class Strategy(ABC):
     drawn: ClassVar[bool] = True
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return why the strategy cannot apply to a mechanism, in a few words; empty, the default, if it may."""
+        """Return the reason, in words, that the strategy cannot apply to a mechanism; by default empty: it may."""
         del mechanism
         return ""
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return the question kinds that the strategy answers for a mechanism by a compact formula; by default all.
+        """Return the question kinds that have a compact formula for a mechanism; by default all kinds of the strategy.
 
         For other kinds it needs intermediate numbers, or its formulas become too long.
         """
@@ -51,7 +51,7 @@ class Strategy(ABC):
 
     @abstractmethod
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question about a suitable mechanism; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
 
     @abstractmethod
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
@@ -96,12 +96,12 @@ def closed_form_strategies(kind: str, mechanism: Mechanism) -> list[Strategy]:
 
 
 def varying_acceleration(mechanism: Mechanism) -> str:
-    """Return the reason that accelerations vary between events; empty if they do not."""
+    """Return the reason, in words, that accelerations vary between events; empty if accelerations are constant."""
     return "accelerations change as it moves" if changing(mechanism) else ""
 
 
 def missing_goal(setting: ProblemContext, moments: tuple[type[Moment], ...]) -> str:
-    """Return why a query is unsupported: its moment is not among `moments`, or its quantity is no goal; else empty."""
+    """Return the reason that the moment (not one of `moments`) or quantity of a question is unsupported; or empty."""
     if not isinstance(setting.query.moment, moments):
         return f"no way to the moment {type(setting.query.moment).__name__}"
     target = setting.target

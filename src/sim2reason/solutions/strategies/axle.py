@@ -36,17 +36,17 @@ class Axle(Strategy):
     kinds = Strategy.kinds | {"extremum", "period", "sum"}
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
+        """Return the reason, in words, that the strategy cannot apply to a mechanism; empty if it may apply."""
         return "" if lone_axle(mechanism) else "nothing turns about a fixed axle by itself"
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         if isinstance(setting.query, PeriodQuery):
             return ""
         return unsupported_reason(setting, _Turning.WAYS)
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the moment of inertia, the angle, the angular speed and the answer, and return its symbol."""
+        """Write the moment of inertia, the angle, the angular speed and the answer, and return the answer's symbol."""
         query = setting.query
         if isinstance(query, PeriodQuery) and query.small:
             return small_oscillations(Arm(setting, book), book, query).name
@@ -73,7 +73,7 @@ class _Turning(AxleForces):
     # ---- what is asked
 
     def write(self) -> Symbol:
-        """Write the answer to the query and return its symbol."""
+        """Write the answer to the query and return the answer's symbol."""
         query = self.setting.query
         if isinstance(query, PeriodQuery):
             return measured_period(self.book, query, self.times.frequency)

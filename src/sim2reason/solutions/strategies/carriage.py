@@ -43,11 +43,11 @@ class OnACarriage(Strategy):
     kinds = frozenset({"start", "event", "extremum", "period", "sum"})
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return the reason that no body swings on a sliding carriage; empty if one does."""
+        """Return the reason, in words, that no body swings on a sliding carriage; empty if a body does."""
         return "" if carriage_system(mechanism) is not None else "nothing swings on a carriage that slides freely"
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         query = setting.query
         if isinstance(query, PeriodQuery):
             return "" if query.small else "only integration gives the time of a large swing"
@@ -59,7 +59,7 @@ class OnACarriage(Strategy):
         return "" if known else "only integration gives the angle"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the angle, the conserved quantities and the answer, and return its symbol."""
+        """Write the angle, the conserved quantities and the answer, and return the answer's symbol."""
         return _Asked(setting, book).write().name
 
 
@@ -67,7 +67,7 @@ class _Asked(CarriageLaws):
     """The quantities of the arm, of bodies on it, or of bodies that move with the carriage."""
 
     def write(self) -> Symbol:
-        """Write the answer to the query and return its symbol."""
+        """Write the answer to the query and return the answer's symbol."""
         query = self.setting.query
         if isinstance(query, PeriodQuery):
             return self._period(query)
@@ -117,7 +117,7 @@ class _Asked(CarriageLaws):
     # ---- how fast
 
     def _ahead(self) -> Expression:
-        """Return the velocity along the rail of the subject on the arm, m/s, opposite to the carriage."""
+        """Return the velocity of the subject on the arm along the rail, m/s, positive against the carriage's motion."""
         if self._straight:
             return self.carriage.sliding_mass * self.speed / self.mass
         return self._radius * self.rate * self.cosine - self.speed
@@ -226,7 +226,7 @@ class _Asked(CarriageLaws):
         return Root(sum_of_squares(self._parts())) if ZERO not in self._parts() else sum(self._parts(), ZERO)
 
     def _parts(self) -> tuple[Expression, Expression]:
-        """Return the acceleration of a piece along the rail and upward."""
+        """Return the components, along the rail and upward, of the acceleration of the subject on the arm."""
         r, bend = self._radius, sum_of_squares([self.rate])
         turned = self.angular_acceleration * self.cosine + bend * self.signed
         up = bend * self.cosine

@@ -46,24 +46,24 @@ class CentralSpring(Strategy):
     kinds = frozenset({"event", "extremum"})
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
+        """Return the reason, in words, that the strategy cannot apply to a mechanism; empty if it may apply."""
         moves = any(coordinate.speed for coordinate in mechanism.coordinates)
         return "" if moves and single_spring_law(mechanism) else "no lone body is launched on a single spring"
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return the question kind of a named moment, for the natural length; extreme lengths have no short formula."""
+        """Return the question kinds that have a compact formula: only ``event``, a quantity at a named event."""
         del mechanism
         return frozenset({"event"})
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         query, quantity = setting.query, quantity_of(setting)
         if not isinstance(query, StretchQuery) and not isinstance(query.moment, MOMENTS):
             return "only integration gives the place"
         return "" if quantity in _CentralMotion.WAYS else f"no way to the quantity {quantity}"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the conserved quantities, the length of the spring and the answer, and return its symbol."""
+        """Write the conserved quantities, the length of the spring and the answer, and return the answer's symbol."""
         way = _CentralMotion(setting, book)
         return way.answer(way.WAYS[quantity_of(setting)], way.signed).name
 
@@ -114,7 +114,7 @@ class _CentralMotion(SingleSpringBody):
 
     @cached_property
     def _seen(self) -> tuple[float, float]:
-        """Return the engine's spring length at the moment, m, and its rate of change divided by the speed."""
+        """Return the spring length at the moment, m, and its rate of change over the body's speed, by the engine."""
         extreme = isinstance(self.setting.query, StretchQuery)
         time = time_of_greatest(self.setting) if extreme else self.setting.time
         state = self.setting.study.trace.sample(np.array([time]))
@@ -124,7 +124,7 @@ class _CentralMotion(SingleSpringBody):
 
     @cached_property
     def relaxed(self) -> bool:
-        """Return whether the spring has its natural length at the moment, instead of an extreme one."""
+        """Return whether the spring has its natural length, instead of an extreme length, at the question's moment."""
         if not isinstance(self.setting.query, StretchQuery):
             return isinstance(self.setting.query.moment, NaturalLength)
         (far, rate), natural = self._seen, self.book.value(self.natural)
@@ -175,7 +175,7 @@ class _CentralMotion(SingleSpringBody):
     # ---- what is asked
 
     def signed(self, formula: Expression) -> Expression:
-        """Return a formula with its sign if the question asks for one, otherwise its magnitude."""
+        """Return a formula for a signed quantity; its magnitude if the question asks for no sign."""
         target = self.setting.query.target
         sense = target.sense if target is not None else None
         if sense is not None and any(sense.vector):

@@ -35,11 +35,11 @@ class Comparison(Strategy):
     nested = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return the kind ``comparison`` if some strategy has a formula for the compared question, else nothing."""
+        """Return the question kinds that have a compact formula: ``comparison`` if the compared question has one."""
         return self.kinds if any(deriving_strategies(kind, mechanism) for kind in INNER) else frozenset()
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         if not isinstance(setting.query, ComparisonQuery):
             return "it compares nothing"
         inner = inner_setting(setting)
@@ -73,12 +73,12 @@ class TwoCases(Strategy):
     nested = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return no question kinds, since two separately solved cases give no single formula."""
+        """Return the question kinds that have a compact formula: none, since two cases are solved separately."""
         del mechanism
         return frozenset()
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         if not isinstance(setting.query, ComparisonQuery):
             return "it compares nothing"
         return "" if setting.query.changed(setting.study) is not None else "there is no motion with the other value"

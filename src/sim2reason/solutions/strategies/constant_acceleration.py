@@ -39,11 +39,11 @@ class ConstantAcceleration(Strategy):
     kinds = frozenset({"start", "state", "event", "time_to_event", "sum"})
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
+        """Return the reason, in words, that the strategy cannot apply to a mechanism; empty if it may apply."""
         return varying_acceleration(mechanism)
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         if unknown := missing_goal(setting, MOMENTS):
             return unknown
         if "collision" in setting.earlier_event_kinds:
@@ -76,7 +76,7 @@ class _Staged(StraightMotion):
         ]
 
     def write(self) -> str:
-        """Write all relevant stages and the answer, and return its symbol."""
+        """Write all relevant stages and the answer, and return the answer's symbol."""
         if self.target is None or self.goal is None:
             return self._whole_time().name
         found = self.goal.write(self.target, self).name
@@ -133,7 +133,7 @@ class _Staged(StraightMotion):
         return asked, f"N{asked[1:]}" if slides else asked
 
     def _goal_of(self, segment: Segment, *, last: bool) -> list[str]:
-        """Return, as a list, the force that a stage must compute for the answer; empty if none is needed."""
+        """Return a list with the name of the force that a stage must compute for the answer; without one, empty."""
         found = self._force_in(segment)[1] if last or (self.goal is not None and self.goal.throughout) else ""
         return [found] if found else []
 
@@ -154,7 +154,7 @@ class _Staged(StraightMotion):
 
     @cached_property
     def segments(self) -> list[Segment]:
-        """Return the segments in which relevant accelerations or forces differ; the last alone if no motion matters."""
+        """Return the segments at which relevant accelerations or forces change; if no motion matters, the last one."""
         all_of_them = [s for s in self.setting.motion.segments if s.start < self.setting.time or s.start == 0.0]
         if self.uses not in ("v", "s"):
             return all_of_them[-1:]
@@ -166,7 +166,7 @@ class _Staged(StraightMotion):
         return found
 
     def _pulls(self, segment: Segment) -> tuple[str, float]:
-        """Return the force whose work or impulse is asked for, and its magnitude in a segment; "" and 0 for others."""
+        """Return name and magnitude in a segment of the force whose work or impulse is asked for; "" and 0 if none."""
         if self.goal is None or not self.goal.throughout:
             return "", 0.0
         name = self._force_in(segment)[1]
@@ -216,7 +216,7 @@ class _Staged(StraightMotion):
         return [*found, *(k for name in lines for k in self.stretching(name))]
 
     def own(self, body: str) -> list[int]:
-        """Return the coordinates of a body's motion in the last stage, without those of a carrier that it follows."""
+        """Return the coordinates of a body's motion in the last stage, without those of a carrier below the body."""
         return self.stages[-1].dynamics.sufficient_coordinates(self.moving([body]))
 
     def _end(self, before: list[Stage], places: Mapping[int, Polynomial]) -> End:

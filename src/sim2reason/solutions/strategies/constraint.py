@@ -32,13 +32,13 @@ class Constraint(Strategy):
     kinds = frozenset({"start", "state", "event", "time_to_event", "sum"})
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return the reason that accelerations vary or the motion does not begin at rest; empty otherwise."""
+        """Return the reason that accelerations vary or the motion does not begin at rest; empty if neither is so."""
         if any(coordinate.speed for coordinate in mechanism.coordinates):
             return "it does not begin at rest"
         return varying_acceleration(mechanism)
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         target, moment = setting.target, setting.query.moment
         if not isinstance(moment, Moved) or target is None:
             return "no distance is stated"
@@ -47,7 +47,7 @@ class Constraint(Strategy):
         return "something changes on the way" if len(setting.motion.segments) > 1 else ""
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the ratios of displacements and the answer, and return its symbol."""
+        """Write the ratios of displacements and the answer, and return the answer's symbol."""
         return _Proportions(setting, book).write()
 
 
@@ -65,7 +65,7 @@ class _Proportions(StraightMotion):
         return WrittenDynamics(self.setting, self.book, self.setting.motion.segments[0])
 
     def write(self) -> str:
-        """Write the constraints and the answer, and return its symbol."""
+        """Write the constraints and the answer, and return the answer's symbol."""
         assert self.target is not None
         assert self.goal is not None
         self.dynamics.reach([f"q{k}" for k in self.asked_coordinates()])

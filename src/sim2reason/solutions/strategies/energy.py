@@ -52,7 +52,7 @@ class WorkAndEnergy(Strategy):
     free: ClassVar[int] = 1  # number of free coordinates
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
+        """Return the reason, in words, that the strategy cannot apply to a mechanism; empty if it may apply."""
         if mechanism.meetings:
             return "something may collide"
         if min_free_coordinates(mechanism) > self.free:
@@ -62,14 +62,14 @@ class WorkAndEnergy(Strategy):
         return nonlinear_reason(mechanism)
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         if greatest_target(setting) is None and (unknown := missing_goal(setting, MOMENTS)):
             return unknown
         target = greatest_target(setting)
         return f"no way to the quantity {target.quantity}" if target and target.quantity not in GOALS else ""
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the work, the kinetic energy and the answer, and return its symbol."""
+        """Write the work, the kinetic energy and the answer, and return the answer's symbol."""
         return EnergyModel(setting, book).write().name
 
 
@@ -78,7 +78,7 @@ class EnergyModel(OneCoordinateModel):
 
     @cached_property
     def _i(self) -> int:
-        """Return the free coordinate."""
+        """Return the index of the only free coordinate."""
         if len(self.motion.free) != 1:
             raise UnsolvedError("several things move by themselves")
         if self.motion.damped:
@@ -148,7 +148,7 @@ class EnergyModel(OneCoordinateModel):
 
     @cached_property
     def _engine(self) -> tuple[float, float]:
-        """Return the engine's value and rate of the free coordinate at the moment or at the greatest value."""
+        """Return the free coordinate and its rate, by the engine, at the question's moment or greatest value."""
         time = time_of_greatest(self.setting) if self.greatest else self.setting.time
         state = self.setting.study.trace.sample(np.array([time]))
         return self.seen(state.q[0]), self.seen(state.v[0])

@@ -50,7 +50,7 @@ class FieldsStrategy(Strategy):
     kinds = frozenset({"start", "state", "event", "time_to_event", "extremum", "period", "sum"})
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
+        """Return the reason, in words, that the strategy cannot apply to a mechanism; empty if it may apply."""
         m = mechanism
         moving = [body for body in m.bodies if body.coordinates]
         other = m.lines or m.faces or m.attractions or m.burns or m.meetings or m.feet
@@ -61,16 +61,16 @@ class FieldsStrategy(Strategy):
         return "the fields have an end" if any(force.region is not None for force in m.forces) else ""
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         return _unasked(setting)
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the forces, the motion and the answer, and return its symbol."""
+        """Write the forces, the motion and the answer, and return the answer's symbol."""
         return _InFields(setting, book).write().name
 
 
 def _unasked(setting: ProblemContext) -> str:
-    """Return why a query cannot be answered, such as *small oscillations are asked about*; empty if it can be."""
+    """Return the reason that a query is unsupported, such as *small oscillations are asked about*; else empty."""
     query = setting.query
     if isinstance(query, PeriodQuery):
         return "small oscillations are asked about" if query.small else ""
@@ -95,7 +95,7 @@ class _InFields(StraightMotion):
         self._names: dict[tuple[str, int], Expression] = {}
 
     def write(self) -> Symbol:
-        """Write the answer to the query and return its symbol."""
+        """Write the answer to the query and return the answer's symbol."""
         if isinstance(self.query, PeriodQuery):
             return self._period(self.query)
         if isinstance(self.query, StretchQuery):
@@ -204,7 +204,7 @@ class _InFields(StraightMotion):
 
     @property
     def _turn(self) -> FieldTurn | None:
-        """Return the moment of the question if a turn of the velocity through an angle defines it; else None."""
+        """Return the turn of the velocity that defines the moment of the question; None for other moments."""
         return self.moment.turn if isinstance(self.query.moment, TURNED) else None
 
     def vector(self, kind: str, body: str) -> Components:

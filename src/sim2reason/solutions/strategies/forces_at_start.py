@@ -29,16 +29,16 @@ class ForcesAtStart(Strategy):
     kinds = frozenset({"start"})
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
+        """Return the reason, in words, that the strategy cannot apply to a mechanism; empty if it may apply."""
         free = any(body.coordinates and not _bound(mechanism, body.name) for body in mechanism.bodies)
         return "" if free else "every body is led, or pushed by something"
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return the question kinds with formulas; none if springs or attractions of the mechanism change direction."""
+        """Return the question kinds that have a compact formula: all, or none if a force changes direction."""
         return frozenset[str]() if nonlinear_reason(mechanism) else self.kinds
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         target = setting.query.target
         if not isinstance(setting.query.moment, AtStart) or target is None:
             return "it is not about the start"
@@ -54,7 +54,7 @@ class ForcesAtStart(Strategy):
 
 
 def _bound(m: Mechanism, name: str) -> str:
-    """Return why a body cannot move freely, such as that it rides on another body; empty if it can."""
+    """Return the reason that a body cannot move freely, such as *it rides on something*; empty if it moves freely."""
     if name not in m.body or m.body[name].parent is not None:
         return "it rides on something"
     if any(body.parent == name for body in m.bodies):

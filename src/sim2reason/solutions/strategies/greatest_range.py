@@ -27,12 +27,12 @@ class GreatestRange(Strategy):
     kinds = frozenset({"optimum"})
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return the reason that a mechanism is not one body in free fall in a vertical plane; empty if it is."""
+        """Return the reason that a mechanism is not one body in free fall in a vertical plane; empty if it is one."""
         alone = len(mechanism.bodies) == 1 and len(mechanism.coordinates) == len(("x", "z"))
         return "" if alone and only_falls(mechanism) and not mechanism.meetings else "it is no body thrown in a plane"
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         query = setting.query
         if not isinstance(query, OptimumQuery) or setting.sought is None or not query.greatest:
             return "no greatest value is asked for"

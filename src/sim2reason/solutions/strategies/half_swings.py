@@ -41,7 +41,7 @@ class HalfSwings(Strategy):
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "sum"})
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
+        """Return the reason, in words, that the strategy cannot apply to a mechanism; empty if it may apply."""
         if not any(face.friction > 0.0 for face in mechanism.faces):
             return "there is no friction"
         return no_oscillation_reason(mechanism) or (
@@ -49,11 +49,11 @@ class HalfSwings(Strategy):
         )
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question about an oscillation; empty if it does."""
+        """Return the reason, in words, that an oscillation strategy does not apply to a question; else empty."""
         return STRATEGIES["oscillation"].why_not_applicable(setting)
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write each half-oscillation, the moment and the answer, and return its symbol."""
+        """Write each half-oscillation, the moment and the answer, and return the answer's symbol."""
         return _Swinging(setting, book).write().name
 
 
@@ -245,7 +245,7 @@ class _Swinging(Oscillating):
         return self.book.add_step("time", said, self.book.fresh("t"), whole, SECONDS)
 
     def _equal_times(self, *more: Symbol) -> str:
-        """Return a clause such as *both half oscillations take the same time, so*; empty for a single one."""
+        """Return a clause such as *both half oscillations take the same time, so*; empty for one half-oscillation."""
         goes_on, number = more != (self._half,), sum(held == self._half for held in (*self._lasting, *more))
         every = "both" if number == 2 else f"all {number}"
         every = f"the first {'two' if number == 2 else number}" if goes_on else every
@@ -276,7 +276,7 @@ class _Swinging(Oscillating):
             tell_beyond(self, held, formula, place, later=later)
 
     def _verify_others(self, held: HarmonicOscillation) -> None:
-        """Write that bodies at rest stay at rest while this one moves between its turning points."""
+        """Write that bodies at rest stay at rest while the oscillating body moves between its turning points."""
         motion = held.motion
         assert isinstance(motion, LinearMotion)
         if not self._checks.resting(motion):

@@ -50,22 +50,22 @@ class Impulse(Strategy):
     kinds = frozenset({"start", "state", "event", "time_to_event", "sum", "extremum"})
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
+        """Return the reason, in words, that the strategy cannot apply to a mechanism; empty if it may apply."""
         return varying_acceleration(mechanism)
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return the question kinds with formulas; none if discs collide obliquely, which has no short formulas."""
+        """Return the question kinds that have a compact formula: all, or none if discs collide obliquely."""
         oblique = any(meeting.normal is None for meeting in mechanism.meetings)
         return frozenset[str]() if oblique else self.kinds
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         if setting.query.kind == "extremum":
             return "" if question_at_top(setting) is not None else "it is no extreme value at the top of a path"
         return missing_goal(setting, MOMENTS)
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the flights and impacts that the answer needs, and return its symbol."""
+        """Write the flights and impacts that the answer needs, and return the answer's symbol."""
         return _Struck(question_at_top(setting) or setting, book).write()
 
 
@@ -130,7 +130,7 @@ class _Struck(StraightMotion):
 
     @cached_property
     def _flying(self) -> set[str]:
-        """Return the set of bodies of which the text already verifies that they are still in the air at the moment."""
+        """Return the names of the bodies for which the text already verifies that they still fly at the moment."""
         return set()
 
     # ---- the moment
@@ -170,7 +170,7 @@ class _Struck(StraightMotion):
         raise UnsolvedError("there is no such moment in flight")
 
     def number(self, body: str) -> int:
-        """Return the index of a body's flight at the moment; at an impact, that before or after it, as asked for."""
+        """Return the index of a body's flight at the moment; at an impact, of the flight before or after, as asked."""
         if self.impact is None:
             return self.flights.count(body, None)
         moment = self.query.moment

@@ -25,12 +25,12 @@ class InitialValue(Strategy):
     kinds = frozenset({"start"})
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return no question kinds, since generated questions never ask for the value at the start."""
+        """Return the question kinds that have a compact formula: none, as no generated question asks for this value."""
         del mechanism
         return frozenset()
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question: no extreme speed or energy at the start; else empty."""
+        """Return the reason that a question is about no extreme speed or kinetic energy at the start; else empty."""
         target = setting.target
         if setting.extreme is None or not isinstance(setting.query.moment, AtStart) or target is None:
             return "it is about no extreme value at the start"

@@ -35,21 +35,21 @@ class Lagrange(Strategy):
     kinds = frozenset({"start", "state", "event", "time_to_event"})
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return why the strategy cannot apply to a mechanism: collisions or nonlinear equations; empty if it may."""
+        """Return the reason that a mechanism is unsuitable: collisions or nonlinear equations; else empty."""
         return "something may collide" if mechanism.meetings else nonlinear_reason(mechanism)
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return the question kinds with formulas; with springs only those about the start."""
+        """Return the question kinds that have a compact formula: all, or with springs only ``start``."""
         return frozenset({"start"}) if _springy(mechanism) else self.kinds
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         if _springy(setting.mechanism) and not isinstance(setting.query.moment, AtStart):
             return "accelerations change as it moves"
         return missing_goal(setting, MOMENTS)
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the equations, the accelerations and the answer, and return its symbol."""
+        """Write the equations, the accelerations and the answer, and return the answer's symbol."""
         way = _Together(setting, book)
         if way.target is None or way.goal is None:
             return way.time.name

@@ -21,11 +21,11 @@ class Limit(Strategy):
     nested = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return the kind ``limit`` if some strategy has a formula for the question without the limit, else nothing."""
+        """Return the question kinds that have a compact formula: ``limit`` if the formula before the limit is known."""
         return self.kinds if any(deriving_strategies(kind, mechanism) for kind in LimitKind.inner) else frozenset()
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         if not isinstance(setting.query, LimitQuery):
             return "no limit is asked for"
         inner = inner_setting(setting)

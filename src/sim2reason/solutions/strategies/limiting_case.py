@@ -32,14 +32,14 @@ class LimitingCase(Strategy):
     kinds = frozenset({"threshold"})
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return the reason that no body released at rest could slip or be lifted; empty if one could."""
+        """Return the reason, in words, that no body released at rest could slip or be lifted; empty if a body could."""
         lifted = mechanism.lines or mechanism.forces
         if any(c.speed for c in mechanism.coordinates) or not (lifted or any(f.friction for f in mechanism.faces)):
             return "nothing is let go that could stay at rest"
         return varying_acceleration(mechanism)
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         query = setting.query
         if not isinstance(query, ThresholdQuery) or not isinstance(query.outcome, Slides | Rises):
             return "the outcome does not show at once"
@@ -101,7 +101,7 @@ def _moving(setting: ProblemContext, query: ThresholdQuery) -> Segment:
 
 
 def _rate(dynamics: WrittenDynamics, name: str, *, slides: bool) -> dict[int, Polynomial]:
-    """Return weights, by coordinate, of the accelerations whose sum is that of the slip, or of a body on its line."""
+    """Return weights, by coordinate, of the accelerations that add up to that of a slip or of a body on its line."""
     if slides:
         face = next(n for n, held in enumerate(dynamics.mechanism.faces) if held.subject == name)
         found = dynamics.newton.slip(face)

@@ -33,12 +33,12 @@ class LimitingSwing(Strategy):
     kinds = frozenset({"threshold"})
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return the reason that no body swings alone about a fixed point or axle; empty if one does."""
+        """Return the reason, in words, that no body swings alone about a fixed point or axle; empty if a body does."""
         swings = pivot(mechanism) is not None or lone_axle(mechanism)
         return "" if swings else "nothing swings about a fixed point by itself"
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         query = setting.query
         if not isinstance(query, ThresholdQuery) or not isinstance(query.outcome, GoesRound | GoesSlack):
             return "it is not about going round or slack"

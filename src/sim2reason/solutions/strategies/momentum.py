@@ -24,12 +24,12 @@ class MomentumKept(WorkAndEnergy):
     free = 2
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return why the strategy cannot apply: as for energy, or only one body moves; empty if it may."""
+        """Return the reason that a mechanism is unsuitable: a single moving body, or as for energy; else empty."""
         alone = len({coordinate.body for coordinate in mechanism.coordinates}) < self.free
         return "a single body moves" if alone else super().why_unsuitable(mechanism)
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the reduced mass, the work, the momentum and the answer, and return its symbol."""
+        """Write the reduced mass, the work, the momentum and the answer, and return the answer's symbol."""
         return _Pair(setting, book).write().name
 
 

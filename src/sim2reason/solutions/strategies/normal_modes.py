@@ -45,19 +45,19 @@ class SeveralModes(Strategy):
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period", "sum"})
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
+        """Return the reason, in words, that the strategy cannot apply to a mechanism; empty if it may apply."""
         return no_oscillation_reason(mechanism)
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return the kind ``period`` for at most two modes; amplitudes have no short formula."""
+        """Return the question kinds that have a compact formula: ``period`` for at most two modes, else none."""
         return frozenset({"period"} if min_free_coordinates(mechanism) <= PAIR else ())
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the oscillation strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that an oscillation strategy does not apply to a question; else empty."""
         return STRATEGIES["oscillation"].why_not_applicable(setting)
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the modes, their excitation, the moment and the answer, and return its symbol."""
+        """Write the modes, their excitation, the moment and the answer, and return the answer's symbol."""
         return _Modal(setting, book).write().name
 
 
@@ -84,7 +84,7 @@ class _Modal(LinearMotionModel):
 
     @cached_property
     def _forms(self) -> list[Form]:
-        """Return the weighted sums of displacements, or derivatives, on which the moment and the answer depend."""
+        """Return the weighted sums of displacements or their derivatives on which the moment and the answer depend."""
         found = self._sought
         if self.target is not None and self.goal is not None:
             lines = self.goal.lines(self.target)
@@ -94,7 +94,7 @@ class _Modal(LinearMotionModel):
 
     @property
     def _sought(self) -> list[tuple[int, dict[int, float]]]:
-        """Return, as a list, derivative order and weights by coordinate of the sum that vanishes at the moment."""
+        """Return the sum that is zero at the moment as [(derivative order, weights by coordinate)]; else []."""
         if isinstance(self.query.moment, AtTime) and not self.greatest:
             return []
         _, parts, law = self._condition
@@ -114,7 +114,7 @@ class _Modal(LinearMotionModel):
         return min(order, 1) if on_a_ring else order
 
     def write(self) -> Symbol:
-        """Write the answer to the query and return its symbol."""
+        """Write the answer to the query and return the answer's symbol."""
         query = self.query
         if isinstance(query, PeriodQuery):
             return measured_period(self.book, query, natural_frequency(self._all, query))
@@ -259,7 +259,7 @@ class _Modal(LinearMotionModel):
         return names
 
     def _at(self, i: int, times: list[Symbol]) -> list[Symbol]:
-        """Write the values of a free coordinate at some times."""
+        """Write the values of a free coordinate at some times, and return their symbols."""
         step, names = self.book.begin_step("place"), [self.book.fresh("x") for _ in times]
         formulas = [place(self._modes, self.motion.free.index(i), time) for time in times]
         told = [step.result(n, formula, METRES, law=True) for n, formula in zip(names, formulas, strict=True)]

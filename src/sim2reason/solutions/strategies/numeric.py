@@ -16,11 +16,11 @@ class NumericalIntegration(Strategy):
     integrates = True
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         if setting.formula is not None:
             return "integration gives no formula"
         return "" if setting.answer is not None else "there is no answer"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the phases in order and the answer, and return its symbol."""
+        """Write the phases in order and the answer, and return the answer's symbol."""
         return IntegratedPhases(setting, book).write()

@@ -39,11 +39,11 @@ class Optimum(Strategy):
     nested = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return the kinds of optima if some strategy has a formula for the quantity to be optimised, else nothing."""
+        """Return the question kinds that have a compact formula: those of optima if the optimised quantity has one."""
         return self.kinds if any(deriving_strategies(kind, mechanism) for kind in OptimumKind.inner) else frozenset()
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         query = setting.query
         if not isinstance(query, OptimumQuery) or setting.sought is None:
             return "there is no such value"

@@ -44,11 +44,11 @@ class Orbit(Strategy):
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period", "sum"})
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
+        """Return the reason, in words, that the strategy cannot apply to a mechanism; empty if it may apply."""
         return "" if _by_itself(mechanism) else "no light body goes round a fixed one by itself"
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         query = setting.query
         if isinstance(query, PeriodQuery):
             return "" if query.measure == "period" and not query.small else "no orbital period is asked for"
@@ -61,7 +61,7 @@ class Orbit(Strategy):
         return "" if quantity in ("", *QUANTITIES) else f"no way to the quantity {quantity}"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the orbit, the position on it and the answer, and return its symbol."""
+        """Write the orbit, the position on it and the answer, and return the answer's symbol."""
         return _OnOrbit(setting, book).write().name
 
 
@@ -87,7 +87,7 @@ class _OnOrbit(StraightMotion):
         self._places: dict[str, OrbitPlace] = {}
 
     def write(self) -> Symbol:
-        """Write the answer to the query and return its symbol."""
+        """Write the answer to the query and return the answer's symbol."""
         query, target = self.query, self.target
         if isinstance(query, PeriodQuery):
             return self.orbit(query.of[0]).period

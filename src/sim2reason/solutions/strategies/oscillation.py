@@ -52,13 +52,13 @@ class Oscillation(Strategy):
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period", "sum"})
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
+        """Return the reason, in words, that the strategy cannot apply to a mechanism; empty if it may apply."""
         return no_oscillation_reason(mechanism) or (
             "there are several modes" if min_free_coordinates(mechanism) > PAIR else ""
         )
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         query = setting.query
         if isinstance(query, StretchQuery) and query.kind == "sum" and query.functional not in SUMS:
             return f"no way to the {query.functional}"
@@ -66,13 +66,13 @@ class Oscillation(Strategy):
         return f"no way to the quantity {target.quantity}" if target and target.quantity not in GOALS else ""
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the equilibrium, the angular frequency, the moment and the answer, and return its symbol."""
+        """Write the equilibrium, the angular frequency, the moment and the answer, and return the answer's symbol."""
         way = Oscillating(setting, book)
         return (_Pair(setting, book) if len(way.linear.free) == 2 else way).write().name
 
 
 def no_oscillation_reason(mechanism: Mechanism) -> str:
-    """Return why no linear oscillation is possible, such as *there is no spring*; empty if one may be."""
+    """Return the reason that no linear oscillation occurs, such as *there is no spring*; empty if one is possible."""
     if not any(isinstance(line.law, Elastic) for line in mechanism.lines):
         return "there is no spring"
     return "something may collide" if mechanism.meetings else nonlinear_reason(mechanism)
@@ -104,7 +104,7 @@ class Oscillating(OneCoordinateModel):
         return HarmonicOscillation(self.book, motion, name, self.first(i))
 
     def write(self) -> Symbol:
-        """Write the answer to the query and return its symbol."""
+        """Write the answer to the query and return the answer's symbol."""
         query, held = self.query, self.harmonic
         _ = held.numbers
         self.stops_alone()
@@ -119,7 +119,7 @@ class Oscillating(OneCoordinateModel):
 
     @cached_property
     def _when(self) -> float:
-        """Return the engine's time of the moment or of the greatest value, s."""
+        """Return the time, s, of the question's moment or of the greatest value that is asked for, by the engine."""
         query, until = self.query, self.setting.time
         functional = FUNCTIONALS[query.functional] if isinstance(query, StretchQuery) else None
         if not isinstance(query, StretchQuery) or not isinstance(functional, Extreme):

@@ -16,16 +16,16 @@ class PhaseByPhase(Strategy):
     kinds = frozenset({"state", "event", "time_to_event", "extremum"})
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return why the strategy cannot apply: accelerations vary between events; empty if it may."""
+        """Return the reason, in words, that accelerations vary between events; empty if the strategy may apply."""
         return varying_acceleration(mechanism)
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return no question kinds, since no single formula results from several phases."""
+        """Return the question kinds that have a compact formula: none, since several phases give no single formula."""
         del mechanism
         return frozenset()
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         if setting.formula is not None or setting.unknown:
             return "equations of phases lead to numbers, and to no unknown"
         return "" if setting.answer is not None else "there is no answer"

@@ -45,16 +45,16 @@ class PlaneSprings(Strategy):
     least_need = Need.ROOT
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return the reason that a mechanism is not a single body held by springs in a plane; empty if it is."""
+        """Return the reason that a mechanism is not a single body held by springs in a plane; empty if it is one."""
         return "" if _held_in_a_plane(mechanism) else "no lone body is held by springs in a plane"
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return no question kinds, since the equilibrium has no closed form."""
+        """Return the question kinds that have a compact formula: none, since the equilibrium has no closed form."""
         del mechanism
         return frozenset()
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         query, target = setting.query, setting.target
         if isinstance(query, PeriodQuery):
             return "" if query.small and query.modes == PLANE else "no way to motions that are not small"
@@ -62,7 +62,7 @@ class PlaneSprings(Strategy):
         return "" if known else f"no way to the quantity {target.quantity if target is not None else ''}"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the equilibrium and the answer, and return its symbol."""
+        """Write the equilibrium and the answer, and return the answer's symbol."""
         way = _Held(setting, book)
         if isinstance(setting.query, PeriodQuery):
             return way.oscillate(setting.query).name
@@ -122,7 +122,7 @@ class _Held(StraightMotion):
         return length - Polynomial.of(held.natural) if what == "strain" else length
 
     def growth(self, kind: str, line: str) -> Polynomial:
-        """Return zero, since the body is at rest in equilibrium."""
+        """Return zero as a spring's change of length or its rate, since the body is at rest in equilibrium."""
         del kind, line
         return NIL
 
@@ -225,7 +225,7 @@ class _Held(StraightMotion):
 
     @cached_property
     def _weights(self) -> Mapping[str, tuple[Symbol, Symbol]]:
-        """Write k ℓ₀/ℓ and the angle with the x axis of each spring, and return their symbols by name."""
+        """Write k ℓ₀/ℓ and the angle with the x axis of each spring; return both symbols by the name of the spring."""
         found: dict[str, tuple[Symbol, Symbol]] = {}
         place = self.place
         for number, held in enumerate(self.springs, start=1):

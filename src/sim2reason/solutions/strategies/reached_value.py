@@ -39,12 +39,12 @@ class ValueReached(Strategy):
     finished = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return no question kinds, since the answer is not written as a single formula."""
+        """Return the question kinds that have a compact formula: none, since the answer takes two solutions in turn."""
         del mechanism
         return frozenset()
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         moment = setting.query.moment
         if not isinstance(moment, Reached):
             return "no quantity reaches a value"
@@ -55,7 +55,7 @@ class ValueReached(Strategy):
         return ""
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the distance, angle or time of the moment, then the answer from it, by the first of them that works."""
+        """Write the distance, angle or time of the moment, and the answer from the first of these that leads to one."""
         reasons: list[str] = []
         for moment, value in instants(setting):
             parts = [*_parts(setting, moment, value)]
@@ -114,7 +114,7 @@ def _after_givens(steps: list[Step], found: Step) -> Iterator[Step]:
 
 
 def _with_stated_result(steps: Sequence[Step], parts: Sequence[Solution]) -> tuple[list[Step], str]:
-    """Replace repeated computations of a quantity by its stated value; return the steps and the name of the goal.
+    """Return the steps, with a stated value in place of each repeated computation of it, and the name of the goal.
 
     What the answer does not rest on is left out: a kinetic energy follows from a stated speed alone.
     """
@@ -134,7 +134,7 @@ def _with_stated_result(steps: Sequence[Step], parts: Sequence[Solution]) -> tup
 
 
 def _with_found_values(steps: Sequence[Step], first: Solution) -> list[Step]:
-    """Insert a step with the values, at the found moment, of names that were defined before it was known."""
+    """Return the steps and an added one: values, at the found moment, of names that were defined before that moment."""
     place = max((n for n, step in enumerate(steps) if first.goal in step.gives), default=len(steps))
     formulas = {r.left.latex(): r for step in steps[:place] for r in step.relations if r.left.latex() in step.gives}
     found = {name for step in steps[:place] if step.kind == SOLVE_KIND for name in step.gives} | {*first.stated}

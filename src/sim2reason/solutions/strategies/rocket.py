@@ -34,17 +34,17 @@ class RocketFlight(Strategy):
     kinds = Strategy.kinds | {"extremum"}
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
+        """Return the reason, in words, that the strategy cannot apply to a mechanism; empty if it may apply."""
         moving = [body for body in mechanism.bodies if body.coordinates]
         alone = len(mechanism.burns) == len(moving) == len(mechanism.coordinates) == 1
         return "" if alone else "there is no lone rocket"
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return the question kinds with formulas; none above a planet, whose pull varies."""
+        """Return the question kinds that have a compact formula: all, or none above a planet, whose pull varies."""
         return frozenset[str]() if mechanism.attractions else self.kinds
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         m = setting.mechanism
         if isinstance(setting.query, StretchQuery):
             found = m.attractions or not any(m.gravity) or not _tops(setting)
@@ -56,7 +56,7 @@ class RocketFlight(Strategy):
         return ""
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the remaining mass and the answer, and return its symbol."""
+        """Write the remaining mass and the answer, and return the answer's symbol."""
         return _Burning(setting, book).write()
 
 

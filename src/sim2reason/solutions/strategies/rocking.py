@@ -42,7 +42,7 @@ class Rocking(Strategy):
     kinds = frozenset({"start", "period"})
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return the reason that a mechanism is not a single rocking body; empty if it is."""
+        """Return the reason, in words, that a mechanism is not a single rocking body; empty if it is one."""
         m = mechanism
         other = m.lines or m.forces or m.attractions or m.burns or m.meetings or m.feet
         kinds = sorted(c.kind for c in m.coordinates)
@@ -53,7 +53,7 @@ class Rocking(Strategy):
         return ""
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         query = setting.query
         if isinstance(query, PeriodQuery):
             return "" if query.small else "only integration gives the period of large swings"
@@ -94,7 +94,7 @@ class _Rocking:
 
     @cached_property
     def _spread(self) -> tuple[Expression, Expression]:
-        """Return the distance of the centre of mass from the axis, and its moment of inertia over the mass."""
+        """Return the distance of the centre of mass from the axis, and the body's moment of inertia over its mass."""
         held, shape = self.setting.mechanism.bodies[0], self.setting.scene.bodies.get(self.body)
         spread = mean_squares(shape, self._size) if isinstance(shape, Shape) else None
         if spread is None:
@@ -161,7 +161,7 @@ class _Rocking:
     # ---- what is asked
 
     def write(self) -> Symbol:
-        """Write the answer to the query and return its symbol."""
+        """Write the answer to the query and return the answer's symbol."""
         query = self.setting.query
         if isinstance(query, PeriodQuery):
             return self._period(query)
@@ -242,5 +242,5 @@ class _Rocking:
 
 
 def _slide(m: Mechanism) -> tuple[float, float, float]:
-    """Return the direction of rolling, uphill or to the right."""
+    """Return the direction in which the body rolls, uphill or to the right, as a unit vector."""
     return next(c.axis for c in m.coordinates if c.kind == "slide")

@@ -45,12 +45,12 @@ class SlackSwing(Strategy):
     kinds = Strategy.kinds | {"extremum", "sum"}
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return the reason that no small body swings on a string; empty if one does."""
+        """Return the reason, in words, that no small body swings on a string; empty if a body does."""
         found = pivot(mechanism)
         return "" if found is not None and found[1] is not None else "no small body swings on a string"
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         quantity, query = quantity_of(setting), setting.query
         if quantity and quantity not in _Slack.WAYS:
             return f"no way to the {quantity}"
@@ -176,7 +176,7 @@ class _Slack:
     # ---- what is asked
 
     def write(self) -> Symbol:
-        """Write the answer to the query and return its symbol."""
+        """Write the answer to the query and return the answer's symbol."""
         if not self.quantity:
             return self._when()
         sense = self.setting.query.target.sense if self.setting.query.target is not None else None

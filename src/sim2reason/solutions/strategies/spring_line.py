@@ -40,12 +40,12 @@ class SpringLine(Strategy):
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period"})
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
+        """Return the reason, in words, that the strategy cannot apply to a mechanism; empty if it may apply."""
         rest = not any(coordinate.speed for coordinate in mechanism.coordinates)
         return "" if rest and single_spring_law(mechanism) else "no lone body is let go on a single spring"
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         query = setting.query
         if _reaches_its_end(setting):
             return "it passes through the fixed end of the spring"
@@ -59,7 +59,7 @@ class SpringLine(Strategy):
         return "" if quantity in ("", *_Oscillating.WAYS) else f"no way to the quantity {quantity}"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the amplitude, the angular frequency, the phase and the answer, and return its symbol."""
+        """Write the amplitude, the angular frequency, the phase and the answer, and return the answer's symbol."""
         return _Oscillating(setting, book).write().name
 
 
@@ -131,7 +131,7 @@ class _Oscillating(SingleSpringBody):
     # ---- what is asked
 
     def write(self) -> Symbol:
-        """Write the answer to the query and return its symbol."""
+        """Write the answer to the query and return the answer's symbol."""
         query = self.setting.query
         if isinstance(query, PeriodQuery):
             return self._period(query)

@@ -29,18 +29,18 @@ class Statics(Strategy):
     kinds = frozenset({"equilibrium", "start"})
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
+        """Return the reason, in words, that the strategy cannot apply to a mechanism; empty if it may apply."""
         return nonlinear_reason(mechanism)
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         target = setting.target
         if target is None or target.quantity not in GOALS:
             return f"no way to the quantity {target.quantity if target is not None else ''}"
         return ""
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the balance of forces and the answer, and return its symbol."""
+        """Write the balance of forces and the answer, and return the answer's symbol."""
         way = _AtRest(setting, book)
         way.balance()
         assert way.target is not None
@@ -90,7 +90,7 @@ class _AtRest(LinearMotionModel):
 
     @property
     def _where(self) -> str:
-        """Return the words for the net force: *on each body*, or *along the motion* if tensions cancel."""
+        """Return the words that follow *the net force*: *on each body*, or *along the motion* if tensions cancel."""
         moving = [body for body in self.mechanism.bodies if body.coordinates]
         slides = all(len(b.coordinates) == 1 and b.coordinates[0].kind == "slide" and b.parent is None for b in moving)
         if not slides or len(moving) != len(self.motion.free):

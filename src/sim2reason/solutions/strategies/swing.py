@@ -26,17 +26,17 @@ class Swing(Strategy):
     kinds = Strategy.kinds | {"extremum", "sum"}
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return the reason that no small body swings about a fixed point; empty if one does."""
+        """Return the reason, in words, that no small body swings about a fixed point; empty if a body does."""
         return "it is no small body that swings about a fixed point" if pivot(mechanism) is None else ""
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         if unknown := unsupported_reason(setting, _Angular.WAYS):
             return unknown
         return "it leaves its circle" if setting.earlier_event_kinds & {"slack", "taut"} else ""
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the angle, the speed and the answer, and return its symbol."""
+        """Write the angle, the speed and the answer, and return the answer's symbol."""
         return _Angular(setting, book).write().name
 
 

@@ -42,13 +42,13 @@ class Tumbling(Strategy):
     kinds = Strategy.kinds | {"sum"}
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
-        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
+        """Return the reason, in words, that the strategy cannot apply to a mechanism; empty if it may apply."""
         kinds = sorted(c.kind for c in mechanism.coordinates)
         alone = len(mechanism.bodies) == 1 and kinds == ["hinge", "slide", "slide"]
         return "" if alone and mechanism.feet else "no lone prism tumbles"
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply to a question; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         query, quantity = setting.query, quantity_of(setting)
         if quantity and quantity not in _Tumbling.WAYS:
             return f"no way to the {quantity}"
@@ -57,7 +57,7 @@ class Tumbling(Strategy):
         return ""
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
-        """Write the rotation about each edge and the answer, and return its symbol."""
+        """Write the rotation about each edge and the answer, and return the answer's symbol."""
         return _Tumbling(setting, book).write().name
 
 
@@ -246,7 +246,7 @@ class _Tumbling:
         return self.book.add_step("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
 
     def write(self) -> Symbol:
-        """Write the answer to the query and return its symbol."""
+        """Write the answer to the query and return the answer's symbol."""
         query, quantity = self.setting.query, quantity_of(self.setting)
         if query.target is not None and query.target.sense is not None and any(query.target.sense.vector):
             raise UnsolvedError("a component along a direction")

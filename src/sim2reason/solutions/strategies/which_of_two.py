@@ -26,12 +26,12 @@ class WhichOfTwo(Strategy):
     finished = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return no question kinds, since no formula answers which of two is first or greater."""
+        """Return the question kinds that have a compact formula: none, as a choice between two has no formula."""
         del mechanism
         return frozenset()
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
-        """Return why the strategy does not apply; empty if it does."""
+        """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         if not isinstance(setting.query, WhichQuery):
             return "it asks for none of two"
         found = KINDS[setting.query.kind].answer(setting.query, setting.study)

@@ -140,7 +140,7 @@ class SwingAngle(ABC):
         return self._turned() if self.still else self._upright()
 
     def _upright(self) -> Expression:
-        """Return the angle at the lowest or highest point."""
+        """Return the angle of a swing at its lowest point, 0, or at its highest point, π."""
         if abs(self.now) < ANGLE_TOLERANCE:
             return ZERO
         if abs(abs(self.now) - pi) > ANGLE_TOLERANCE:
@@ -210,7 +210,7 @@ class SwingAngle(ABC):
     _law_of_cosines = ""  # beginning of a sentence about the change in momentum, if the velocity changes direction
 
     def change(self, begun: Expression, speed: Expression) -> Expression:
-        """Return the magnitude of the change of velocity between two speeds along the arc, in m/s."""
+        """Return the magnitude, m/s, of the change of velocity on the arc from the speed `begun` to `speed`."""
         if ZERO in (begun, speed):
             return speed if begun == ZERO else begun
         bent = self.cosine * self.cosine_first if self.sine == ZERO else Call("cos", self.between)
@@ -226,7 +226,7 @@ class SwingAngle(ABC):
     # ---- what is asked
 
     def write(self) -> Symbol:
-        """Write the answer to the query and return its symbol."""
+        """Write the answer to the query and return the answer's symbol."""
         quantity, target = quantity_of(self.setting), self.setting.query.target
         if not quantity:
             return self._when()
@@ -292,7 +292,7 @@ class SwingAngle(ABC):
 
     @property
     def vertical(self) -> bool:
-        """Return whether the upward component is asked for."""
+        """Return whether the question asks for the upward component of a vector."""
         sense = target.sense if (target := self.setting.query.target) is not None else None
         return sense is not None and sense.vector == UP
 

@@ -82,12 +82,12 @@ class Arm:
         return x, y, z
 
     def at(self, time: float) -> tuple[float, float, float]:
-        """Return the engine's angles from the downward vertical and from the start, rad, and rate, rad/s, at a time."""
+        """Return angle from the downward vertical and angle turned, rad, and rate, rad/s, at a time, by the engine."""
         angles, turned, rates = self.seen(np.array([time]))
         return float(angles[0]), float(turned[0]), float(rates[0])
 
     def seen(self, times: Array) -> tuple[Array, Array, Array]:
-        """Return the engine's angles from the downward vertical and from the start, and rates, each (n,).
+        """Return angles from the downward vertical, angles turned and rates at some times, each (n,), by the engine.
 
         They are positive on the initial side and only determine signs.
         """
@@ -133,7 +133,7 @@ class Arm:
         return self._pieces[body]
 
     def _size(self, body: str) -> Callable[[str], Expression]:
-        """Return a function from the parameters of a body to their symbols."""
+        """Return a function that returns the symbol of a body's parameter from the name of the parameter."""
 
         def size(field: str) -> Expression:
             given = self.setting.given(f"{body}.{field}")
@@ -206,7 +206,7 @@ class Arm:
         raise UnreadError(f"the moment of inertia of {self.setting.display_name(body)} is in no table")
 
     def _inertias(self, spread: MeanSquares | None) -> Iterator[tuple[Expression, str]]:
-        """Yield moments of inertia per mass about a body's axes and about lines tilted by given angles, and reasons."""
+        """Yield (moment of inertia per mass, reason) about each axis of a body and each line at a given angle."""
         if spread is None:
             return
         yield from zip(candidates(spread), (spread.why, spread.why_own, spread.why), strict=True)

@@ -64,7 +64,7 @@ def _ball(radius: Expression) -> MeanSquares:
 
 
 def _less(power: int, outer: Expression, inner: Expression) -> tuple[Expression, Expression]:
-    """Return the mass of a full body and, negative, of its hole, over their difference; volumes scale with `power`."""
+    """Return the shares of mass of a full body and, negative, of its hole; volumes are sizes to the `power`."""
     rest = Power(outer, power) - Power(inner, power)
     return Power(outer, power) / rest, -(Power(inner, power) / rest)
 
@@ -78,7 +78,7 @@ def _hollow(size: Sizes) -> MeanSquares:
 
 
 def _segment(radius: Expression, height: Expression) -> tuple[MeanSquares, Expression]:
-    """Return a solid spherical cap above its flat face, and the height of its centre of mass."""
+    """Return the mean squares of a solid spherical cap, and the height of its centre of mass above the flat face."""
     r, h = radius, height
     below = 3.0 * r - h
     center = h * (4.0 * r - h) / (4.0 * below)
@@ -130,7 +130,7 @@ def _holed_ball(size: Sizes) -> MeanSquares:
 
 
 def _bored(size: Sizes) -> MeanSquares:
-    """Return a cylinder with a parallel bore; y is the axis and z the line to the bore."""
+    """Return the mean squares of a cylinder with a parallel bore; y is the axis and z the line to the bore."""
     outer, inner = size("radius"), size("hole")
     whole, hole = _less(2, outer, inner)
     discs = [MeanSquares(of(0.25, radius), of(0.25, radius)) for radius in (outer, inner)]
@@ -139,7 +139,7 @@ def _bored(size: Sizes) -> MeanSquares:
 
 
 def _prism(size: Sizes, sides: int, long: Expression) -> MeanSquares:
-    """Return a regular prism; the fractions for triangles, squares and hexagons are simple."""
+    """Return the mean squares of a regular prism; simple fractions for triangles, squares and hexagons."""
     radius, turn = size("radius"), 2.0 * PI / Number(float(sides))
     plain = (2.0 + cos(2.0 * pi / sides)) / 12.0
     square = Number(1.0 / 12.0) * (Number(2.0) + Call("cos", turn)) * Power(radius, 2)

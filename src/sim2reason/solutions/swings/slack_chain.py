@@ -60,7 +60,7 @@ class SlackSwingPhases:
         return v**2 + g * ell * cos(held.began) < 0.0
 
     def _side(self) -> float:
-        """Return the sign of the engine's x on the side on which the string first goes slack, 1 if it never does."""
+        """Return the sign of x, by the engine, where the string first goes slack, or at the start if it stays taut."""
         slack = [event.time for event in self.changes if event.kind == "slack"]
         return 1.0 if self._seen(slack[0] if slack and not self.slack_at_once else 0.0)[0] >= 0.0 else -1.0
 
@@ -221,7 +221,7 @@ class SlackSwingPhases:
         return 1.0 if self.book.value(held) > 0.0 else -1.0
 
     def times(self, held: MotionState, speed: Expression) -> SwingTime:
-        """Return the relation between angle and time on the circle from a position on."""
+        """Return the relation between angle and time for a motion on the circle that begins at a position."""
         if held == self.start:
             return self.swing.times
         book, ell = self.book, self.length

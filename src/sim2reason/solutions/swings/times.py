@@ -118,7 +118,7 @@ class SwingTime:
         return Polynomial.of(self._integral(theta))
 
     def _quarters(self, count: int) -> Polynomial:
-        """Return K times an integer."""
+        """Return the complete elliptic integral K times an integer."""
         return Polynomial.of(self.complete).scaled(float(count)) if count else NIL
 
     @cached_property

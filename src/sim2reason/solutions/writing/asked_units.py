@@ -10,7 +10,7 @@ GIVEN = "Given: "
 
 
 def convert_answer(system: SpokenUnits, solution: Solution, unit: str) -> Solution:
-    """Set the unit in which the prompt asks for the answer, so that a solution in SI units ends with a conversion."""
+    """Return a solution in SI units that ends with a conversion to the unit in which the prompt asks for the answer."""
     other, factor = system.spelled(unit)
     if solution.answer is None or solution.formula or not system.says_otherwise:
         return solution

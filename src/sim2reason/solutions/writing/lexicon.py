@@ -40,7 +40,7 @@ TERMS = 2500  # largest number of products of several numbers that are tried
 
 
 class UnreadError(Exception):
-    """A number of the mechanism that is not a simple function of the numbers in the text."""
+    """An error for a number of the mechanism that is not a simple function of the numbers in the text."""
 
 
 @record(slots=True)
@@ -89,21 +89,21 @@ class StatedNumber:
 
 @record(slots=True)
 class DualValue:
-    """The values of one number in a mechanism and in its twin."""
+    """The values of one number in a mechanism and in its twin, which has slightly different numbers."""
 
     here: float
     there: float
 
     def __mul__(self, other: "DualValue") -> "DualValue":
-        """Return the products in the mechanism and in its twin."""
+        """Return the product of two numbers, in the mechanism and in its twin."""
         return DualValue(self.here * other.here, self.there * other.there)
 
     def __truediv__(self, other: "DualValue") -> "DualValue":
-        """Return the quotients in the mechanism and in its twin."""
+        """Return the quotient of two numbers, in the mechanism and in its twin."""
         return DualValue(self.here / other.here, self.there / other.there)
 
     def __sub__(self, other: "DualValue") -> "DualValue":
-        """Return the differences in the mechanism and in its twin."""
+        """Return the difference of two numbers, in the mechanism and in its twin."""
         return DualValue(self.here - other.here, self.there - other.there)
 
 
@@ -124,7 +124,7 @@ class Lexicon:
 
     @property
     def twin(self) -> Mechanism:
-        """Return the mechanism of the twin."""
+        """Return the mechanism of the twin: the same scene with slightly different numbers."""
         return self._twin[0]
 
     def _built(self) -> tuple[Mechanism, dict[str, float]]:
@@ -160,7 +160,7 @@ class Lexicon:
         return [*found, *self._attracting()]
 
     def _attracting(self) -> list[tuple[DualValue, Polynomial]]:
-        """Return the gravitational constant; for a planet of given g also 1/G, as its mass is g R²/G."""
+        """Return (value, symbol) of the gravitational constant G; also of 1/G if masses follow from g as g R²/G."""
         pulls = self.mechanism.attractions
         if not pulls:
             return []
@@ -231,7 +231,7 @@ class Lexicon:
         return self._of_several(number)
 
     def _of_several(self, number: DualValue) -> Polynomial:
-        """Return a number as a product of three or four, such as m g R² of a planet."""
+        """Return a number as a product of three or four given numbers, such as m g R², or as a sum of products."""
         for size in (3, 4):
             if comb(len(self._atoms) + size - 1, size) > TERMS:
                 break
@@ -245,7 +245,7 @@ class Lexicon:
         return found
 
     def _of_sums(self, number: DualValue) -> Polynomial | None:
-        """Return a number as a total mass times others or a sum of two products; cached, since the search is slow."""
+        """Return a number, cached, as a total mass times other numbers or a sum of two products; None if neither."""
         if number not in self._sums:
             atoms = [LabelledNumber(atom.here, atom.there, name) for atom, name in self._atoms]
             masses = [Symbol(g.symbol) for g in self.givens.values() if g.counted_unit == latex("kg")]

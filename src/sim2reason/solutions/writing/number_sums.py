@@ -21,7 +21,7 @@ PROPORTIONAL_RTOL = 1e-6  # relative tolerance within which products in mechanis
 
 
 class LabelledNumber(NamedTuple):
-    """A number in a mechanism and in its twin, with its formula."""
+    """A number with its formula and its values in a mechanism and in its twin, which has slightly other numbers."""
 
     here: float
     there: float
