@@ -49,7 +49,7 @@ class CertifiedQuestion:
 
     @cached_property
     def measured(self) -> SolutionDifficulty | None:
-        """Return the difficulty from the shortest solutions of all parts; None if some part has none."""
+        """Return the measured difficulty, from the shortest solutions of all parts; None if a part has no solution."""
         parts = [part.certified for part in self.parts] or [self]
         if any(part.shortest.answer is None for part in parts):
             return None

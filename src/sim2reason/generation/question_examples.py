@@ -58,7 +58,7 @@ class Examples:
 
 
 def examples() -> Examples:
-    """Return the first example of each registered member in the example scenes; the result is constant."""
+    """Return the first example question for each registered member; every call returns the same examples."""
     found = Examples()
     for number, scene in enumerate(scenes()):
         motion, words = simulate_scene(scene), words_of(describe(scene, number))
