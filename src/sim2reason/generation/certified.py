@@ -43,7 +43,7 @@ class CertifiedQuestion:
 
     @cached_property
     def shortest(self) -> Solution:
-        """Return the worked solution that determines difficulty and needs; integrated only if there is no other."""
+        """Return the worked solution that determines difficulty and needs; integrated only if no other exists."""
         found = self.candidate.solution
         return found if found is not None and found.answer is not None else solve(self.setting)
 

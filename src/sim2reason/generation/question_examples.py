@@ -48,7 +48,7 @@ class AskedExample(NamedTuple):
 
 @dataclass
 class Examples:
-    """First examples of the members of each registry, by the member's name."""
+    """The first example question for each registered quantity, functional, moment, outcome and kind, by name."""
 
     quantities: dict[str, AskedExample] = field(default_factory=dict[str, AskedExample])
     functionals: dict[str, AskedExample] = field(default_factory=dict[str, AskedExample])

@@ -161,7 +161,7 @@ class QuestionSearch:
         kind: str = "",
         tries: int = QUESTIONS,
     ) -> CertifiedQuestion | None:
-        """Return a question that passes every filter, or None; rejections are counted by filter in `refused`.
+        """Return a question that passes every filter, or None; `refused` counts the rejections by filter.
 
         If a `kind` is given, a scene that does not offer it is not counted as a rejection.
         """

@@ -54,7 +54,7 @@ class Candidate:
 
     @cached_property
     def solution(self) -> Solution | None:
-        """Return the shortest worked solution with allowed mathematics, without integration; None without a text."""
+        """Return the shortest worked solution with allowed mathematics and no integration; None without a text."""
         if self.words is None:
             return None
         question = self.question
@@ -66,7 +66,7 @@ class Candidate:
 
     @property
     def checked(self) -> Self:
-        """Return the candidate after a check of its worked solution by the independent checker."""
+        """Return the candidate, with another worked solution if the independent checker rejects the first one."""
         question, found = self.question, self.solution
         if self.words is None or question.formula is not None or found is None or found.answer is None:
             return self

@@ -132,7 +132,7 @@ class ParseState(NamedTuple):
         return Names({address: letter for address, letter in self.letters.items() if letter}, self.nouns)
 
     def renamed(self, old: tuple[str, ...], new: tuple[str, ...]) -> "ParseState":
-        """Return the state with all classes, numbers and letters at some addresses moved to other addresses."""
+        """Return the state in which everything stored at the addresses `old` is moved to the addresses `new`."""
         moved = dict(zip(old, new, strict=True))
 
         def move(held: Mapping[str, Any]) -> dict[str, Any]:

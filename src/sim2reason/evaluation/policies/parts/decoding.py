@@ -102,7 +102,7 @@ class _RecordedPass:
             self._record()
 
     def prefill(self, ids: Tensor, mask: Tensor) -> Tensor:
-        """Process prompts; return the logits of their next tokens, (rows, vocabulary)."""
+        """Process the prompts' tokens, and return the logits of the token after each prompt, (rows, vocabulary)."""
         torch, width = self._torch, ids.shape[1]
         ids, mask = self._filled(ids), self._filled(mask.bool())
         self._cache.reset()

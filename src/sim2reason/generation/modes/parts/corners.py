@@ -67,7 +67,7 @@ def _least(told: Sequence[Margin], known: Sequence[Variation], own: Variation) -
 def _alone(
     variations: Variations, told: Sequence[Margin], known: Sequence[Variation], own: Variation
 ) -> tuple[Array, Array]:
-    """Return the factors tried on each number, (n, s), and how each alone shifts each condition, (m, n, s).
+    """Return the factors tried on each number, (n, s), and the change of each margin by each alone, (m, n, s).
 
     The first factor is 1; shorter lists are padded with 1.
     """
