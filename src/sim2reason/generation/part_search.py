@@ -125,7 +125,7 @@ class PartSearch:
         return _leads(*here, *there) or _leads(*there, *here)
 
     def _offered(self, parts: list[_Part]) -> Iterator[Query]:
-        """Yield candidate questions in random order; those whose answers a solution of some part uses come first."""
+        """Yield candidate questions in random order, usually first those whose answers a part's solution uses."""
         first = self._rng.random() < SURE_FIRST
         if not first:
             yield from self._others(parts)

@@ -66,7 +66,7 @@ class ParseState(NamedTuple):
         return self._replace(values={**self.values, address: value})
 
     def shared(self, members: Sequence[str], names: Iterable[str]) -> "ParseState | None":
-        """Return the state in which all members of a list of bodies have the numbers known for the first one."""
+        """Return the state in which all bodies of a list have the first one's known numbers; None on contradiction."""
         found: ParseState | None = self
         for name in sorted(names):
             value = self.values.get(f"{members[0]}.{name}")

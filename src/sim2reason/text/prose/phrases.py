@@ -61,7 +61,7 @@ def sentence_templates(saying: Saying, part: Any) -> tuple[str, ...]:
 
 
 def referenced_object(part: Any, path: str) -> Any:
-    """Return the object that a slot of a template names by its path from a part; None if an object on it is absent."""
+    """Return the value at a slot's path from a part, or the body whose word the slot names; None if absent."""
     held: Any = part
     for step in path.split("."):
         if held is None:
