@@ -43,7 +43,7 @@ class Memo:
         return cast("T", found)
 
     def keep(self, name: Hashable, value: T) -> T:
-        """Store a result under a name, in place of any earlier one, and return it."""
+        """Cache a result under a name, in place of any earlier one, and return the result."""
         self._known[name] = value
         return value
 

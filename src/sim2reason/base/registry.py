@@ -82,7 +82,7 @@ class Registry(Mapping[str, T], Generic[T]):
             raise UnknownNameError(f"no such name among {self.called}: {_shown(name)}; {self._hint(name)}") from None
 
     def _hint(self, name: object) -> str:
-        """Return similar names for an unknown one, or all names, or the command that lists them."""
+        """Return a hint for an unknown name: similar names, all names, or the command that lists them."""
         meant = {other: held for held, member in self._members.items() for other in getattr(member, "also", ())}
         names = [*self._members, *meant]
         near = nearest(name.lower(), names) if isinstance(name, str) else []

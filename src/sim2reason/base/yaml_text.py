@@ -47,7 +47,7 @@ _AMBIGUOUS = {"y", "n", "yes", "no", "on", "off", *TRUTH, "~", "=", "<<"}  # whe
 
 
 def shown(value: object) -> str:
-    """Return a value in one line for an error message, shortened if long."""
+    """Return a value as one line of text for an error message, shortened if long."""
     text = json.dumps(value, ensure_ascii=True, default=str)
     return text if len(text) <= 40 else f"{text[:37]}..."
 

@@ -27,7 +27,7 @@ def names(ctx: click.Context, param: click.Parameter, value: str) -> Names:
 
 
 def names_or_none(ctx: click.Context, param: click.Parameter, value: str | None) -> Names:
-    """Return the comma-separated names of an optional option; none if it is not given."""
+    """Return the comma-separated names of an optional option; an empty tuple if the option is not given."""
     return () if value is None else names(ctx, param, value)
 
 

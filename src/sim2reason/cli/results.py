@@ -53,7 +53,7 @@ def written(out: Path) -> Generator[Path, None, None]:
 
 @contextmanager
 def lines(out: Path | None) -> Generator[Callable[[str], object], None, None]:
-    """Return a context with a function that writes a line to `out`, or does nothing without one."""
+    """Return a context with a function that writes lines to the file `out`; for None the function does nothing."""
     if out is None:
         yield lambda _: None
     elif out == STDOUT:

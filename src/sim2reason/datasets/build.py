@@ -55,7 +55,7 @@ def finish(journal: Journal) -> Manifest:
 
 
 def _illustrated(journal: Journal, manifest: Manifest) -> Manifest:
-    """Write the card and its pictures, and return the manifest with their checksums."""
+    """Write the dataset card and its pictures, and return the manifest with the checksums of both."""
     out, config = journal.out, journal.plan.config
     shards = (shard_of(journal, number) for number in range(journal.shards))
     first = next((shard for shard in shards if shard.rows), None)

@@ -178,7 +178,7 @@ def of_example(number: int) -> str:
 
 
 def drawn_by() -> str:
-    """Return the plotting package with its version, which affects the bytes; empty if not installed."""
+    """Return the name and version of the plotting package, which affect pictures; empty if not installed."""
     try:
         return f"{PACKAGE} {version(PACKAGE)}"
     except PackageNotFoundError:

@@ -36,7 +36,7 @@ def table(asked: Iterable[tuple[Key, int]], kept: Iterable[Key]) -> tuple[Cell, 
 
 
 def together(tables: Iterable[Iterable[Cell]]) -> tuple[Cell, ...]:
-    """Return the sum of several tables."""
+    """Return the cells of several tables in one table, with the counts of equal cells added."""
     cells = (cell for table in tables for cell in table)
     return _summed(((cell.mode, cell.kind, cell.recipe), cell.asked, cell.kept) for cell in cells)
 
@@ -53,7 +53,7 @@ def _summed(found: Iterable[tuple[Key, int, int]]) -> tuple[Cell, ...]:
 
 
 def enough(cells: int) -> int:
-    """Return the number of requests from which it is no accident that none of them gave an item.
+    """Return how many failed requests of a cell are too many for an accident, given the number of cells.
 
     If each request is kept with probability at least p, all n fail with probability at most (1 − p)^n, the binomial
     distribution's P(0). The sum over all cells is limited to `FALSE_ALARM`, by Bonferroni's inequality.

@@ -104,7 +104,7 @@ def _json_lines(path: Path) -> Iterator[object]:
 
 
 def _paragraphs(path: Path) -> Iterator[object]:
-    """Yield the lines between blank lines; a long paragraph is one item, without being in memory at once."""
+    """Yield the paragraphs of a text file, separated by blank lines; DatasetError if one is too long."""
     grouped = groupby(_lines(path), key=lambda line: bool(line.strip()))
     return ("".join(_bounded(lines)) for filled, lines in grouped if filled)
 

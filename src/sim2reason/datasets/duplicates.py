@@ -74,7 +74,7 @@ def hashed(variant: Variant) -> int:
 
 
 def too_close(found: Variants, distance: float) -> Iterator[tuple[int, int]]:
-    """Yield the positions of items whose numbers are too close to an earlier kept item's, each with its position."""
+    """Yield pairs of positions: an item whose numbers are too close to those of an earlier kept item, and that item."""
     starts = np.concatenate([[0], np.cumsum(found.counts, dtype=np.int64)])
     limit = np.float32(log1p(distance))
     stay: dict[int, list[int]] = {}
@@ -98,7 +98,7 @@ def _first(found: Variants, starts: NDArray[np.int64], row: int, others: list[in
 
 
 def _neighbours(found: Variants, starts: NDArray[np.int64], limit: float) -> Iterator[tuple[int, list[int]]]:
-    """Yield items that share a grid cell with others in the space of their numbers, with the cells' numbers.
+    """Yield each item that shares a grid cell of numbers with another, with the hashes of its shared cells.
 
     For d numbers there are d + 1 grids with cells of d + 1 times the limit, each shifted by the limit from the previous
     one. Along each axis at most one grid has an edge between two numbers within the limit, so such items share a cell
@@ -127,7 +127,7 @@ def _neighbours(found: Variants, starts: NDArray[np.int64], limit: float) -> Ite
 def _cells(
     found: Variants, starts: NDArray[np.int64], rows: NDArray[np.int64], grid: int, limit: float
 ) -> NDArray[np.uint64]:
-    """Return the hash of each item's cell in one grid over the logarithms of its numbers, and of its problem."""
+    """Return, for each item, a hash of its problem and of the cell of its numbers' logarithms in one grid."""
     counts = found.counts[rows]
     ends = np.cumsum(counts, dtype=np.int64)
     place = np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - counts, counts)  # of a number among its item's
@@ -243,7 +243,7 @@ def _same(read: Read, shards: int, alike: Others) -> Others:
 
 
 def _alike(read: Read, shards: int, distance: float, same: Others) -> Others:
-    """Return, for each item, the position of an earlier kept item with the same problem and close numbers."""
+    """Return, for each item, the position of an earlier kept item with the same problem and close numbers, else −1."""
     problems = _repeated(read, shards, PROBLEM)
     alike = np.full(len(same), NOBODY, dtype=np.int64)
     for begin, end in _stretches(read, shards, problems):

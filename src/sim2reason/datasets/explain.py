@@ -100,7 +100,7 @@ def explain(
 
 
 class RefusalRecord:
-    """The refused questions of a search as lines of text: the first 40, and the number of all."""
+    """The refused questions of a search as lines of text, of the first 40 questions, and the number of all."""
 
     def __init__(self) -> None:
         """Start an empty record."""
@@ -165,7 +165,7 @@ def _solution(request: Request, found: CertifiedQuestion) -> str:
 
 
 def _certificates(item: Item) -> Iterator[str]:
-    """Yield the agreement of the engines, for each part if there are several."""
+    """Yield report lines: the agreement of the engines, for each part of the problem if there are several."""
     for label, certificate in _labelled([part.certificate for part in item.parts], item.certificate):
         yield from (f"{label}{key}: {value}" for key, value in certificate.items())
 
@@ -182,7 +182,7 @@ def _labelled(parts: Sequence[T], whole: T) -> Iterator[tuple[str, T]]:
 
 
 def _filters(found: CertifiedQuestion) -> Iterator[str]:
-    """Yield every filter with its verdict and findings, for each part if there are several."""
+    """Yield report lines: each filter's verdict and findings, for each part of the problem if there are several."""
     for label, held in _labelled([part.certified for part in found.parts], found):
         yield from (f"{label}{line}" for line in _verdicts(held))
 

@@ -249,7 +249,7 @@ def line(response: Response, score: Score) -> str:
 
 
 class Tally(NamedTuple):
-    """The outcomes and mean reward of one group: all, or one recipe or kind."""
+    """The number, mean reward and outcomes of the responses of one group: all, one recipe or one kind."""
 
     by: str
     name: str

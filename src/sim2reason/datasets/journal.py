@@ -50,7 +50,7 @@ class RunPlan(Record):
 
 
 class Journal:
-    """The records of this and earlier runs; the caller holds the folder's lock."""
+    """The records of finished shards from this and earlier runs in one folder; the caller holds the folder's lock."""
 
     def __init__(self, out: Path, config: Config, *, alone: bool = True) -> None:
         """Open the journal of `out`; DatasetError, without changes, if the folder belongs to something else.
@@ -126,7 +126,7 @@ class Journal:
             remove_pictures(self.out, manifest.files)
 
     def valid_record(self, number: int) -> Shard | None:
-        """Return the record of a shard if all its files exist undamaged, after renaming them for this plan.
+        """Return the record of a shard if all its files are undamaged, after giving them this plan's names; else None.
 
         The record may cover only the first of the shard's positions.
         """

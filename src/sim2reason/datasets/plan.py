@@ -158,7 +158,7 @@ class Config(Record):
         return tuple(starmap(cell, product(range(levels * modes), range(len(self.recipes)))))
 
     def barren_from(self, behind_last: int) -> int:
-        """Return the position from which generation gives up, if the last item is at `behind_last` - 1."""
+        """Return the position at which generation gives up; `behind_last` is the position after the last item."""
         tries, turns = (BARREN, TURNS) if behind_last else (FIRST_TRIES, 1)
         return behind_last + max(tries, turns * len(self._cells))
 
@@ -183,7 +183,7 @@ class Config(Record):
         return -(-positions // self.shard)
 
     def positions(self, number: int, end: int) -> range:
-        """Return the positions of a shard, limited by `end`."""
+        """Return the range of positions of a shard, up to `end`."""
         return range(number * self.shard, min((number + 1) * self.shard, end))
 
     def position(self, request: Request) -> int:

@@ -147,7 +147,7 @@ def _work(journal: Journal, queue: WorkQueue, run: Run, overlap: FindsOverlap, a
 
 
 def _lengthened(journal: Journal) -> range:
-    """Add positions to replace those without an item, and return their shards; empty if there are enough items."""
+    """Add positions to make if items are missing, and return the numbers of their shards; empty if none are added."""
     config, shards = journal.plan.config, journal.shards
     barren_from = config.barren_from(_behind_last_item(journal))
     end = max(journal.positions, min(journal.positions + config.items - _rows(journal), barren_from))

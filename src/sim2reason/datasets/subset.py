@@ -47,7 +47,7 @@ def put_subset(source: Dataset, out: Path, keeps: Callable[[Item], bool], filter
 
 
 def _subset(source: Dataset, out: Path, shard: Shard, keeps: Callable[[Item], bool]) -> tuple[Shard, list[Item]]:
-    """Return a shard without the removed items, and these items."""
+    """Return a shard's record without the items that `keeps` rejects, and the rejected items."""
     held = {file.split: shard_files.read(source.path, file) for file in shard.files}
     kept = {split: [item for item in items if keeps(item)] for split, items in held.items()}
     changed = {

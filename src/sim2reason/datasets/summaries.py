@@ -91,7 +91,7 @@ DIGITS = 3  # of numbers for the median, as many as a prompt requests
 
 
 class Spread(Record):
-    """The minimum, median and maximum of some numbers; the median is rounded to three digits."""
+    """The minimum, median and maximum of a number over items; the median is rounded to three digits."""
 
     items: int
     least: float

@@ -88,7 +88,7 @@ class Arranger:
     # -- one try -----------------------------------------------------------------------------------
 
     def ways(self, turned: frozenset[str], swapped: frozenset[str]) -> list[complex]:
-        """Return the direction of each straight string segment, with a chosen one where the scene fixes none."""
+        """Return the direction of each straight string segment, chosen here where the scene fixes none."""
         known = [self._turned(strand, turned) for strand in self.strands]
         return [way if way is not None else self._free(number, known, swapped) for number, way in enumerate(known)]
 

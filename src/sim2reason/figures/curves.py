@@ -85,7 +85,7 @@ class Mark:
 
 @dataclass(frozen=True)
 class MotionCurves:
-    """All data of a plot of a motion: panels, trajectories and events."""
+    """The data of a plot of a motion: the panels with curves, the trajectories and the marked events."""
 
     times: Array  # s
     panels: tuple[Panel, ...]
@@ -202,7 +202,7 @@ def _part(values: Array, quantity: Quantity, state: State, name: str) -> tuple[s
 
 
 def _axle(values: Array) -> Array | None:
-    """Return the direction of the line that contains all values of a vector, positive at first; None without one."""
+    """Return the unit vector of the line that contains all values of a vector; None if they lie on no line."""
     sizes = np.linalg.norm(values, axis=1)
     if not np.isfinite(sizes).all() or sizes.max() <= ZERO_LEVEL:
         return None

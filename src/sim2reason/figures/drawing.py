@@ -139,7 +139,7 @@ def make(scaled: Mapping[str, Piece], name: str, plan: DrawingPlan) -> Piece:
 
 
 def _parts(plan: DrawingPlan, component: Component, scaled: Iterable[str]) -> Iterable[tuple[list[str], list[Strand]]]:
-    """Yield the groups of pieces that strings connect, each with the straight string segments between them."""
+    """Yield the groups of pieces that strings connect: the pieces' names, and the string segments between them."""
     strands = plan.paths.strands
     names = list(
         dict.fromkeys([*scaled, *_standing(plan, component.arranged), *(k.piece for s in strands for k in (s.a, s.b))])

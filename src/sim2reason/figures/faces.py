@@ -49,7 +49,7 @@ FLAT = 1e-6
 
 @dataclass(frozen=True)
 class Facet:
-    """A face of a plane or wedge, with the distances of its blocks from its upper end and its pulleys at the ends."""
+    """A face of a plane or wedge: its blocks with distances from the upper end, and the pulleys at its ends."""
 
     uphill: complex
     normal: complex
@@ -104,7 +104,7 @@ class FacePiece(Piece):
             yield Facet(uphill, normal, {block: s for s, block in sorted(members)}, foot, top)
 
     def _sites(self, uphill: complex) -> list[tuple[float, str]]:
-        """Return the points of the body on a face at which strings bend, each with its position along the face."""
+        """Return the points on a face at which strings bend: pairs of position along the face and name."""
         rims = {knot.item for knots in self.plan.paths.knots.values() for knot in knots if knot.rim}
         sites = [s for s in self.plan.paths.mechanism.sites if s.body == self.name and s.name in rims]
         return [(dot(flat(s.at), uphill), s.name) for s in sites if abs(cross(flat(s.at), uphill)) < 1e-6]
@@ -165,7 +165,7 @@ class FacePiece(Piece):
         return self.center(knot.item) + 0.5 * side * self.plan.sizes.width * face.uphill
 
     def lead(self, knot: PathKnot, way: complex) -> float:
-        """Return the length of a string segment above its own piece, up to the end of the face or of the floor."""
+        """Return the length of the part of a string segment that lies over this piece's face or floor."""
         start = self.anchor(knot, way, second=False)
         if knot.rim:
             left, _, right, _ = box([*self.outline(), 0j])

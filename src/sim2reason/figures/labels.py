@@ -29,7 +29,7 @@ Draw = Callable[[Scene], Drawing]
 
 
 def unknowns(scene: Scene, description: Description) -> tuple[str, ...]:
-    """Return the addresses of lengths and angles that a text leaves unknown while it states other numbers.
+    """Return the addresses of the lengths and angles that the text leaves unknown, if it states some number.
 
     A text with only symbols asks for a formula, so no figure hides anything.
     """
@@ -96,7 +96,7 @@ def _is_alike(angle: float, other: float) -> bool:
 
 
 def _parts(drawing: Drawing) -> Counter[str]:
-    """Return the counts of the shapes of each kind, and of the pairs of bodies whose outlines overlap."""
+    """Return the numbers of shapes by kind, and the number of pairs of bodies whose outlines overlap."""
     found = Counter(_kind(shape) for shape in drawing.shapes if shape.weight not in MINOR)
     bodies = [_body(shape) for shape in drawing.shapes if not isinstance(shape, LineShape) and shape.fill]
     found["overlap"] = sum(depth(one, other) > TOUCHING for one, other in combinations(bodies, 2))

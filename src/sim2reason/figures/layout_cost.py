@@ -15,7 +15,7 @@ ACROSS, UPWARDS, RAGGED, MOST_RAGGED = 0.5, 0.6, 0.8, 2.5  # for each unit of wi
 
 @dataclass(frozen=True)
 class DrawnJoint:
-    """A string segment between two pieces: its ends relative to them, and the length of its part over the pieces."""
+    """A string segment between two pieces: its end points relative to the pieces, and its length over them."""
 
     strand: Strand
     way: complex

@@ -35,7 +35,7 @@ class Sizes:
 
 @dataclass(frozen=True, slots=True)
 class Bend:
-    """The bend of a string at a pulley: the directions of its two segments away from the pulley, in order."""
+    """The bend of a string at a pulley: the directions in which its two segments leave the pulley, in order."""
 
     ways: tuple[complex, complex]
     side: float  # where two parallel strands meet the rim: the first one at the left (−1) or right (1)
@@ -100,7 +100,7 @@ class DrawingPlan:
         return self.description.voice(replace(parameter, value=shown), symbol)
 
     def stated(self, owner: str, unit: str, value: float) -> str:
-        """Return the text of an entity's number with this unit and value; empty if the text does not state one."""
+        """Return the text of an entity's number with this unit and value; empty if the text states no such number."""
         said = self._numbers(owner, unit)
         return next(
             (

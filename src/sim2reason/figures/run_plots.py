@@ -66,7 +66,7 @@ LONGEST = 24  # characters of a name on an axis
 
 
 class Bar(NamedTuple):
-    """A fraction with its interval, from 0 to 1."""
+    """A fraction from 0 to 1, with the ends of its uncertainty interval."""
 
     value: float
     low: float
@@ -74,7 +74,7 @@ class Bar(NamedTuple):
 
 
 class Point(NamedTuple):
-    """A named point with intervals in both coordinates."""
+    """A named point of a plot, with an uncertainty interval in both coordinates."""
 
     name: str
     x: Bar

@@ -43,13 +43,13 @@ class CertifiedQuestion:
 
     @cached_property
     def shortest(self) -> Solution:
-        """Return the worked solution that determines difficulty and needs; integrated only if there is no other."""
+        """Return the worked solution that determines difficulty and needs; integrated only if no other exists."""
         found = self.candidate.solution
         return found if found is not None and found.answer is not None else solve(self.setting)
 
     @cached_property
     def measured(self) -> SolutionDifficulty | None:
-        """Return the difficulty from the shortest solutions of all parts; None if some part has none."""
+        """Return the measured difficulty, from the shortest solutions of all parts; None if a part has no solution."""
         parts = [part.certified for part in self.parts] or [self]
         if any(part.shortest.answer is None for part in parts):
             return None

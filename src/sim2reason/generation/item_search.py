@@ -122,7 +122,7 @@ class ItemSearch:
 
     @property
     def wanted(self) -> str:
-        """Return the question kind that a scene first allowed; empty if it only has answers known from textbooks."""
+        """Return the question kind tried first; empty if it only gave questions answered in textbooks."""
         return self._first if self._first in self._problems else ""
 
     def find(self) -> CertifiedQuestion | None:

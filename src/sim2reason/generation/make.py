@@ -192,7 +192,7 @@ def with_options(item: Item, found: CertifiedQuestion) -> Item:
 
 
 def _names_and(numbers: Sequence[float], unit: str, found: CertifiedQuestion) -> tuple[str, ...]:
-    """Return the texts of options that state one of two names and a number; empty if options are plain numbers."""
+    """Return the texts of options that each state a name and a number; empty if options are only numbers."""
     kind, query, words = found.candidate.kind, found.question.query, found.candidate.words
     if not isinstance(kind, WhichKind) or not isinstance(query, WhichQuery) or words is None:
         return ()
@@ -229,7 +229,7 @@ def _parts_of(request: Request, found: CertifiedQuestion) -> tuple[QuestionPart,
 
 
 def _in_all(found: CertifiedQuestion, idle: Callable[[Candidate, Description], tuple[str, ...]]) -> tuple[str, ...]:
-    """Return the parts of the scene or numbers that `idle` finds irrelevant for every part of the problem."""
+    """Return the names of parts or numbers of the scene that `idle` finds irrelevant for every part of the problem."""
     candidates = [part.certified.candidate for part in found.parts] or [found.candidate]
     each = [idle(candidate, found.description) for candidate in candidates]
     return tuple(name for name in each[0] if all(name in others for others in each[1:]))

@@ -36,7 +36,7 @@ def distractors(candidate: Candidate, description: Description, few: int = MIN_D
 
 
 def _place(effect: Effect) -> tuple[float, str]:
-    """Return the sort key of a distractor."""
+    """Return the key by which distractors are sorted: the distance from the correct answer, then the misconception."""
     return effect.change, effect.simplification.name
 
 
@@ -140,7 +140,7 @@ def options(answer: Answer, wrong: Sequence[Distractor], name: str) -> Options |
 
 
 def options_of_two(answer: Answer, wrong: Sequence[Distractor], name: str) -> Options | None:
-    """Return four options for a question with two names: the correct and a wrong number, each with either name.
+    """Return four options that each state a name and a number: two names, each with the right and a wrong number.
 
     Negative numbers belong to the second name. None if no wrong number is distinct from the correct one.
     """
@@ -156,7 +156,7 @@ def options_of_two(answer: Answer, wrong: Sequence[Distractor], name: str) -> Op
 
 
 def _beside(number: Distractor, answer: Answer) -> str:
-    """Return why an option with the value of `number`, but the other of the two names, is wrong."""
+    """Return the reason why an option is wrong that states `number` with the other of the two possible names."""
     return NAMES_OTHER if number.value * answer.value > 0.0 else RIGHT_NAME
 
 

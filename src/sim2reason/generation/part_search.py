@@ -112,7 +112,7 @@ class PartSearch:
         return None
 
     def _may_be_joined(self, part: _Part) -> bool:
-        """Return whether further parts can lead to this one: it has intermediate results, or asks about an event."""
+        """Return whether another part can help to solve this one, by an intermediate result or the time of an event."""
         return bool(_found_in(part.solution)) or isinstance(part.question.query.moment, Happening)
 
     def _setting(self, question: Question) -> ProblemContext:
@@ -125,7 +125,7 @@ class PartSearch:
         return _leads(*here, *there) or _leads(*there, *here)
 
     def _offered(self, parts: list[_Part]) -> Iterator[Query]:
-        """Yield candidate questions in random order; those whose answers some part uses usually come first."""
+        """Yield candidate questions in random order, usually first those whose answers a part's solution uses."""
         first = self._rng.random() < SURE_FIRST
         if not first:
             yield from self._others(parts)

@@ -48,7 +48,7 @@ class AskedExample(NamedTuple):
 
 @dataclass
 class Examples:
-    """First examples of the members of each registry, by the member's name."""
+    """The first example question for each registered quantity, functional, moment, outcome and kind, by name."""
 
     quantities: dict[str, AskedExample] = field(default_factory=dict[str, AskedExample])
     functionals: dict[str, AskedExample] = field(default_factory=dict[str, AskedExample])
@@ -58,7 +58,7 @@ class Examples:
 
 
 def examples() -> Examples:
-    """Return the first example of each registered member in the example scenes; the result is constant."""
+    """Return the first example question for each registered member; every call returns the same examples."""
     found = Examples()
     for number, scene in enumerate(scenes()):
         motion, words = simulate_scene(scene), words_of(describe(scene, number))

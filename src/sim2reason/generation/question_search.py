@@ -161,7 +161,7 @@ class QuestionSearch:
         kind: str = "",
         tries: int = QUESTIONS,
     ) -> CertifiedQuestion | None:
-        """Return a question that passes every filter, or None; rejections are counted by filter in `refused`.
+        """Return a question that passes every filter, or None; `refused` counts the rejections by filter.
 
         If a `kind` is given, a scene that does not offer it is not counted as a rejection.
         """
@@ -202,7 +202,7 @@ class QuestionSearch:
     def _examined(
         self, question: Question, mode: QuestionMode, rng: np.random.Generator, beside: tuple[Candidate, ...]
     ) -> tuple[CertifiedQuestion | Verdict, Candidate]:
-        """Return the certified question or the verdict against it, and the candidate that the filters saw last."""
+        """Return the certified question or a filter's verdict against it, and the candidate that filters saw last."""
         told = self._told(question, mode, rng, beside)
         verdict = self._sift(told.candidate, witnessed=False)
         if verdict.keep:

@@ -171,7 +171,7 @@ REMEDY = "write KIND, MODE.KIND, RECIPE.KIND or RECIPE.MODE.KIND, as in reverse.
 
 
 def weight(kind: str, mode: str, recipe: str, ordered: Mapping[str, float]) -> float:
-    """Return the relative frequency of a kind: as requested, else as its class and the recipe declare."""
+    """Return the weight of a question kind: as requested, else as declared by its class, the mode and the recipe."""
     for name in (f"{recipe}.{mode}.{kind}", f"{recipe}.{kind}", f"{mode}.{kind}", kind):
         if name in ordered:
             return ordered[name]

@@ -80,7 +80,7 @@ def _rounded(values: Values) -> _Rounded | None:
 
 
 def _form(found: Sequence[_Rounded | None], roles: Sequence[Dimension], sign: int) -> object:
-    """Return a formula's sampled values, times a sign, in an order that does not depend on its symbols' names."""
+    """Return a formula's sampled values, with a sign, sorted independently of the names of its symbols."""
     first = next(each.size for each in found if each)
     sizes = [each and round((each.size - first) * 10**DIGITS) for each in found]
 

@@ -23,7 +23,7 @@ _ARC: Final = re.compile(
 
 
 def smaller_part(whole: str, tail: str, asked: Unit | None) -> tuple[Unit, float] | None:
-    """Return the first unit of a value such as 1 h 5 min, and the smaller parts as a fraction of that unit.
+    """Return the first unit of a value such as 1 h 5 min, and the amount of the smaller parts in that unit.
 
     None if there is no such value, or if the same number occurs with two units, which is ambiguous.
     """
@@ -39,7 +39,7 @@ def smaller_part(whole: str, tail: str, asked: Unit | None) -> tuple[Unit, float
 
 
 def _added(whole: str, parts: list[tuple[str, str]], asked: Unit | None) -> tuple[Unit, float] | None:
-    """Return the first unit and the smaller parts as a fraction of it; None if a part exceeds the unit before it."""
+    """Return the first unit and the sum of the smaller parts in that unit; None if a part is not smaller than one."""
     try:
         unit, *smaller = [unit_in(word, asked) for word in (whole, *(word for _, word in parts))]
     except UnitError:
@@ -55,6 +55,6 @@ def _added(whole: str, parts: list[tuple[str, str]], asked: Unit | None) -> tupl
 
 
 def _of_arc(found: re.Match[str]) -> tuple[Unit, float] | None:
-    """Return the degree and the minutes and seconds of arc as a fraction of it; None if either is 60 or more."""
+    """Return the degree as a unit, and the minutes and seconds of arc in degrees; None if either is 60 or more."""
     minutes, seconds = float(found["minutes"]), float(found["seconds"] or 0)
     return (parse_unit("deg"), minutes / 60 + seconds / 3600) if max(minutes, seconds) < SIXTY else None

@@ -208,7 +208,7 @@ def _judge(content: str, truth: _Truth, tolerance: float, positive: str) -> Scor
 def _pairs(
     truth: _Truth, node: Node, wanted: Sequence[float | None]
 ) -> Iterator[tuple[Bindings, float | None, float | None]]:
-    """Yield the test points with the values of a response and of another formula, where both must be compared."""
+    """Yield the test points, each with two values to compare: of the response's formula, and the wanted one."""
     for count, (point, other) in enumerate(zip(truth.points, wanted, strict=True)):
         found = arithmetic.value(node, point)
         if count < truth.firm or (found is not None and other is not None):

@@ -192,7 +192,7 @@ def _names_object(side: Sequence[Token], words: Sequence[Token]) -> bool:
 
 
 def _denial(words: Sequence[Token]) -> Token | None:
-    """Return the first word that makes a side name another value than the quantity, such as *not* or *half of*."""
+    """Return the first word that makes a side of an equation name another quantity, such as *not* or *half of*."""
     lowered = ["", *(word.text.lower() for word in words), ""]
     for at, word in enumerate(words, 1):
         before, name, after = lowered[at - 1 : at + 2]

@@ -65,7 +65,7 @@ def _until_closed(side: Sequence[Token], start: int) -> Sequence[Token]:
 
 
 def _stands_apart(content: str, side: Sequence[Token], at: int) -> bool:
-    """Return whether a token is a percent or degree sign, or an upright word apart from the name before it."""
+    """Return whether a token may be a unit: a percent or degree sign, or an upright word apart from the name before."""
     token = side[at]
     if token.kind in {"percent", "degree"}:
         return True

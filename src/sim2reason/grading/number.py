@@ -41,7 +41,7 @@ _RECIPROCAL = re.compile(r"1\s*/")
 
 
 class _Quantity(NamedTuple):
-    """A parsed answer: a value, its unit if stated, and the remark after it."""
+    """A value parsed from an answer, with its unit if one is stated, and the remark after it."""
 
     value: float
     unit: Unit | None = None
@@ -49,7 +49,7 @@ class _Quantity(NamedTuple):
     remark: Remark = _NO_REMARK
 
     def signed_by(self, positive: str, *, below_zero: bool) -> "_Quantity":
-        """Return the quantity with the sign that its stated directions imply; Refused if that is undefined."""
+        """Return the quantity with the sign given by the direction in its remark; Refused if the sign is undefined."""
         sign = remarks.sign_for(self.remark.directions, positive, written=self.signed, below_zero=below_zero)
         return self._replace(value=sign * self.value)
 

@@ -68,7 +68,7 @@ def _ends(name: str, ranges: Ranges, low: float, high: float) -> tuple[float, fl
 
 
 def _within(ends: Ranges, seed: str, attempt: int, scale: float) -> Bindings:
-    """Return random values of all symbols within ranges; logarithmic where both ends are positive."""
+    """Return a random value of each symbol within its range; on a logarithmic scale if the range is wide."""
     point: dict[str, float] = {}
     for name, (low, high) in ends.items():
         share = _share(seed, attempt, name, scale)
@@ -91,7 +91,7 @@ def _around(given: Bindings, names: Sequence[str], seed: str, attempt: int, far:
 
 
 def well_conditioned_points(node: Node, points: Sequence[Bindings]) -> list[tuple[Bindings, float]]:
-    """Return the points, with values, at which small changes of the symbols change the formula's value little."""
+    """Return the test points, each with the formula's value, at which small changes of symbols change it little."""
     found: list[tuple[Bindings, float]] = []
     for point in points:
         value = arithmetic.value(node, point)

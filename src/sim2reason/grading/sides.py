@@ -29,7 +29,7 @@ Tokens = list[Token]
 
 @dataclass(frozen=True, slots=True)
 class Statement:
-    """The last equation of an answer: the side that is its value, and the sides before that are not mere names.
+    """The last equation of an answer: its side with the value, and the earlier sides that are more than a name.
 
     `doubt` is a token on the value's own side that may offer another value, unless it is part of a remark. `rounded`
     means that the value follows a sign for *approximately*, `named` that an earlier side is a name. `others` are the
@@ -84,7 +84,7 @@ def two_values() -> Refused:
 
 
 def more_or_less(token: Token) -> Refused:
-    """Return the refusal of an answer for a token that makes its value ambiguous."""
+    """Return the refusal of an answer in which a token, such as ±, makes the value ambiguous."""
     return Refused(Outcome.WRONG, f"'{token.shown}' makes it more, or less, than one value")
 
 

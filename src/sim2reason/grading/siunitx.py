@@ -129,7 +129,7 @@ class _Unit:
         self.factors[-1] = _powered(last, power)
 
     def separate(self, sign: str) -> None:
-        """Add a separator, such as a dot or slash, unchanged."""
+        """Add a separator between two units, such as a dot or slash."""
         if "\\" in sign.replace(r"\%", ""):
             raise _misplaced("a backslash")
         if sign.strip():

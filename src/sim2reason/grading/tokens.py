@@ -228,7 +228,7 @@ class _Lexer:
         return self.labelled(run, label[:1]), start + 1
 
     def labelled(self, run: str, label: str) -> Pieces | None:
-        """Return the names in a run of letters; the subscript belongs to the whole run or to its last letter."""
+        """Return the names in a run of letters with a subscript, which belongs to the whole run or its last letter."""
         if run in FUNCTIONS:
             return (("function", f"{run}_{label}"),) if run == "log" else None
         for cut in (0, len(run) - 1, len(run) - 3 if run.endswith("ell") else 0):

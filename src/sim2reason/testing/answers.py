@@ -32,7 +32,7 @@ class Difference:
 
 
 def unit_factor(dimension: Dimension) -> float:
-    """Return 1 for every dimension: the answers in both motions must be equal."""
+    """Return 1, the expected ratio of two equal motions' answers, whatever the dimension."""
     del dimension
     return 1.0
 

@@ -124,7 +124,7 @@ class Specimen:
 
     @cached_property
     def targets(self) -> Targets:
-        """Return all possible targets of questions about its motion."""
+        """Return all possible targets (quantity and subject) of questions about the specimen's motion."""
         return targets(self.words)
 
     @cached_property

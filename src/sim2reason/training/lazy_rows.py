@@ -39,7 +39,7 @@ class Rows(Protocol):
 
 
 class LazySettings(Record):
-    """A YAML file of settings for generation, named like the options of `generate`."""
+    """The settings of generated rows, as in a YAML file, named like the options of `generate`."""
 
     items: Annotated[int, Ge(1), Le(INDEX_STRIDE)]
     """The number of rows, drawn and stored together."""
@@ -85,7 +85,7 @@ class LazySettings(Record):
 
 
 class LazyRows:
-    """The rows described by a file of `LazySettings`, by number, in the format of an export.
+    """The generated and stored rows described by a file of `LazySettings`, by number, in an export's format.
 
     Of any n consecutive rows, n · `share` are generated, within one. The others are the `stored` ones, all of them in
     an order drawn by the seed, then all in another order, and so on. A row is a pure function of the file, the stored

@@ -33,7 +33,7 @@ class Prefetcher:
         """That other processes have spent on problems so far, asked for or not."""
 
     def at(self, source: ProblemSource, cell: str, index: int) -> Problem | None:
-        """Return the problem of a cell and index, and have the following ones generated in other processes."""
+        """Return the problem of a cell and index; request the following ones from the other processes."""
         self.order(source, cell, index)
         found = self._ordered.pop((source.name, cell, index), None)
         if found is not None:
@@ -45,7 +45,7 @@ class Prefetcher:
         return source.at(cell, index)
 
     def order(self, source: ProblemSource, cell: str, start: int) -> None:
-        """Have the problems of a cell from index `start` on generated in other processes."""
+        """Request the problems of a cell from index `start` on from the other processes, unless requested before."""
         if self._pool is None:
             return
         try:

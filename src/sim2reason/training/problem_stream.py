@@ -32,12 +32,12 @@ class Curriculum(BaseModel):
     """How much of an average over groups stays when another group of the cell is seen."""
 
     def weight(self, rate: float | None) -> float:
-        """Return the sampling weight of a cell with a pass rate; `rate` is None for an untried cell."""
+        """Return the sampling weight of a cell of problems by its pass rate; `rate` is None for an untried cell."""
         p = UNKNOWN if rate is None else rate
         return self.floor + 4.0 * p * (1.0 - p)
 
     def after(self, rate: float | None, seen: float) -> float:
-        """Return the averaged pass rate of a cell after a group with the fraction `seen` of correct responses."""
+        """Return the new average pass rate of a cell after responses of which the fraction `seen` was correct."""
         before = UNKNOWN if rate is None else rate
         return self.memory * before + (1.0 - self.memory) * seen
 

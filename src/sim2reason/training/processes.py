@@ -106,7 +106,7 @@ def _free_port() -> int:
 
 
 def _rank(rank: int, count: int, port: int, pipe: External, work: Work[T], given: T) -> None:
-    """Run the work in one of the processes."""
+    """Execute the work as the process of one rank, and report progress and errors to `pipe`."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent is interrupted, and ends this
     end_with_parent()
     names = {"RANK": rank, "LOCAL_RANK": rank, "WORLD_SIZE": count, "LOCAL_WORLD_SIZE": count, "MASTER_PORT": port}

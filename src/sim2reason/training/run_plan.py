@@ -59,7 +59,7 @@ def claim(
 
 
 def _difference(file: Path, settings: Mapping[str, JsonValue]) -> str:
-    """Return the first setting that differs from a plan; empty if none."""
+    """Return the name of the first setting that differs from the plan of a run; empty if all are equal."""
     try:
         before = TrainingPlan.model_validate_json(file.read_bytes()).settings
     except ValidationError:

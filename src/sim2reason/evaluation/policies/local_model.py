@@ -89,7 +89,7 @@ class LocalModel(Policy):
         return _Loaded(torch, transformers, model, tokenizer, self._decoder(model))
 
     def _decoder(self, model: Any) -> Decoder | None:  # noqa: ANN401 - of transformers
-        """Return the decoder; PolicyError if it would differ from transformers' own loop."""
+        """Return the decoder with CUDA graphs, or None if unwanted; PolicyError if the model's settings rule it out."""
         if not self.cuda_graphs:
             return None
         asked = {name: getattr(model.generation_config, name, None) for name in WISHES}
@@ -175,7 +175,7 @@ class LocalModel(Policy):
         return tokenizer.apply_chat_template(messages, tokenize=False, add_generation_prompt=True)
 
     def _processors(self, seeds: Sequence[int]) -> list[Any]:
-        """Return logits processors for temperature, nucleus sampling, and Gumbel noise from the seeds.
+        """Return logits processors: temperature, nucleus sampling, and Gumbel noise from each row's seed.
 
         The largest logit with Gumbel noise is a sample of the softmax (Gumbel, Statistical theory of extreme values,
         1954), so greedy search samples each row with its own seed.

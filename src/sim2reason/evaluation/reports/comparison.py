@@ -26,7 +26,7 @@ COMPARISON_FILE = "compare.json"
 
 
 class PairedDifference(NamedTuple):
-    """The difference of two policies (second minus first) on the problems of a benchmark that both answered."""
+    """The difference of two policies' mean points (second minus first) over the problems that both answered."""
 
     benchmark: str
     items: int

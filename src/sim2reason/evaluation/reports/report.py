@@ -76,7 +76,7 @@ def _pictures(folder: RunFolder, results: Sequence[Result]) -> Iterator[str]:
 
 
 def _groups(out: Path, benchmark: str, results: Sequence[Result]) -> Iterator[str]:
-    """Yield a plot for each tag that divides a benchmark's problems into a few groups."""
+    """Draw a bar plot for each tag that divides a benchmark's problems into a few groups; yield the file names."""
     for tag in sorted({tag for each in results for tag in each.groups}):
         values = sorted({value for each in results for value in each.groups.get(tag, {})})
         if not 2 <= len(values) <= 20:
@@ -93,7 +93,7 @@ def _group(found: Result, tag: str, value: str) -> Bar | None:
 
 
 def _steps(folder: RunFolder, out: Path, results: Sequence[Result]) -> Iterator[str]:
-    """Yield the plot of accuracy and length over training steps, if policies state their steps."""
+    """Draw the plot of accuracy and length over training steps and yield its file name, if policies state steps."""
     steps = {name: plan.step for name, plan in folder.record.policies.items()}
     staged = [(step, each) for each in results if (step := steps[each.policy]) is not None]
     moments = sorted({step for step, _ in staged})

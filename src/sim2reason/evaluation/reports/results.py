@@ -106,7 +106,7 @@ def mean_of_items(points: Sequence[Sequence[float]]) -> Estimate:
 
 
 def pass_at(points: Sequence[Sequence[float]], k: int) -> float | None:
-    """Return pass@k: the unbiased probability that one of k samples is fully correct; None for too few samples.
+    """Return pass@k, the estimated probability that one of k samples is fully correct; None for too few samples.
 
     The formula is 1 - C(n - c, k)/C(n, k) for c correct ones of n: Chen et al., *Evaluating Large Language Models
     Trained on Code* (2021).
@@ -161,7 +161,7 @@ class _Record(BaseModel):
 
 
 class Share(_Record):
-    """A mean of points with its 95 % interval, as stored in reports."""
+    """A mean of points, 0 to 1, with its 95 % interval, as stored in reports."""
 
     value: float
     low: float
@@ -180,7 +180,7 @@ class Share(_Record):
 
 
 class Group(_Record):
-    """The problems with one value of a tag; a problem may belong to several groups."""
+    """The number and accuracy of the problems that have one value of a tag; a problem may have several values."""
 
     items: int
     accuracy: Share

@@ -16,7 +16,7 @@ __all__ = ["PolicyScores", "all_scores", "scores_of"]
 
 @dataclass(frozen=True)
 class PolicyScores:
-    """The points of one policy by benchmark and problem, one per sample."""
+    """The points of one policy by benchmark and problem: a list with one number per sample of a problem."""
 
     name: str
     run: RunFolder

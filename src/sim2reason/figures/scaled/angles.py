@@ -9,7 +9,7 @@ ANGLE_ARC = 0.75  # units, the least radius of an arc
 
 
 def corner_angle(at: complex, turn: tuple[float, float], text: str, subject: str) -> Sketch:
-    """Draw an arc between two directions, in degrees, with a label; smaller angles get larger arcs for it."""
+    """Draw an arc between two directions, given in degrees, with a label; small angles get larger arcs."""
     middle, half = rect(1.0, radians(0.5 * sum(turn))), radians(0.5 * abs(turn[1] - turn[0]))
     wide = 0.5 * width(text, SMALL)
     room = (0.5 * SMALL + 0.09) / tan(half) - 0.1  # where a text of this height fits in

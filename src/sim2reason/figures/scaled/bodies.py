@@ -93,7 +93,7 @@ def sphere(look: Spherical, at: complex, size: float, z: complex) -> list[Shape]
 
 
 def shell(at: complex, radii: tuple[float, float], hole: tuple[float, float], way: complex) -> Polygon:
-    """Return the polygon of a ring with a circular hole (distance, radius) cut out in a direction."""
+    """Return the outline of a ring that has a circular hole (distance, radius) on its side in a direction."""
 
     def opening(radius: float) -> float:
         """Return half the angle that the hole cuts out of a circle, radians."""
@@ -139,7 +139,7 @@ def cap(look: Capped, at: complex, size: float, z: complex) -> Polygon:
 
 
 def _segment(radius: float, height: float) -> Polygon:
-    """Return the outline of a cap about the centre of its flat face, pole upwards, from right to left."""
+    """Return the outline of a cap, relative to the centre of its flat face, with the cap's top upwards."""
     center = height - radius
     low = asin(max(-1.0, min(1.0, -center / radius)))
     turns = (low + (pi - 2.0 * low) * n / FINE for n in range(FINE + 1))

@@ -264,7 +264,7 @@ def _stand(setting: DrawingContext, ends: tuple[str, ...], found: Sketch) -> Non
 
 
 def _note(setting: DrawingContext, address: str, tilt: float, found: Sketch) -> None:
-    """Add a label on the tilt of a table, which a view from above cannot show."""
+    """Add a label that states the tilt of a table, because a view from above cannot show the tilt."""
     setting.drawn.add(address)
     if tilt:
         text = f"tilted at {setting.stated(owner_of(address), 'deg', tilt)}; y points up the slope"

@@ -23,7 +23,7 @@ COINCIDENCE_TOLERANCE = 1e-6
 
 
 def look_of(setting: DrawingContext, line: Line) -> str:
-    """Return the look of a line as declared by its connection or body, else by its force law."""
+    """Return the look of a line, such as spring: declared by its connection or body, else by its force law."""
     joint = setting.plan.scene.joints.get(line.whole)
     if joint is not None:
         return joint.connection.look

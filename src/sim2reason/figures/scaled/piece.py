@@ -123,7 +123,7 @@ def _leaving(setting: DrawingContext, site: str, wheel: str, found: Sketch) -> N
 
 
 def _rubbing(setting: DrawingContext, upper: str, lower: str, found: Sketch) -> None:
-    """Draw the stated friction between two slabs, at one end of their contact face."""
+    """Draw the stated friction coefficients between two slabs, at one end of their contact face."""
     names = sorted(setting.plan.name(address) for address in (upper, lower))
     letter = rf"$\mu_{{{names[0]}{names[1]}}}$" if max(map(len, names)) == 1 else "µ"
     text = setting.plan.friction_text(owner_of(upper), setting.mechanism.contacts[upper], letter)

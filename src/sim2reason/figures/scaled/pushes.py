@@ -131,7 +131,7 @@ def mark_at(setting: DrawingContext, force: Force, at: complex) -> tuple[str, li
 
 
 def parts(setting: DrawingContext, law: Law, where: Vector, time: float) -> tuple[Vector, Vector]:
-    """Return the force of a law on a body at rest, and its magnetic field B with F = v × B, as vectors.
+    """Return the force of a law on a body at rest, and the magnetic field B of its part F = v × B.
 
     The magnetic field follows from the force F(v) on velocities along the page's two axes x, y and out of the page z,
     since drag is parallel to v: B = (y·F(z), z·F(x), x·F(y)).

@@ -31,7 +31,7 @@ def rides(setting: DrawingContext, body: RigidBody) -> bool:
 
 
 def walls(setting: DrawingContext, point: complex, way: complex, on: str | None = None) -> Iterator[complex]:
-    """Yield the ends of springs and strings on the line of a rail that are fixed to the ground, or to the body `on`."""
+    """Yield the ends on a rail's line of springs and strings that are tied to the ground, or to the body `on`."""
     for line in setting.lines:
         for site in (line.through[0], line.through[-1]):
             at = setting.site(site)

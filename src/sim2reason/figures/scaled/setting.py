@@ -123,7 +123,7 @@ class DrawingContext:
                 return 0.5 * min((m.distance for m in meetings), default=0.0)
 
     def _bulk(self, address: str) -> float:
-        """Return half the size of a body for the choice of the scale; less for thin bodies."""
+        """Return half the size of a body, by which the scale of the drawing is chosen; less for thin bodies."""
         match self.look(address):
             case Axial(radius, height):
                 return max(radius, THIN_BULK * height)
@@ -202,11 +202,11 @@ class DrawingContext:
                 yield force.region, force.body
 
     def stated(self, owner: str, unit: str, value: float) -> str:
-        """Return a stated number of an entity with that unit and value, or an empty text."""
+        """Return the text of an entity's number with this unit and value; empty if the text states no such number."""
         return self.plan.stated(owner, unit, value)
 
     def state_once(self, owner: str, unit: str, value: float) -> str:
-        """Return a stated number as `stated` does the first time; an empty text once the drawing already shows it."""
+        """Return a stated number as text the first time; empty afterwards, because the drawing already shows it."""
         text = self.stated(owner, unit, value)
         new = (owner, text) not in self._shown
         self._shown.add((owner, text))

@@ -17,7 +17,7 @@ LARGEST = 2.6  # units across the largest body
 
 @dataclass(frozen=True, slots=True)
 class View:
-    """A parallel projection; `scale` is units of the drawing per unit of length."""
+    """A parallel projection to the page; `scale` is the number of drawing units per unit of length in the scene."""
 
     right: Vector
     up: Vector
@@ -33,7 +33,7 @@ class View:
 
     @property
     def level(self) -> bool:
-        """Return whether the view is from above."""
+        """Return whether the scene is seen from above."""
         return abs(self.up[2]) < 1.0 - SMALL and abs(self.up[1]) > SMALL
 
     @property

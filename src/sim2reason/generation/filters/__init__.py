@@ -49,12 +49,12 @@ class Candidate:
 
     @cached_property
     def time(self) -> float | None:
-        """Return the latest time of the motion on which the answer depends, s; None if it depends on all."""
+        """Return the latest time of the motion on which the answer depends, s; None if the whole motion matters."""
         return self.kind.time(self.question.query, self.study)
 
     @cached_property
     def solution(self) -> Solution | None:
-        """Return the shortest worked solution with allowed mathematics, without integration; None without a text."""
+        """Return the shortest worked solution with allowed mathematics and no integration; None without a text."""
         if self.words is None:
             return None
         question = self.question
@@ -66,7 +66,7 @@ class Candidate:
 
     @property
     def checked(self) -> Self:
-        """Return the candidate after a check of its worked solution by the independent checker."""
+        """Return the candidate, with another worked solution if the independent checker rejects the first one."""
         question, found = self.question, self.solution
         if self.words is None or question.formula is not None or found is None or found.answer is None:
             return self
@@ -90,7 +90,7 @@ class Candidate:
 
     @property
     def solved(self) -> tuple[tuple[Solution, int], ...]:
-        """Return the worked solution with the number of events before the moment asked about; empty without one."""
+        """Return the pair of the worked solution and its number of events, as a tuple; empty without a solution."""
         if self.solution is None or self.solution.answer is None:
             return ()
         return ((self.solution, number_of_events(self.study.trace, self.time)),)
@@ -143,7 +143,7 @@ class Candidate:
 
 
 def _has(study: SimulatedScene, query: Query) -> bool:
-    """Return whether a changed scene still contains the objects and quantities of a query."""
+    """Return whether a changed scene still contains the subject, quantity and moment of a query."""
     mechanism, target = study.mechanism, query.target
     if query.moment is not None and not query.moment.possible(mechanism):
         return False
@@ -189,7 +189,7 @@ class Filter(ABC):
         """
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the measured values behind the decision, one line each; by default only the reason."""
+        """Yield the measured values behind the decision as report lines; by default only the reason."""
         del candidate
         yield from ()
 
@@ -220,7 +220,7 @@ def filter_scene(study: SimulatedScene) -> Verdict:
 
 
 def apply_filters(candidate: Candidate, *, witnessed: bool) -> Verdict:
-    """Return the first rejection by the filters that need the second engine (`witnessed`), or by the others."""
+    """Return the verdict of all filters that need both engines (`witnessed`), or of all others: the first rejection."""
     filters = [(name, found) for name, found in in_order() if found.needs_witness == witnessed]
     for name, found in sorted(filters, key=lambda each: not each[1].ready(candidate)):
         if reason := found.reason(candidate):

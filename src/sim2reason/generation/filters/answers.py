@@ -29,7 +29,7 @@ class Agreement(Filter):
         return KINDS[query.kind].doubt(query, candidate.study, candidate.certificate)
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the largest difference between the engines, and the end time of the comparison."""
+        """Yield report lines: the largest difference between the engines, and the end time of the comparison."""
         held = candidate.certificate
         if held is not None and held.agreement:
             worst = max(held.agreement, key=lambda channel: held.agreement[channel])
@@ -53,7 +53,7 @@ class Degenerate(Filter):
     order = 0
 
     def reason(self, candidate: Candidate) -> str:
-        """Compare the result with zero and with the scene's scale, and the answer with every number of the text."""
+        """Return a reason if the answer is negative, (nearly) zero, a number in the text, or the initial value."""
         if (
             candidate.question.formula is not None
             and candidate.question.formula.latex in candidate.question.formula.symbols
@@ -70,7 +70,7 @@ class Degenerate(Filter):
         return "nothing changes it before" if _lasting(candidate) else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the result with the smallest allowed one, the nearest stated number, and the initial value."""
+        """Yield report lines: the result and the least allowed one, the nearest stated number, the initial value."""
         question, nearest = candidate.question, _nearest(candidate)
         floor = max(_least(candidate), SMALLEST * _scale(candidate))
         yield f"the result is {question.result:.4g}; what is not beyond {floor:.2g} can't be told from zero"
@@ -92,7 +92,7 @@ def _least(candidate: Candidate) -> float:
 
 
 def _stated(candidate: Candidate, unit: str) -> Iterator[float]:
-    """Yield the numbers in the text with this unit; also g and the question's numbers, whatever their unit."""
+    """Yield the numbers in the text with this unit; also g and the question's own numbers, whatever their unit."""
     for parameter in candidate.study.scene.parameters:
         open_to_all = not parameter.hidden and parameter.path not in candidate.question.left_open
         alike = parameter.measure.unit == unit or parameter.path.startswith("world.")
@@ -158,7 +158,7 @@ class Identifiable(Filter):
     order = 10
 
     def reason(self, candidate: Candidate) -> str:
-        """Solve the scene with other values within ten times the range from which the number is drawn."""
+        """Return a reason if the given result does not determine the unknown, or no words of the text mention it."""
         question, words = candidate.question, candidate.words
         if not question.unknown or words is None:
             return ""
@@ -170,7 +170,7 @@ class Identifiable(Filter):
         )
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the unknown number, and the range of other values that were tried."""
+        """Yield a report line: in which range no value of the unknown but the answer gives the stated result."""
         question = candidate.question
         if question.unknown and question.given is not None and not self.reason(candidate):
             values = range_of(candidate.study.scene, question.unknown, question.answer)
@@ -209,7 +209,7 @@ class Precision(Filter):
     order = 8
 
     def reason(self, candidate: Candidate) -> str:
-        """Shift the stated numbers one by one by one part in a thousand, and solve again."""
+        """Return a reason if a shift of the stated numbers by a thousandth changes the answer or event order a lot."""
         squares = 0.0
         for found in elasticities(candidate):
             if found.reordered:
@@ -221,7 +221,7 @@ class Precision(Filter):
         return f"half a unit in the last place of {changed} changes the count" if changed else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the condition number."""
+        """Yield a report line with the condition number: the sensitivity of the answer to the stated numbers."""
         total = sqrt(sum(found.size**2 for found in elasticities(candidate)))
         yield f"the condition number is {total:.2f}; up to {WORST:g} is allowed"
 

@@ -18,7 +18,7 @@ class Shortcut(Filter):
     order = 6
 
     def reason(self, candidate: Candidate) -> str:
-        """Hold fixed or omit each part that permits it, one by one."""
+        """Return a reason if too many parts of the scene hardly change the answer when held fixed or omitted."""
         idle = dict[str, Effect]()
         allowed = ALLOWED[candidate.difficulty] if candidate.question.formula is None else 0
         for effect in effects(candidate, part=True):
@@ -31,7 +31,7 @@ class Shortcut(Filter):
         return ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the effect of each change on the answer."""
+        """Yield report lines: the effect on the answer of each part's omission or fixing."""
         return (effect.text for effect in effects(candidate, part=True))
 
 
@@ -47,7 +47,7 @@ class Simplified(Filter):
     order = 4
 
     def reason(self, candidate: Candidate) -> str:
-        """Apply every applicable misconception."""
+        """Return a reason if a misconception leads (nearly) to the correct answer."""
         for effect in effects(candidate, part=False):
             if (
                 effect.is_accepted
@@ -58,7 +58,7 @@ class Simplified(Filter):
         return ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the effect of each misconception on the answer."""
+        """Yield report lines: the effect of each misconception on the answer."""
         return (effect.text for effect in effects(candidate, part=False))
 
 

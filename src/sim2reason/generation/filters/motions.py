@@ -28,7 +28,7 @@ class Collision(Filter):
     order = 1
 
     def reason(self, candidate: Candidate) -> str:
-        """Require a collision at or before the moment, for every stated restitution, and not too many."""
+        """Return a reason if no relevant collision, or too many, occur at or before the moment asked about."""
         time, moment = candidate.time, candidate.question.query.moment
         just_after = moment is not None and bool(moment.sided)
         met = time is None or has_collided(candidate.study.trace, time, just_after=just_after)
@@ -42,7 +42,7 @@ class Collision(Filter):
         return ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the times of the first collisions."""
+        """Yield report lines: the times of the first collisions."""
         hits = [event for event in candidate.study.trace.events if event.kind == "collision"]
         yield from (f"{' and '.join(hit.subjects)} collide at {hit.time:.4g} s" for hit in hits[:SHOWN])
 
@@ -71,13 +71,13 @@ class Jerk(Filter):
     order = 2
 
     def reason(self, candidate: Candidate) -> str:
-        """Search for strings that become taut before the moment, or before the end of the motion."""
+        """Return a reason if a string becomes taut again before the moment asked about or the end of the motion."""
         told = {named.name for named in candidate.study.scene.entities if named.entity.slackens}
         lines = (line for _, line in _again(candidate))
         return next((f"{line} becomes taut again" for line in lines if line.partition(".")[0] not in told), "")
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the times when strings become taut again, or the end of the search."""
+        """Yield report lines: the times when strings become taut again, or the end of the search."""
         if not candidate.study.mechanism.strings:
             return
         again = [f"{line} becomes taut again at {time:.4g} s" for time, line in _again(candidate)]
@@ -105,11 +105,11 @@ class PlausibleOutcome(Filter):
     order = 1
 
     def reason(self, candidate: Candidate) -> str:
-        """Compare the answer and the given result with plausible ranges, and springs with their natural lengths."""
+        """Return a reason if the answer or the given result is implausible, or a spring is strained too much."""
         return next(self.findings(candidate), "")
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield all implausible values."""
+        """Yield report lines: all implausible values."""
         question, mechanism = candidate.question, candidate.study.mechanism
         yield from _implausible("the answer", question.answer, question.unit, mechanism)
         if question.given is not None:
@@ -160,7 +160,7 @@ class Slide(Filter):
         return next((f"{name} slides {way:.2g} m on what carries it" for name, way in far.items()), "")
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the sliding distance of each body that slides on another one."""
+        """Yield report lines: the sliding distance of each body that slides on another one."""
         yield from (f"{name} slides {way:.3g} m on what carries it" for name, way in _slides(candidate).items())
 
 

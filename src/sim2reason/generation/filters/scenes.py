@@ -15,11 +15,11 @@ class Magnitudes(SceneFilter):
     """Filter for implausible numbers: stated values, densities, mass ratios or initial lengths of springs."""
 
     def scene_reason(self, study: SimulatedScene) -> str:
-        """Look up the plausible ranges of all stated numbers."""
+        """Return a reason if a number of the scene, such as a density or a spring's initial length, is implausible."""
         return study.memoize("implausible numbers", lambda: next(implausible_numbers(study.scene), ""))
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield all implausible values."""
+        """Yield report lines: all implausible values."""
         return implausible_numbers(candidate.study.scene)
 
 
@@ -37,7 +37,7 @@ class Opposed(SceneFilter):
     """
 
     def scene_reason(self, study: SimulatedScene) -> str:
-        """Return a reason if no body accelerates upwards just after the start."""
+        """Return a reason if bodies of several entities accelerate downwards just after the start and none upwards."""
         if not study.mechanism.strings or changing(study.mechanism):
             return ""
         up = _accelerations(study)
@@ -46,7 +46,7 @@ class Opposed(SceneFilter):
         return "all that has a weight runs down together" if len(down) >= SEVERAL and not rises else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the vertical direction in which each accelerated body initially accelerates."""
+        """Yield report lines: whether each accelerated body first accelerates upwards or downwards."""
         moving = {name: up for name, up in _accelerations(candidate.study).items() if abs(up) > ACCELERATION_FLOOR}
         yield from (f"{name} is accelerated {'up' if up > 0.0 else 'down'}" for name, up in moving.items())
 
@@ -74,7 +74,7 @@ class Taut(SceneFilter):
         )
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the smallest tension just after the start."""
+        """Yield a report line with the smallest string tension just after the start."""
         tensions = _tensions(candidate.study)
         if tensions:
             name = min(tensions, key=lambda each: tensions[each])

@@ -30,7 +30,7 @@ class Sensitivity(Filter):
     order = 7
 
     def reason(self, candidate: Candidate) -> str:
-        """Count the numbers that change the answer beyond the tolerance when halved or doubled."""
+        """Return a reason if too few numbers change the answer beyond the tolerance when halved or doubled."""
         scene, query = candidate.study.scene, candidate.question.query
         given = [given for given in givens(scene, candidate.question.left_open) if given.owner != "world"]
         aside = [effect.subject for effect in effects(candidate, part=True) if effect.is_accepted]
@@ -53,7 +53,7 @@ class Sensitivity(Filter):
         return f"reach: {short}" if short else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the sensitivity of the answer to each number."""
+        """Yield report lines: the sensitivity of the answer to each stated number."""
         for found in elasticities(candidate):
             moved = "matters" if matters(candidate, found) else "does not matter"
             yield f"{', '.join(found.given.paths)}: |d ln answer / d ln number| = {found.size:.3g}; it {moved}"

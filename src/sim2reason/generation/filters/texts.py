@@ -18,7 +18,7 @@ class HiddenNumbers(Filter):
     order = 5
 
     def reason(self, candidate: Candidate) -> str:
-        """Solve the scene with all hidden lengths at their minimum, and compare the answers."""
+        """Return a reason if the answer changes when all hidden lengths are at their minimum."""
         answer, query, kind = candidate.question.answer, candidate.question.query, candidate.kind
         tight = _tight(candidate)
         if tight is candidate.study:
@@ -36,7 +36,7 @@ class HiddenNumbers(Filter):
         )
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the answer with all hidden lengths at their minimum."""
+        """Yield a report line with the answer for which all hidden lengths are at their minimum."""
         tight = _tight(candidate)
         again = candidate.response(tight) if tight is not candidate.study else None
         if again is not None:
@@ -75,14 +75,14 @@ class Length(Filter):
     order = 2
 
     def reason(self, candidate: Candidate) -> str:
-        """Count the words as a word processor does."""
+        """Return a reason if the prompt has too many words, counted as a word processor does."""
         words = len(candidate.prompt.split())
         if words > MAX_WORDS:
             return f"{words} words"
         return "" if is_followable(candidate.sentences) else f"more than {MAX_STRING_WORDS} words about one string"
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the number of words."""
+        """Yield a report line with the number of words in the prompt."""
         yield f"{len(candidate.prompt.split())} words of at most {MAX_WORDS}"
 
 

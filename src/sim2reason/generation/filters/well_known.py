@@ -50,7 +50,7 @@ class FewLaws(Filter):
         return is_derived(candidate.question.query, candidate.study)
 
     def reason(self, candidate: Candidate) -> str:
-        """Count the laws, and the symbols after substitution of all formulas."""
+        """Return a reason if the worked solution needs few laws and its formula contains few symbols."""
         found = None if candidate.easy else _derivation(candidate)
         if found is None:
             return ""
@@ -63,7 +63,7 @@ class FewLaws(Filter):
         return f"{_counted(laws)}, a formula of {symbols} symbols"
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the laws of the worked solution."""
+        """Yield report lines: the number of laws and the strategy of the worked solution, and its formula's size."""
         found = _derivation(candidate)
         if found is not None:
             yield f"{_counted(count_laws(found))}, by {found.strategy}"
@@ -112,7 +112,7 @@ class FewSymbols(Filter):
     order = 1
 
     def reason(self, candidate: Candidate) -> str:
-        """Compare the number of symbols in the formula with the required one, and count the unused symbols."""
+        """Return a reason if the formula has too few symbols, or too many symbols of the text are unused."""
         formula = candidate.question.formula
         if formula is None:
             return ""
@@ -122,7 +122,7 @@ class FewSymbols(Filter):
         return f"idle symbols: {len(formula.without)} of {told}" if len(formula.without) > EVER * told else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the number of symbols that occur in the formula, and of symbols of the text that do not."""
+        """Yield report lines: how many of the text's symbols occur in the formula, and how many do not."""
         formula = candidate.question.formula
         if formula is not None:
             required = minimum_relevant(candidate)
@@ -144,14 +144,14 @@ class OneLine(Filter):
     order = 9
 
     def reason(self, candidate: Candidate) -> str:
-        """Measure the power of the answer in each number, and compare with products and sums."""
+        """Return a reason if the answer equals a simple product or sum of stated numbers."""
         if candidate.easy or candidate.kind.measured(candidate.question.query).whole:
             return ""
         line = product_of(candidate) or sum_of(candidate)
         return "" if line and turns_by_weight(candidate) else line
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the product or sum that equals the answer, if any."""
+        """Yield a report line with the product or sum that equals the answer, if any."""
         yield (
             product_of(candidate) or sum_of(candidate) or "the answer is no product of stated numbers, nor a sum of two"
         )

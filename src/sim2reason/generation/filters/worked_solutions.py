@@ -16,11 +16,11 @@ class Derivable(Filter):
     order = 9
 
     def reason(self, candidate: Candidate) -> str:
-        """Try every strategy without numerical integration."""
+        """Return a reason if no strategy derives the answer without numerical integration."""
         return "only an integration leads to it" if candidate.kind.derivable and not _derived(candidate) else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the strategy that derives the answer."""
+        """Yield a report line with the strategy that derives the answer."""
         if candidate.kind.derivable and (found := _derived(candidate)):
             yield f"it is derived by: {found}"
 
@@ -64,7 +64,7 @@ class FitsLabel(Filter):
         return candidate.is_solved
 
     def reason(self, candidate: Candidate) -> str:
-        """Compare the difficulty score with the range of the label."""
+        """Return a reason if the difficulty score lies outside the range of the difficulty label."""
         if not candidate.labelled or candidate.measured is None:
             return ""
         score, band = candidate.measured.score, LABELS[candidate.difficulty]
@@ -73,7 +73,7 @@ class FitsLabel(Filter):
         return f"{TOO_HARD if score > band.most else TOO_EASY}: a score of {score} for {candidate.difficulty}"
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the measured difficulty."""
+        """Yield a report line with the laws, phases, unknowns and difficulty score of the worked solution."""
         found = candidate.measured
         if found is not None:
             yield f"laws {found.laws}, phases {found.phases}, unknowns together {found.unknowns}, score {found.score}"
@@ -95,14 +95,14 @@ class Needs(Filter):
         return candidate.is_solved
 
     def reason(self, candidate: Candidate) -> str:
-        """Compare the solution's needs with the allowed ones."""
+        """Return a reason if the worked solution needs mathematics that is not allowed."""
         if candidate.needs == EVERY or candidate.solution is None:
             return ""
         need = candidate.solution.needs
         return "" if need in candidate.needs else f"{need.label}: it needs that"
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the needs of the solution."""
+        """Yield a report line with the mathematics that the worked solution needs."""
         if candidate.solution is not None:
             strategy = candidate.solution.strategy
             yield f"{candidate.solution.needs.label}, by {strategy or 'nothing but integration'}"

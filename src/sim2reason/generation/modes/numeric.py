@@ -53,7 +53,7 @@ class Numeric(QuestionMode):
         return self.asking(query, study, words, rng) if query is not None else None
 
     def asking(self, query: Query, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Question | None:
-        """Return the question for a query if its answer is finite, else None."""
+        """Return the question for a query, with its answer; None if the answer is not finite."""
         asked, offered = KINDS[query.kind], targets(words)
         answer = asked.answer(query, study)
         if answer is None or not np.isfinite(answer):
@@ -101,7 +101,7 @@ class Multipart(Numeric):
         return frozenset(name for name in super().kinds if not KINDS[name].hides)
 
     def asking(self, query: Query, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Question | None:
-        """Return the question for a query; None also if it would leave unknown a number that other parts may need."""
+        """Return the question for a query; None also if its unknown is a number that other parts may need."""
         return super().asking(query, study, words, rng) if not query.hides else None
 
     def parsed(self, text: str, study: SimulatedScene, words: Words) -> ParsedQuestion | None:

@@ -219,7 +219,7 @@ def _noun(query: Query, words: Words) -> Noun | None:
 def _fixed(
     dependence: AnswerFunction, drawn: float, result: float, unit: str
 ) -> tuple[StatedResult, float, float] | None:
-    """Return the rounded result, the number that gives exactly it, and the elasticity; None if undetermined."""
+    """Return the rounded result, the number that gives exactly it, and the elasticity; None without such a number."""
     rate = dependence.rate(drawn)
     if not rate:
         return None

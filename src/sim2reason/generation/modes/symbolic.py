@@ -135,7 +135,7 @@ class Symbolic(QuestionMode):
 
 
 def _formulas(mechanism: Mechanism) -> frozenset[str]:
-    """Return the question kinds about a mechanism for which strategies may derive formulas."""
+    """Return the question kinds for which some strategy of worked solutions may derive a formula."""
     return frozenset[str]().union(*(strategy.formulas(mechanism) for strategy in applicable_strategies(mechanism)))
 
 

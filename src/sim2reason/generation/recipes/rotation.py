@@ -146,7 +146,7 @@ def is_clear(one: WeldedPiece, other: WeldedPiece) -> bool:
 
 
 def _bear(pieces: Sequence[WeldedPiece], *, unmoved: int) -> bool:
-    """Return whether all numbers of the pieces, with at most `unmoved` exceptions, affect the motion of the arm.
+    """Return whether all numbers of the pieces, except at most `unmoved` of them, affect the motion of the arm.
 
     The mass of a single piece cancels.
     """

@@ -84,7 +84,7 @@ class EnergyCheck(Check):
                 return
 
     def _potential(self, found: Specimen, force: Force) -> Iterator[Finding]:
-        """Yield a finding where the potential of a law does not fall by the work of its force."""
+        """Yield a finding where the decrease of a force's potential differs from the work of the force."""
         trace = found.study.trace
         for start, stop in intervals(trace, found.end) if force.region is None else ():
             ends = trace.sample(edges(start, stop))

@@ -56,7 +56,7 @@ class RangesCheck(Check):
 
 @dataclass
 class _Looked:
-    """The numbers of an entity tested so far: a scene with each, and those that affect an answer."""
+    """The numbers of an entity tested so far: a scene that contains each, and which of them affect an answer."""
 
     seen: dict[str, Specimen] = field(default_factory=dict[str, Specimen])
     alive: set[str] = field(default_factory=set[str])
@@ -82,7 +82,7 @@ class _Looked:
                     self.alive.add(name)
 
     def again(self, found: Specimen) -> None:
-        """Change the numbers that seem irrelevant after few scenes in one more scene."""
+        """Change the numbers that seem irrelevant in one more scene, to find an answer that they affect."""
         if found.moves:
             dead = self.open
             self.again_with.update(
@@ -92,7 +92,7 @@ class _Looked:
 
 
 def _field(path: str) -> str:
-    """Return the address of a number with ``*`` in place of indices."""
+    """Return the address of a number with ``*`` in place of list indices, as in ``blocks.*.mass``."""
     return ".".join("*" if step.isdigit() else step for step in path.split("."))
 
 

@@ -34,7 +34,7 @@ class MirrorImageCheck(Check):
                 yield found.finding(self.name, "the mirror image moves as the mirror image", what, remedy)
 
     def _parted(self, found: Specimen) -> str:
-        """Return where the two motions differ, in words; empty if they agree."""
+        """Return in words where a motion and its mirror image differ; empty if they agree."""
         trace = found.study.trace
         try:
             image = ENGINES[RECORDED](mirrored(trace.mechanism), trace.state.times)

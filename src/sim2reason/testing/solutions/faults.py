@@ -102,7 +102,7 @@ def undetermined(solution: Solution) -> list[str]:
 
 
 def _since_when(solution: Solution) -> list[str]:
-    """Return names besides the answer that laws must determine, such as the time from which a condition holds.
+    """Return the names besides the answer whose values the laws must determine, such as the time of an event.
 
     They are the names of verifications, of times from which a condition or free flight holds, and of formulas of which
     a limit or an extreme value is taken.
@@ -145,7 +145,7 @@ def _elsewhere(solution: Solution) -> dict[str, float]:
 
 
 def _spared(laws: Sequence[Relation], values: dict[str, float], place: dict[str, int], goal: Array) -> bool:
-    """Return whether the answer is determined by these laws alone, also at another point that satisfies them.
+    """Return whether the given laws alone determine the answer, also at another point that satisfies these laws.
 
     If that law states when something is greatest, the goal is stationary without it: so the solution set is followed
     for a short distance, with Newton's method back onto it, and the test is repeated there.

@@ -49,7 +49,7 @@ def _copy(data: Mapping[str, Any]) -> Data:
 
 
 def _idle(data: Data) -> list[Data]:
-    """Return the equations that the answer does not need: comparisons, and those for names used nowhere else."""
+    """Return the equations that the answer does not need: comparisons, and those for names not used elsewhere."""
     every = [relation for step in data["steps"] for relation in step["relations"]]
     relations = [relation for relation in every if relation["role"] != COMPARED]
     names = {id(r): frozenset((*symbols(r["left"]), *symbols(r["right"]))) for r in relations}

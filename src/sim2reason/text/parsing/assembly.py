@@ -19,7 +19,7 @@ MAX_UNKNOWNS = 2  # unknown numbers in a text: the one it asks for, and one whos
 
 
 def build_scene(state: ParseState, rng: np.random.Generator, share: float = 0.5) -> Scene:
-    """Build the parsed scene; each number given only as a symbol gets the value at fraction `share` of its range.
+    """Build the parsed scene; each number stated only as a symbol gets the value at fraction `share` of its range.
 
     Raises:
         TextError: something is not told.
@@ -33,12 +33,12 @@ def build_scene(state: ParseState, rng: np.random.Generator, share: float = 0.5)
 
 
 def unstated_error(symbols: Iterable[str]) -> TextError:
-    """Build the error for a text that leaves more numbers unknown than its question asks for."""
+    """Return the error for a text that leaves more numbers unknown than its question asks for."""
     return TextError("text", f"it does not tell {' and '.join(symbols)}", "leave one number unknown")
 
 
 def _guessed(state: ParseState, share: float) -> ParseState:
-    """Return the state with numbers in place of symbols; TextError if a symbol has several values or no range."""
+    """Return the parse state with numbers in place of symbols; TextError for several possible values or no range."""
     unknowns = state.unknowns
     if len(unknowns) > MAX_UNKNOWNS:
         raise unstated_error(unknowns.values())

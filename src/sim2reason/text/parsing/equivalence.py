@@ -55,7 +55,7 @@ def signature(scene: Scene, names: Mapping[str, str]) -> Signature:
 
 
 def _compared(rows: "_Rows") -> tuple[object, ...]:
-    """Return the labels of collisions, forces and attractions, and the refined labels of all gradients."""
+    """Return labels of all collisions, forces and attractions, and the refined labels of all gradients."""
     mechanism = rows.mechanism
     for body in mechanism.bodies:
         rows.body(body)
@@ -70,7 +70,7 @@ def _compared(rows: "_Rows") -> tuple[object, ...]:
 
 
 class _Rows:
-    """Labelled gradients of positions and lengths, by all coordinates and distances of bodies from surfaces."""
+    """Labelled gradients of positions and lengths, with respect to coordinates and distances from surfaces."""
 
     def __init__(self, mechanism: Mechanism, names: Mapping[str, str], stage: float, *, bending: bool) -> None:
         self.mechanism, self._names, self._stage = mechanism, names, stage
@@ -113,7 +113,7 @@ class _Rows:
         self._rows.append(row)
 
     def _spread(self, point: Point) -> Array:
-        """Return the gradient of a point's three coordinates, (3, n), by coordinates and distances from surfaces."""
+        """Return the gradient of a point's position, (3, n), by the coordinates and the distances from surfaces."""
         found = np.zeros((3, self._width))
         for number, axis in point.gradient.items():
             found[:, number] += axis

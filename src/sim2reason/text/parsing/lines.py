@@ -27,7 +27,7 @@ class _SentenceStarts(NamedTuple):
 
 
 def may_begin(matcher: Matcher, kind: type[Part], place: int) -> bool:
-    """Return whether sentence number `place` contains the fixed words of some sentence of an entity."""
+    """Return whether an entity's text may begin with sentence `place`, by the fixed words of the templates."""
     templates, tables, strings = _sentence_starts(kind)
     if strings or any(matcher.contains_fixed_words(place, template) for template in templates):
         return True
@@ -113,7 +113,7 @@ def _several(
 def _inside(
     matcher: Matcher, address: str, name: str, place: int, state: ParseState
 ) -> Iterator[tuple[int, ParseState]]:
-    """Yield the parses of the sentence of a connection inside an entity."""
+    """Yield the parse of the sentence of an entity's inner connection, with the index of the next sentence."""
     inner = inside(state.kind(address, Part))[name]
     routes = InnerRoute(address, inner)
     for told in inner.kind.parse(f"{address}.{name}", place, state, matcher, routes):
@@ -146,7 +146,7 @@ def _saying(
 
 
 def _without(saying: Saying, line: tuple[str, ...], address: str, state: ParseState) -> ParseState | None:
-    """Return the state with an optional number absent if `line` is the set of wordings used without that number."""
+    """Return the state after a sentence; its optional number is marked as absent if the wording used omits it."""
     if not isinstance(saying, Wordings) or not saying.given or line is not saying.wordings:
         return state
     return state.with_value(f"{address}.{saying.given}", None)
@@ -197,7 +197,7 @@ def _members(
 
 
 def _unsaid(template: str, address: str, state: ParseState) -> Iterator[ParseState]:
-    """Yield the states in which a sentence may be missing: a part it needs is absent, or a word states its number."""
+    """Yield the states that justify a missing sentence: a part named in it is absent, or a word states its number."""
     kind = state.kind(address, Part)
     for path in dict.fromkeys(slot.path for slot in slots(template) if slot.kind == "path" and "*" not in slot.path):
         path = kind.words[path].parameter if path in kind.words else path  # noqa: PLW2901 - what the word depends on

@@ -48,7 +48,7 @@ class Matcher:
         self._fitting: dict[tuple[int, str], bool] = {}
 
     def sentence(self, place: int, template: str, owner: str, state: ParseState) -> Iterator[ParseState]:
-        """Yield the states after matching a whole sentence with a template of the part at `owner`."""
+        """Yield the parse states after a template of the part at `owner` matches a whole sentence."""
         if self.contains_fixed_words(place, template):
             text = self.pieces[place]
             for end, then in self.template(text, 0, template, owner, state):
@@ -127,7 +127,7 @@ class Matcher:
             yield from self._just(text, at, BODIES, state)
 
     def _forms(self, text: str, at: int, slot: Slot, owner: str, state: ParseState, *, start: bool) -> Iterator[Found]:
-        """Yield the matches of a slot of grammatical number: one, two or more; none or some."""
+        """Yield the matches of a slot whose text depends on a count: one, two or more members, or none."""
         address, least = joined(owner, slot.path), 1 if slot.kind == "agree" else 0
         several = (
             ((slot.two, 2, 2), (slot.many, 3, MAX_MEMBERS))
@@ -187,7 +187,7 @@ class Matcher:
     def _word(
         self, text: str, at: int, word: Word, owner: str, state: ParseState, *, start: bool = False
     ) -> Iterator[Found]:
-        """Yield the matches of a word; a special word fixes its number, the default word leaves it open."""
+        """Yield the matches of a word: a special one, such as *smooth*, fixes a number; the default one fixes none."""
         address = joined(owner, word.parameter)
         known, choices = state.values.get(address), declared_type(state, address).choices
         if (known is None or known not in word.special) and not (choices and all(c in word.special for c in choices)):

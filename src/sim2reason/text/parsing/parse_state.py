@@ -66,7 +66,7 @@ class ParseState(NamedTuple):
         return self._replace(values={**self.values, address: value})
 
     def shared(self, members: Sequence[str], names: Iterable[str]) -> "ParseState | None":
-        """Return the state in which all members of a list of bodies have the numbers known for the first one."""
+        """Return the state in which all bodies of a list have the first one's known numbers; None on contradiction."""
         found: ParseState | None = self
         for name in sorted(names):
             value = self.values.get(f"{members[0]}.{name}")
@@ -132,7 +132,7 @@ class ParseState(NamedTuple):
         return Names({address: letter for address, letter in self.letters.items() if letter}, self.nouns)
 
     def renamed(self, old: tuple[str, ...], new: tuple[str, ...]) -> "ParseState":
-        """Return the state with all classes, numbers and letters at some addresses moved to other addresses."""
+        """Return the state in which everything stored at the addresses `old` is moved to the addresses `new`."""
         moved = dict(zip(old, new, strict=True))
 
         def move(held: Mapping[str, Any]) -> dict[str, Any]:

@@ -67,7 +67,7 @@ class ScriptedWriter(Writer):
         """Do nothing: an omitted sentence has no wording in the parsed text."""
 
     def leaves_out(self, closing: Closing) -> bool:
-        """Return whether to omit a closing sentence; one on a start from rest only if the text omits the start."""
+        """Return whether to omit a closing sentence; one on the start, only if the text omits the initial motion."""
         if closing.role == "start":
             return closing.name not in self._state.closings and _of_untold_start(closing, self._state)
         return super().leaves_out(closing)

@@ -117,7 +117,7 @@ def parse_scene(
 
 @dataclass(frozen=True)
 class _Parses:
-    """The verified parses of a text, and the errors of rejected ones with their numbers of missing closings."""
+    """The verified parses of a text, and the errors of rejected parses with counts of missing closing sentences."""
 
     found: list[ParsedScene]
     refused: list[tuple[int, TextError]]
@@ -236,14 +236,14 @@ def _described(scene: Scene) -> str:
 
 
 class _Grammar:
-    """The order of sentences in a text: those of entities, strings after their entities, then closing sentences."""
+    """The parser of the sentences of a text in order: entities with their strings, then closing sentences."""
 
     def __init__(self, matcher: Matcher) -> None:
         self._matcher = matcher
         self._silent = [kind for kind in ENTITIES.values() if any(self._unheard(ParseState({}), "e", kind))]
 
     def _unheard(self, state: ParseState, address: str, kind: type[Entity]) -> Iterator[ParseState]:
-        """Yield states with one more entity without sentences: its bodies occur only in a string's sentence."""
+        """Yield the states with one more entity that has no sentences: only a string's sentence names its bodies."""
         here = state.with_kind(address, kind)._replace(entities=(*state.entities, address))
         for _, then in entity_lines(self._matcher, address, len(self._matcher.pieces), here):
             yield then
@@ -287,7 +287,7 @@ class _Grammar:
                     yield from self._closings(place + 1, index + 1, then)
 
     def legs(self, kind: type[Connection], state: ParseState, links: tuple[Link, ...]) -> Iterator[Leg[ParseState]]:
-        """Yield the ports at which a connection may go on: on parsed entities, or on new ones without sentences."""
+        """Yield ports at which a connection may begin or continue, on parsed entities or new ones without sentences."""
         passed = {link.entity for link in links}
         for address in state.entities:
             if address not in passed:

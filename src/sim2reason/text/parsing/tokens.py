@@ -108,7 +108,7 @@ def _listed(state: ParseState, kind: type[Body], members: list[str], grid: _Grid
 def _filled(
     matcher: Matcher, state: ParseState, kind: type[Body], members: list[str], grid: _Grid
 ) -> ParseState | None:
-    """Return the state with the numbers of all table cells; None if a cell is invalid or contradicts a number."""
+    """Return the state with the numbers of all table cells; None if a cell is invalid or contradicts the state."""
     columns = {heading: name for name, heading in headings(kind).items()}
     found: ParseState | None = state
     for address, row in zip(members, grid.cells, strict=True):

@@ -40,7 +40,7 @@ def _from_rest(scene: Scene) -> bool:
 
 
 def _strings(scene: Scene) -> int:
-    """Return how many strings a closing sentence calls taut (at most 2 are counted); 0 if each is already called taut.
+    """Return how many strings a closing sentence must call taut (2 means several); 0 if all are called taut before.
 
     A massive pulley divides one string into several lines.
     """

@@ -55,13 +55,13 @@ def canonical(part: Model, path: str) -> str:
 
 
 def sentence_templates(saying: Saying, part: Any) -> tuple[str, ...]:
-    """Return the templates of a sentence about a part; they may depend on whether an optional number has a value."""
+    """Return the templates of a sentence about a part; these may depend on whether an optional number has a value."""
     given = isinstance(saying, Wordings) and saying.given
     return wordings(saying, given=bool(given) and referenced_object(part, str(given)) is not None)
 
 
 def referenced_object(part: Any, path: str) -> Any:
-    """Return the object that a template's slot names by its path; the body itself for a word about a body."""
+    """Return the value at a slot's path from a part, or the body whose word the slot names; None if absent."""
     held: Any = part
     for step in path.split("."):
         if held is None:

@@ -90,7 +90,7 @@ class Terms(ABC):
 
     @cached_property
     def symbols(self) -> dict[str, str]:
-        """Return the symbols of all numbers that are stated as numbers, or of the unknown alone."""
+        """Return the symbols by address of all numbers that the text states, or only those of the hidden numbers."""
         first = [self.parameters[path] for path in self._order]
         every = {p.path: p for p in (*first, *self.parameters.values())}.values()
         said = [p for p in every if not p.hidden and p.value is not None and not self._by_word(p.path)]

@@ -85,7 +85,7 @@ class Writer(Terms):
         return told
 
     def _string_order(self) -> list[str]:
-        """Return the connections, each after one that shares an entity with it where possible."""
+        """Return the names of the connections, each after one that shares an entity with it where possible."""
         names = {named.name for named in self.scene.entities}
         waiting = [name for name in self.scene.joints if name.split(".")[0] not in names]
         order: list[str] = []
@@ -99,7 +99,7 @@ class Writer(Terms):
         return order
 
     def _lines(self, name: str, done: set[str]) -> list[str]:
-        """Return the sentences of an entity, once: of its parts, its own, of the connections inside it."""
+        """Return the sentences of an entity on the first call: of its parts, its own, of its inner connections."""
         if name in done:
             return []
         done.add(name)
@@ -178,7 +178,7 @@ class Writer(Terms):
         return told
 
     def leaves_out(self, closing: Closing) -> bool:
-        """Return whether to omit a closing sentence: its topic is omitted, or it states a start that the text omits."""
+        """Return whether to omit a closing sentence, because its topic or the description of the start is omitted."""
         return closing.topic in self._without or (closing.role == "start" and "start" in self._left_out)
 
     def _as(self, role: Role, sentence: str, topic: Topic | None) -> str:

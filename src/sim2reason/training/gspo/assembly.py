@@ -77,7 +77,7 @@ def _arguments(settings: GSPOSettings, out: Path, weights: Sequence[float] | Non
 
 
 def _weights(settings: GSPOSettings) -> dict[str, Any]:
-    """Return the precision settings of the weights, unless the model's settings state it."""
+    """Return the data type of the model's weights for loading: bfloat16 for frozen ones, else float32."""
     frozen = settings.precision == "bfloat16" and settings.lora  # below adapters they need no float32
     return {"dtype": "bfloat16" if frozen else "float32"}
 

@@ -28,7 +28,7 @@ BATCH = {"num_items_in_batch"}  # one number for the batch, computed again
 
 
 def cut(output: dict[str, Tensor], number: int, generations: int) -> Group:
-    """Return one prompt's group of completions, the `number`-th of this process, from TRL's output of a round.
+    """Return the completions of one prompt, the `number`-th of this process, as a group cut from TRL's batch.
 
     Raises:
         TrainingError: TRL keeps something that `join` could not put together, such as pictures.

@@ -25,6 +25,6 @@ class BetweenUpdates(library("transformers").TrainerCallback):
                     weights.grad = None
 
     def on_step_end(self, _: object, state: Any, control: Any, **__: object) -> None:  # noqa: ANN401 - transformers' own
-        """Stop the run after the step in which the stream ended."""
+        """Stop the run, and save a checkpoint, after the step in which the prompt stream ended."""
         if self.trainer.exhausted and state.global_step % self.trainer.settings.minibatches == 0:
             control.should_training_stop = control.should_save = True

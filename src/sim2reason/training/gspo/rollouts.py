@@ -88,7 +88,7 @@ class Rollouts:
                     mine.copy_(theirs)
 
     def _sampled(self, logits: Tensor) -> Tensor:
-        """Return a random token per row with the probabilities that the logits imply, by exponential variables."""
+        """Return a random token for each row of logits, by comparison of exponential random variables."""
         rates = (logits / self._trainer.temperature).softmax(dim=1)
         return (rates / library("torch").empty_like(rates).exponential_()).argmax(dim=1)
 

@@ -27,7 +27,7 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class Answered:
-    """The rewards of one round of completions, and access to the completions of each prompt."""
+    """The rewards of all prompts of a round, and a function that returns the group of completions of one prompt."""
 
     rewards: Sequence[Sequence[float]]
     """Of each prompt of all processes, in the order of the prompts; NaN where nothing could be scored."""
@@ -188,7 +188,7 @@ class Meter:
             self.parts[part] = self.parts.get(part, 0.0) + perf_counter() - start
 
     def update(self, filled: Filled) -> None:
-        """Record the groups selected for a step, and that the update of the weights begins now."""
+        """Record the groups selected for a step, and the current time as the start of the weights' update."""
         self.filled, self._updating = filled, perf_counter()
 
     def made(self, cpu_seconds: float) -> None:

@@ -52,7 +52,7 @@ PROMISING = 16  # candidate constants that are scored
 
 
 def answered(config: ReinforcementLearning) -> dict[str, Path]:
-    """Return the evaluation folder for each way to choose responses (greedy, sampled)."""
+    """Return the evaluation folder for each method of choosing response tokens: greedy or sampled."""
     return {name: TrainingFolder(config.out).evaluation / name for name in RESPONSES}
 
 
@@ -84,7 +84,7 @@ def evaluated(config: ReinforcementLearning, begun: Begun, advance: Advance) -> 
 def _asked(
     config: ReinforcementLearning, models: Mapping[str, tuple[str, str | None]], begun: Begun, advance: Advance
 ) -> tuple[Saved, ...]:
-    """Evaluate models on the held-out problems, as far as not yet done; return these problems as benchmarks."""
+    """Evaluate models on the held-out problems unless done before; return the held-out sets as benchmarks."""
     folder = TrainingFolder(config.out)
     sets = [(each.problems.name, each.samples) for each in config.held_out]
     benchmarks = tuple(Saved(name=name, file=folder.problems(name), samples=samples) for name, samples in sets)

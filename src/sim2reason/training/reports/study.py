@@ -144,7 +144,7 @@ def _write(study: TrainingStudy, found: StudyReport) -> None:
 
 
 def _series(study: TrainingStudy, name: str) -> dict[str, list[float | None]]:
-    """Return a logged quantity at each step by arm, as the mean over the arm's seeds."""
+    """Return, by arm of a study, the values of a logged quantity at each step: means over the arm's seeds."""
     found: dict[str, list[float | None]] = {}
     for arm in study.arms:
         logs = [StepLog(TrainingFolder(study.configs[Arm(arm, seed)].out).train).read() for seed in study.seeds_of(arm)]

@@ -93,7 +93,7 @@ class ReinforcementLearning(_Settings):
         return self
 
     def check_shares(self, processes: int) -> None:
-        """Raise TrainingError if the completions and rows of a step cannot be divided evenly among `processes`."""
+        """Raise TrainingError if the completions and rows of a step cannot be divided among `processes` processes."""
         self.gspo.shares(processes)
         if self.warm_start is not None:
             try:

@@ -130,7 +130,7 @@ class FineTuning(BaseModel):
         return held
 
     def steps_of(self, rows: int) -> int:
-        """Return the number of steps for a number of rows."""
+        """Return the number of training steps: the configured one, or that of the epochs over so many rows."""
         return self.steps if self.steps is not None else min(MOST_STEPS, max(1, self._steps_of_epochs(rows)))
 
     def _steps_of_epochs(self, rows: int) -> int:
@@ -138,7 +138,7 @@ class FineTuning(BaseModel):
         return ceil(self.epochs * ceil(rows / self.batch))
 
     def accumulated(self, devices: int) -> tuple[int, int]:
-        """Return the rows per device and pass, and the passes per step; TrainingError if none fit."""
+        """Return the rows per device in one pass, and the passes per step; TrainingError if these do not divide."""
         share, rest = divmod(self.batch, devices)
         if rest:
             raise TrainingError(

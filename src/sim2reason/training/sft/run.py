@@ -87,7 +87,7 @@ def prepare_sft(
 
 @contextmanager
 def _held(folder: SftFolder, config: FineTuning, *, main: bool) -> Generator[None, None, None]:
-    """Lock the folder against other runs; only the main process writes to it."""
+    """Lock and claim the folder for a run while the block runs; do nothing in other processes than the main one."""
     if not main:
         yield
         return

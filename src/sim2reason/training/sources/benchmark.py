@@ -58,7 +58,7 @@ class BenchmarkSource(ProblemSource):
         return tuple(self._held)
 
     def at(self, cell: str, index: int) -> Problem | None:
-        """Return the `index`-th problem of repeated passes through the cell."""
+        """Return the `index`-th problem of a cell, whose problems repeat in a new random order."""
         held = self._held[cell]
         turn, place = divmod(index, len(held))
         order = generator("order", self.seed, self.name, cell, turn).permutation(len(held))

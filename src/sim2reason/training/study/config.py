@@ -83,17 +83,17 @@ class TrainingStudy(BaseModel):
         return SEEDS.validate_python(self.arms[arm]["seeds"]) if "seeds" in self.arms[arm] else self.seeds
 
     def first(self, arm: str) -> ReinforcementLearning:
-        """Return the configuration of the run of an arm with the arm's first seed."""
+        """Return the configuration of the first run of an arm: the run with the arm's first seed."""
         return self.configs[Arm(arm, self.seeds_of(arm)[0])]
 
     @cached_property
     def settings(self) -> dict[Arm, Settings]:
-        """Return the settings of ``train rl`` for each run."""
+        """Return, for each run of the study, its settings as for ``train rl``."""
         return {arm: self._settings(arm) for arm in self.runs}
 
     @cached_property
     def configs(self) -> dict[Arm, ReinforcementLearning]:
-        """Return the parsed configuration of each run."""
+        """Return, for each run of the study, its configuration parsed from its settings."""
         found: dict[Arm, ReinforcementLearning] = {}
         for arm, settings in self.settings.items():
             try:

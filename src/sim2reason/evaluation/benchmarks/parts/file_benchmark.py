@@ -82,7 +82,7 @@ class FileBenchmark(Benchmark):
         return "subject"
 
     def subject_of(self, row: Row) -> str:
-        """Return the subject of a row; empty if it has none."""
+        """Return the subject of a row's problem, such as mechanics; empty if the row has none."""
         said = row.get(self.column_of_subject)
         return said if isinstance(said, str) else ""
 

@@ -61,7 +61,7 @@ class RunRecord(_Record):
     versions: dict[str, str]
 
     def difference(self, other: "RunRecord") -> str:
-        """Return the first difference, such as another seed, that keeps `other` from continuing this run; or empty.
+        """Return the first setting, such as the seed, that keeps `other` from continuing this run; empty if none does.
 
         More samples, policies and benchmarks are allowed.
         """

@@ -50,7 +50,7 @@ class SampleOutcome(BaseModel):
 
 
 def ending_of(completion: Completion, award: Award) -> Ending:
-    """Return how a sample ended: by its points, then the endpoint's status, then the parsed answer."""
+    """Return how a sample ended, such as correct or truncated: by its points, finish status and parsed answer."""
     if award.points > 0.0:
         return Ending.CORRECT if award.points >= 1.0 else Ending.PARTIAL
     by_finish = {"refused": Ending.REFUSED, "overflow": Ending.OVERFLOW, "length": Ending.TRUNCATED}
@@ -62,7 +62,7 @@ def ending_of(completion: Completion, award: Award) -> Ending:
 
 
 def outcomes(folder: RunFolder, policy: str, benchmark: str) -> Iterator[SampleOutcome]:
-    """Yield every finished sample of a policy and benchmark with its score, without samples beyond the plan."""
+    """Yield each finished sample of a policy on a benchmark with its score, up to the planned number of samples."""
     items = {item.id: item for item in folder.items(benchmark)}
     rulings = {found.id: found.completion for found in finished(folder.judged(policy, benchmark))}
     for found in finished(folder.samples(policy, benchmark)):

@@ -166,13 +166,13 @@ def expected_parts(reference: Reference) -> list[_Expected]:
 
 
 def _spread(text: object, count: int) -> list[str]:
-    """Return a comma-separated list with one entry per answer; a single entry applies to all."""
+    """Return one entry of a comma-separated text per answer; a single entry is repeated for all answers."""
     held = [part.strip() for part in text.split(",")] if isinstance(text, str) else [""]
     return held if len(held) == count else held[:1] * count
 
 
 def _said(found: list[str], count: int) -> list[str]:
-    """Return the content of the last box, or of as many boxes as there are answers."""
+    """Return the answers in the last box, or in as many last boxes as there are correct answers."""
     last = _signs(parts(found[-1]))
     apart = _signs(parts(found[-1], thousands=False))
     several = _signs([part for content in found[-count:] for part in parts(content)])
@@ -180,7 +180,7 @@ def _said(found: list[str], count: int) -> list[str]:
 
 
 def _signs(answers: list[str]) -> list[str]:
-    """Return the answers with each ± expanded to two."""
+    """Return the answers with each ± replaced by two answers, one with plus and one with minus."""
     return [text for answer in answers for text in _two(answer)]
 
 

@@ -74,7 +74,7 @@ class Decoder:
         return import_module("torch").cuda.device(device) if device.type == "cuda" else nullcontext()
 
     def _recorded(self, rows: int, length: int) -> "_RecordedPass":
-        """Return a recorded forward pass for at least so many rows and tokens; the last one if it is large enough."""
+        """Return a recorded pass for at least `rows` rows and `length` tokens: the last one, or a larger new one."""
         held = self._held
         if held is None or held.rows < rows or held.length < length:
             rows, length = (rows, length) if held is None else (max(rows, held.rows), max(length, held.length))
@@ -102,7 +102,7 @@ class _RecordedPass:
             self._record()
 
     def prefill(self, ids: Tensor, mask: Tensor) -> Tensor:
-        """Process prompts; return the logits of their next tokens, (rows, vocabulary)."""
+        """Process the prompts' tokens, and return the logits of the token after each prompt, (rows, vocabulary)."""
         torch, width = self._torch, ids.shape[1]
         ids, mask = self._filled(ids), self._filled(mask.bool())
         self._cache.reset()

@@ -20,7 +20,7 @@ MAX_FAILURES = 8  # failed requests in a row after which the endpoint counts as 
 
 @dataclass
 class Asked:
-    """The result of requesting samples: how many were finished before and now, and why others have no answer."""
+    """The counts of samples finished before and now, and the reasons why other requests got no answer."""
 
     finished_before: int = 0
     finished_now: int = 0

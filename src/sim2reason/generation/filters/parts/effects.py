@@ -29,7 +29,7 @@ class Effect:
 
     @property
     def is_unchanged(self) -> bool:
-        """Return whether the misconception leaves the answer unchanged."""
+        """Return whether the changed answer equals the correct one, within a small fraction of the tolerance."""
         return self.change < UNCHANGED_FRACTION * self.tolerance
 
     @property
@@ -39,7 +39,7 @@ class Effect:
 
     @property
     def is_error(self) -> bool:
-        """Return whether the misconception is an error; an approximation that does not change the answer is none."""
+        """Return whether the misconception is an error, not a sound approximation that leaves the answer unchanged."""
         return not (self.is_unchanged and self.simplification.sound_if_same)
 
     @property

@@ -26,7 +26,7 @@ def has_logarithm(held: Expression) -> bool:
 
 
 def _again(held: Expression, seen: set[Expression]) -> Iterator[Expression]:
-    """Yield the roots, such as √(k/m), that repeat an earlier root of the formula; the largest repeated ones only."""
+    """Yield each root, such as √(k/m), that occurs in the formula a second time; roots inside these are omitted."""
     if isinstance(held, Root) and held in seen:
         yield held
         return

@@ -38,7 +38,7 @@ class Given:
         return self.paths[0].rpartition(".")[0]
 
     def at(self, scene: Scene, factors: tuple[float, float], turn: float = 0.0) -> dict[str, float]:
-        """Return the values by address after a change: components times two factors alternately, or angles turned."""
+        """Return the vector's components by address after multiplication by two factors in turn; angles are turned."""
         values = [float(scene.value(path)) for path in self.paths]
         if self.unit == "deg" and turn:
             return {path: value + turn for path, value in zip(self.paths, values, strict=True)}

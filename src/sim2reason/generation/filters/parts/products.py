@@ -63,7 +63,7 @@ def product_of(candidate: Candidate) -> str:
 
 
 def _products(factors: Sequence[Factor], candidate: Candidate, view: View) -> Iterator[float]:
-    """Yield the products of powers of all numbers; numbers without a simple power enter as one sum."""
+    """Yield products of all numbers' powers; the numbers without a simple power enter as a power of their sum."""
     each = [list(_plain(factor, candidate, view)) for factor in factors]
     terms = [factor for factor, plain in zip(factors, each, strict=True) if not plain]
     rest = _sum(terms) if terms else 1.0
@@ -72,7 +72,7 @@ def _products(factors: Sequence[Factor], candidate: Candidate, view: View) -> It
 
 
 def _sum(terms: Sequence[Factor]) -> float | None:
-    """Return the power of a sum of numbers, with signs, that has the measured powers; None if no such sum fits."""
+    """Return a power of a signed sum of numbers that explains the measured powers; None if there is none."""
     rates = [term.power / term.value for term in terms]  # of (Σ ± x)^E the power of x is ± E x/Σ
     alike = max(map(abs, rates)) <= (1.0 + 4.0 * POWER_TOLERANCE) * min(map(abs, rates))
     if not alike or len({term.unit for term in terms}) > 1:
@@ -145,7 +145,7 @@ def factors_of(candidate: Candidate, view: View) -> list[Factor] | None:
 
 
 def _of_question(candidate: Candidate, view: View) -> list[Factor] | None:
-    """Return the powers of the answer in the numbers that the question states; None if an answer is missing."""
+    """Return the question's own numbers, each with the answer's power in it; None if an answer is missing."""
     question, found = candidate.question, list[Factor]()
     rate = _rate(question, view)
     if question.unknown and question.given is not None:

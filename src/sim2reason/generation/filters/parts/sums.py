@@ -37,7 +37,7 @@ class _Place(NamedTuple):
     value: tuple[float, float]  # what it is there
 
     def at(self, turned: float) -> tuple[float, float]:
-        """Return the factors that the number contributes to both products if an angle has another value, rad."""
+        """Return the number's factors in the first and second product, after its angle is turned by `turned`, rad."""
         turn = turned if self.factor.unit == ANGLE and self.factor.path else 0.0
         return _raised(self.function(self.factor.value + turn), self.powers)
 
@@ -119,7 +119,7 @@ def _added(values: Iterable[tuple[float, float]], front: tuple[float, float]) ->
 
 
 def _ways(factor: Factor, root: float) -> list[_Way]:
-    """Return the possible functions of a number, each with its measured power and the nearest multiple of ½."""
+    """Return the possible functions of a number, each with the answer's power in it and the nearest multiple of ½."""
     powers = [(function, root * factor.power / slope) for function, slope in _shapes(factor)]
     return [(function, power, _half(power, POWER_TOLERANCE)) for function, power in powers]
 
@@ -148,7 +148,7 @@ def _raised(value: float, powers: tuple[float, float]) -> tuple[float, float]:
 
 
 def _shapes(factor: Factor) -> Iterator[tuple[View, float]]:
-    """Yield the functions in which a number may occur, with the exponent by which each scales with the number."""
+    """Yield the functions in which a number may occur, such as the sine of an angle, each with its scaling exponent."""
     if factor.unit != ANGLE:
         yield float, 1.0
         return

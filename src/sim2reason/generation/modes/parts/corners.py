@@ -26,7 +26,7 @@ UNCHANGED_MARGIN = 1e-9  # smaller changes of a margin count as none
 def find_corner(
     variations: Variations, margin: Margin, others: Sequence[Margin], known: Sequence[Variation]
 ) -> Variation | None:
-    """Return the scene, with each number at an end of its range, that comes closest to violating a condition.
+    """Return the scene with numbers at the ends of their ranges that comes closest to violating an assumption.
 
     The ends are guessed by adding the effects of the single numbers, taken from the `known` variations. Starting from
     the best guess, and from some `known` scenes, each number is tried at both ends. None if nothing is known about the
@@ -57,7 +57,7 @@ def find_corner(
 
 
 def _least(told: Sequence[Margin], known: Sequence[Variation], own: Variation) -> list[list[float]]:
-    """Return the factors on the numbers in the known scenes that come closest to violating a condition."""
+    """Return the factors on all numbers for the known scenes that come closest to violating a condition."""
     within = [other for other in known if all((each(other) or 0.0) > 0.0 for each in told[1:])]
     margins = {n: found for n, other in enumerate(within) if (found := told[0](other)) is not None}
     least = sorted(margins, key=lambda n: margins[n])[:STARTS]
@@ -67,7 +67,7 @@ def _least(told: Sequence[Margin], known: Sequence[Variation], own: Variation) -
 def _alone(
     variations: Variations, told: Sequence[Margin], known: Sequence[Variation], own: Variation
 ) -> tuple[Array, Array]:
-    """Return the factors tried on each number, (n, s), and how each alone shifts each condition, (m, n, s).
+    """Return the factors tried on each number, (n, s), and the change of each margin by each alone, (m, n, s).
 
     The first factor is 1; shorter lists are padded with 1.
     """

@@ -80,7 +80,7 @@ class FormulaValidity:
         return (plainer if self.assumed(plainer, rng, words) == assumed else found), assumed
 
     def near(self, formula: Expression, rng: np.random.Generator) -> bool:
-        """Return whether a formula agrees with the engine in several scenes with slightly different numbers."""
+        """Return whether a formula agrees with the exact engine in several scenes with slightly different numbers."""
         own = self._near[0]
         for width in NEAR_WIDTHS:
             found = [own]
@@ -218,7 +218,7 @@ class FormulaValidity:
         return [held for held in found if all(held.holds(other.study, other.until) for other in others)]
 
     def _begun_otherwise(self, kept: Sequence[Regime]) -> Iterator[set[Regime]]:
-        """Yield, for each scene without an answer, the assumptions whose violation may be the reason."""
+        """Yield a set of assumptions for each scene without an answer: those whose violation may be the reason."""
         own = self._near[0].study
         first = [held for held in kept if held.holds(own, 0.0)]
         found = (

@@ -27,7 +27,7 @@ def sign_of(held: Expression, at: Mapping[str, float]) -> float | None:
 
 
 def turns(held: Expression, sign: float | None, at: Mapping[str, Array]) -> list[bool]:
-    """Return, for each set of numbers (m,), whether a formula has another sign than `sign`, or no value."""
+    """Return, for each set of numbers (m,), whether a formula's value differs in sign from `sign`, or is undefined."""
     found = array_values(held, at)
     other = np.isfinite(found) if sign is None else np.isnan(found) | (np.copysign(1.0, found) != sign)
     return other.tolist()

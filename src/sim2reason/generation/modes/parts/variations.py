@@ -66,7 +66,7 @@ class Variations:
         yield from islice(self.drawn(rng, width, tries, unanswered), wanted)
 
     def across(self, rng: np.random.Generator, width: float, tries: int) -> Iterator[Variation]:
-        """Yield problems that ask about a value on the other side of the initial one, such as 1.25 instead of 0.8.
+        """Yield problems whose moment is a value on the other side of the initial one, such as 1.25 instead of 0.8.
 
         None are drawn for numbers that are restricted to one side.
         """
@@ -106,7 +106,7 @@ class Variations:
             yield from self._moving(values, unanswered)
 
     def _turns(self, held: Expression, sign: float | None, drawn: Sequence[Sequence[float]]) -> list[bool]:
-        """Return, for each set of numbers, whether a sum has another sign than `sign`, or no value."""
+        """Return, for each set of numbers, whether a sum's value differs in sign from `sign`, or is undefined."""
         return turns(held, sign, self.columns(np.array(drawn)))
 
     def columns(self, drawn: Array) -> dict[str, Array]:
@@ -183,7 +183,7 @@ class Variations:
         return tuple(values) if sign_of(held, self._counted(values)) != sign else None
 
     def _size(self, held: Expression, values: Sequence[float], sign: float | None) -> float:
-        """Return the value of a sum, times its original sign: negative if the sum has changed its sign."""
+        """Return a sum's value for some numbers, times its original sign: negative if the sum has changed its sign."""
         try:
             return held.value(self._counted(values)).real * (sign or 1.0)
         except (ValueError, ArithmeticError):

@@ -187,7 +187,7 @@ class Grower:
         return self._one_of(missing[0] if len(missing) >= self.left and missing else self.tier.pool)
 
     def _missing(self) -> list[Mapping[str, float]]:
-        """Return the groups without an entity in the scene."""
+        """Return the required groups of entity types of which the scene has no entity yet, with weights."""
         kinds = {type(named.entity).__name__ for named in self.entities}
         return [group for group in self.tier.groups if not kinds & group.keys()]
 

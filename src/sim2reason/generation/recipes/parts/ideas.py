@@ -23,7 +23,7 @@ V = TypeVar("V", bound=Model)
 def idle_numbers(
     value: V, response: Callable[[V], Sequence[float]], least: float = MIN_RESPONSE_CHANGE
 ) -> Iterator[str]:
-    """Yield the addresses of numbers that affect no response: halved or doubled, each changes by under `least`."""
+    """Yield the addresses of numbers whose halving and doubling changes every response by less than `least`."""
     before = response(value)
     for number in parameters(value):
         if (

@@ -38,12 +38,12 @@ class OpenPort:
 
 
 def takes(kind: type[Connection], port: Port) -> bool:
-    """Return whether a connection can begin, continue or end at a port."""
+    """Return whether a connection of a kind can begin, continue or end at a port."""
     return isinstance(port, kind.joins) and any(kind.admits(port, index, 2) for index in range(3))
 
 
 def _joins(kind: type[Connection], here: Port, end: Port) -> bool:
-    """Return whether a connection at one port can end at another."""
+    """Return whether a connection of a kind can run between two ports and end at the second."""
     if isinstance(end, Pass):
         return False
     forward = isinstance(here, Pass) or kind.admits(here, 0, 1)
@@ -62,7 +62,7 @@ def open_ports(named: Named) -> list[OpenPort]:
 
 
 def ends_for(named: Named, kind: type[Connection], here: OpenPort) -> list[OpenPort]:
-    """Return the ports of an entity to which a connection can run from another."""
+    """Return the open ports of an entity to which a connection can run from the port `here` of another entity."""
     return [end for end in open_ports(named) if _joins(kind, here.port, end.port) and end.meets(here, kind)]
 
 

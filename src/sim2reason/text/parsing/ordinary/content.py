@@ -50,19 +50,19 @@ class WrittenNumber:
 
 @dataclass(frozen=True, slots=True)
 class Content:
-    """The significant words of a sentence in order, with `#0#` for its first number, and the numbers."""
+    """The significant words of a sentence in order, with `#0#` in place of its first number, and the numbers."""
 
     words: tuple[str, ...]
     numbers: tuple[WrittenNumber, ...]
 
     @property
     def facts(self) -> frozenset[str]:
-        """Return the words of the sentence, without numbers and without letters that name bodies."""
+        """Return the words of the sentence as a set, without numbers and without letters that name bodies."""
         return frozenset(word for word in self.words if len(word) > 1 and word[0] != "#")
 
     @property
     def order(self) -> tuple[str, ...]:
-        """Return the words of the sentence whose order matters, in order, without immediate repetitions."""
+        """Return the words whose order matters, such as nouns, in sentence order, without immediate repetitions."""
         several = sum(word in SURFACES for word in self.words) > 1
         matters: frozenset[str] = ORDERED.union(TEXTURES, SURFACES) if several else ORDERED
         found = [word for word in self.words if word in matters]

@@ -32,7 +32,7 @@ def _by_core() -> dict[frozenset[str], list[Form]]:
 
 
 def _core(said: Content) -> frozenset[str]:
-    """Return the words by which the library's equivalent sentences are found; they are the same for all of these."""
+    """Return the words of a sentence that all equivalent library sentences share, as the key for finding these."""
     return said.facts - NOUNS - {"rough"}
 
 

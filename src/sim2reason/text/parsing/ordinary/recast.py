@@ -33,7 +33,7 @@ _ENDS = re.compile(r"^(?:it |they )?(?:is|are) ")
 
 @dataclass(frozen=True, slots=True)
 class RewrittenText:
-    """A user's text rewritten in the library's sentences, and whether the original text states a start from rest."""
+    """A user's text rewritten in the library's sentences, and whether the user's text implies a start from rest."""
 
     said: tuple[str, ...]
     from_rest: bool
@@ -41,7 +41,7 @@ class RewrittenText:
 
     @property
     def is_complete(self) -> bool:
-        """Return whether a start from rest that the original text states is among the added sentences."""
+        """Return whether the added sentences include the start from rest, if the original text states this start."""
         return not self.from_rest or any(name.startswith("rest") for name in self.added)
 
     def adding(self, name: str) -> "RewrittenText | None":

@@ -139,13 +139,13 @@ def _taken(pattern: str, words: str, amounts: tuple[Amount, ...], given: dict[st
 
 
 def _kept(found: re.Match[str]) -> str:
-    """Return what remains of a matched phrase: the text of its group `keep`, or nothing."""
+    """Return the part of a matched phrase that stays in the text: its group `keep`, or else the mark `|`."""
     kept = (said for name, said in found.groupdict().items() if name.startswith("keep") and said is not None)
     return next(kept, "|")
 
 
 def _one(nouns: str, words: str, generic: frozenset[str]) -> bool:
-    """Return whether a text uses only one of the nouns, apart from generic ones, and introduces it at most once."""
+    """Return whether a text uses at most one specific noun for a body and introduces the body at most once."""
     if not nouns:
         return True
     used = {found[0].strip() for found in compiled(nouns).finditer(words)}

@@ -38,7 +38,7 @@ TOKENS = pa.list_(pa.int32())
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """The largest allowed numbers of tokens: of a prompt, of a completion, and of both together."""
+    """The largest allowed numbers of tokens of a row: in its prompt, its completion, and both together."""
 
     prompt: int
     completion: int
@@ -65,7 +65,7 @@ class EncodedRow:
         return [IGNORED] * len(self.prompt) + self.completion
 
     def excess(self, limits: Limits) -> str:
-        """Return which token limit the row exceeds, in words; empty if it exceeds none."""
+        """Return in words which token limit the row exceeds; empty if the row exceeds none."""
         if len(self.prompt) > limits.prompt:
             return "prompt too long"
         if len(self.completion) > limits.completion:
@@ -137,7 +137,7 @@ MOST_ROWS = 10_000_000
 
 @dataclass(frozen=True, slots=True)
 class Counted:
-    """How many rows a corpus has, how many are used, and how many are wrong or omitted."""
+    """The numbers of rows of a corpus: all, those used, those known to be wrong, and the omitted ones by reason."""
 
     kind: str
     rows: int
@@ -188,7 +188,7 @@ def mixed(corpora: Sequence[Corpus], seed: int, avoid: frozenset[str] = frozense
 
 
 def counted(reasons: Mapping[str, int]) -> str:
-    """Return counts by reason in words."""
+    """Return counts of rows by reason as a text."""
     return ", ".join(f"{count} ({reason})" for reason, count in sorted(reasons.items()))
 
 

@@ -124,7 +124,7 @@ class _Written:
     _last: str = "nothing yet"  # the result of the last operation
 
     def define(self, name: str, formula: Expression) -> None:
-        """Write the operations that evaluate a formula; the last one states the name of its result."""
+        """Write the operations that evaluate a formula; the last operation gives the result its name."""
         before = len(self.steps)
         found = self._operand(formula)
         plain = UNWRITTEN.sub("", name)

@@ -203,7 +203,7 @@ def equal_expressions(right: str, said: str) -> bool | None:
 
 
 def equivalent_equations(right: str, said: str) -> bool | None:
-    """Return whether the side differences of two equations have a constant ratio; None if one does not parse."""
+    """Return whether two equations are equivalent: left minus right sides in constant ratio; None if unparsable."""
     if same_text(right, said):
         return True
     held = _difference(right, None)
