@@ -260,7 +260,7 @@ def each(field: str, *wordings: str, table: tuple[str, ...] = ()) -> Each:
 
 
 def lines_of(field: str) -> PartLines:
-    """Return the place in the text of an entity for the lines of the parts in a field.
+    """Return a placeholder that marks where the text of an entity states the lines of the parts in a field.
 
     Args:
         field: Name of the field.

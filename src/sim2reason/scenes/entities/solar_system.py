@@ -92,7 +92,7 @@ class SolarSystem(Entity):
         return 2.0 * pi * sqrt(axis**3 / attraction)
 
     def build(self, room: Frame) -> None:
-        """Build planets with two slides in the level plane, and the fixed star."""
+        """Build planets with two sliding coordinates each in the level plane, and the fixed star."""
         star = room.body("star", self.star.mass)
         frames: list[Frame] = []
         for index, planet in enumerate(self.planets):

@@ -72,7 +72,7 @@ class Balance:
         return True
 
     def state(self) -> State:
-        """Return the resting state; undetermined constraint forces are NaN, and then all normal forces."""
+        """Return the state at rest; undetermined forces are NaN, and if there are any, so are all normal forces."""
         mechanism, kinds, still = self.system.mechanism, self.loads.kinds, np.zeros((1, self.loads.size))
         known = self.forces.copy()
         open_ = undetermined_forces(self.loads.at(self.places).along[self.active])

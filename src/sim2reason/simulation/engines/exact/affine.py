@@ -1,4 +1,4 @@
-"""Detection of results on a tape that are affine functions of its inputs, with exact rational coefficients.
+"""Detection of recorded results that are affine functions of the inputs, with exact rational coefficients.
 
 The equations of springs along fixed lines, dashpots and constant forces are affine. The result is a proof and is free
 of round-off: numerical differences of very unequal numbers, as for a stiff and a soft spring, would lose digits.

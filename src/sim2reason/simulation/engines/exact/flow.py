@@ -122,7 +122,7 @@ class Flow:
         return StopReason(duration, ())
 
     def _leap(self, end: float, steps: float) -> bool:
-        """Solve a linear interval by eigenmodes if `steps` steps are too many or too coarse; return whether it did.
+        """Solve the motion to `end` by eigenmodes if `steps` steps are too many or coarse; return whether this is done.
 
         The interval starts at the first step if possible, because errors of early steps persist; otherwise at the
         present.
@@ -150,7 +150,7 @@ class Flow:
         return far > MIN_RESOLVED_DISPLACEMENT
 
     def _take(self, begin: FlowStep | None, end: float, periods: float = SHORTEST_LEAP) -> bool:
-        """Solve a linear interval by eigenmodes, from step `begin` (replacing all) or the present; return success."""
+        """Solve an interval by eigenmodes, from now or from step `begin`, replacing all steps; return the success."""
         linear = self.formulas.linear
         if linear is None:
             return False
@@ -171,7 +171,7 @@ class Flow:
         return True
 
     def _check_held(self) -> None:
-        """Raise SimulationError if redundant constraints block the motion, unseen in the equations of one instant."""
+        """Raise SimulationError if redundant constraints block the motion, as equations of one instant cannot show."""
         held = self.formulas.held
         if held is not None and max(map(abs, held(self.time, self.values))) > OFF:
             problem = "strings and rods hold something so often that they contradict each other"

@@ -112,7 +112,7 @@ class InstantSolver:
         return row.spare <= TOUCHING and abs(row.rate) <= 1e2 * REST_SPEED
 
     def _tear(self, rows: list[Row], a: Array) -> None:
-        """Record the end of the motion if a foot that loses contact would return at once, since it must slip first."""
+        """Record the end of the motion if a foot that loses contact would return at once without first slipping."""
         for due in self.due:
             if due.kind == "force" and rows[due.number].kind == "foot":
                 row = rows[due.number]
