@@ -185,7 +185,7 @@ class Trace:
 
     @cached_property
     def _instants(self) -> dict[float, State]:
-        """Return the states at single instants that were requested before."""
+        """Return the cached states at single instants requested before, by time."""
         return {}
 
     def at(self, time: float) -> State:

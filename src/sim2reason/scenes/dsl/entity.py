@@ -215,7 +215,7 @@ def outer_ports(cls: type[Part]) -> Mapping[str, Port]:
 
 
 def stops_of(part: Part, name: str, address: str, *, flipped: bool = False) -> list[Stop]:
-    """Return the stops of the port `name` of a part, several for a chain of ports, from the inside out."""
+    """Return the stops of the port `name` of a part: one, or several from the inside out for a chain of ports."""
     head, _, rest = name.partition(".")
     if rest:
         return stops_of(getattr(part, head), rest, f"{address}.{head}", flipped=flipped)
@@ -290,7 +290,7 @@ def _clauses(cls: type[Part], port: Port) -> set[str]:
 
 
 def phrase_of(port: Port) -> str:
-    """Return the phrase of a port for a connection that ends there; empty if there is none."""
+    """Return the phrase of a port for a connection that ends at the port; empty if the port has no phrase."""
     if isinstance(port, Attachment):
         return port.tied
     return port.place if isinstance(port, Mount) else port.held if isinstance(port, Base) else ""

@@ -82,7 +82,7 @@ class Parameter:
 
 @record(slots=True)
 class FieldType:
-    """The analysed annotation of a field: `models` are the classes that it may hold."""
+    """The analysed annotation of a field: `models` are the classes that the field may hold."""
 
     measure: Measure | None
     drawn: Range | None

@@ -238,7 +238,7 @@ class _Descent:
             return None
 
     def points(self) -> Iterator[Vector]:
-        """Yield points spread over the range of the coordinates, always the same ones."""
+        """Yield starting coordinates for the search, spread over the range and the same on each call."""
         points = _spread(self.size)
         yield from points * np.where(self.loads.hinges, math.pi, self.longest)
 

@@ -253,7 +253,7 @@ def _flips(problem: Problem, solution: Solution, *, lenient: bool = False) -> Fl
 
 
 def count_resting_as_acting(problem: Problem, solution: Solution) -> Solution:
-    """Return the same solution with every resting constraint counted as acting and every resting contact as sticking.
+    """Return the solution with every constraint at rest counted as acting and every contact at rest as sticking.
 
     Its `spare` then lists the force patterns that the motion does not determine.
     """

@@ -220,7 +220,7 @@ class Flow:
         return StopReason(self.time - self.start, tuple(due)) if length >= 0.0 else None
 
     def _passes(self, step: FlowStep, known: set[int]) -> list[tuple[int, Crossing]]:
-        """Return the instants within a step at which two points of a line are nearest, if they coincide there."""
+        """Return event functions, by index, of line points that coincide within a step, each with the instant."""
         passing = self.formulas.passing
         if not passing:
             return []
@@ -234,7 +234,7 @@ class Flow:
         return found
 
     def _polished(self, step: FlowStep, x: float, number: int, room: float) -> float:
-        """Return the step length to an event predicted at a fraction of the step, corrected by integrator steps."""
+        """Append a step that ends at an event, predicted at fraction `x` of `step`; return the length of that step."""
         rate, first = self.formulas.rate, step.stages[0]
         width = 1e-4 * min(x, 1.0 - x) if 0.0 < x < 1.0 else 1e-6
         slope = (step.margins(x + width)[number] - step.margins(x - width)[number]) / (2.0 * width * step.length)
