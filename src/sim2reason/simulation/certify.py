@@ -263,7 +263,7 @@ class _Table:
         self._compare_all(drawn=True)
 
     def others(self) -> Mapping[Channel, float]:
-        """Compare the channels that recipes do not draw; return the time of the first disagreement of each, s."""
+        """Return the time, s, of the first disagreement of each channel about which recipes draw no questions."""
         known, self.until = self.until, {}
         self._compare_all(drawn=False)
         found, self.until = self.until, known

@@ -136,7 +136,7 @@ class Trace:
         return self.state.mechanism
 
     def story(self, until: float | None) -> tuple[tuple[str, tuple[str, ...]], ...]:
-        """List the events before a time that change the motion.
+        """Return the kind and the subjects of each event before a time that changes the motion.
 
         Args:
             until: Time, s; None: as long as the motion is valid.
@@ -185,7 +185,7 @@ class Trace:
 
     @cached_property
     def _instants(self) -> dict[float, State]:
-        """Return the states at single instants that were requested before."""
+        """Return the cached states at single instants requested before, by time."""
         return {}
 
     def at(self, time: float) -> State:

@@ -51,7 +51,7 @@ class Column(NamedTuple):
     change: bool = False  # whether the difference between successive samples is judged
 
     def values(self, state: State, chosen: Flags) -> Array:
-        """Return the values at the chosen samples, or their rates of change if those are tested for jumps."""
+        """Return the values at the chosen samples, or the rates of change of the values if `change` is set."""
         read = self.read(state)[chosen]
         return np.diff(read) / np.diff(state.times[chosen]) if self.change else read
 
@@ -146,7 +146,7 @@ def _first(
 
 
 def _smooth(trace: Trace, column: Column, low: float, high: float) -> bool:
-    """Return whether a column becomes straight under magnification where it bends most between two instants."""
+    """Return whether a column of values becomes straight under magnification where its curve bends most."""
     bends: list[float] = []
     for _ in range(ZOOMS + 1):
         times = np.linspace(low, high, PIECES + 1)
@@ -169,7 +169,7 @@ def _floor(values: Array) -> float:
 
 
 def _deviations(values: Array, window: int) -> list[tuple[int, int]]:
-    """Return the outliers of the first window that has any, then of later ones, each as an interval of one sample."""
+    """Return the 5σ outliers of all windows, earliest window first, each as an interval of one sample."""
     if window < WINDOW:
         raise ValueError(f"a window of {window} samples is too short; take at least {WINDOW}")
     if len(values) < window or not np.isfinite(values).all():

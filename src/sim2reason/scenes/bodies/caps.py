@@ -40,7 +40,7 @@ class SphericalCap(Shape):
 
     @property
     def solid(self) -> Solid:
-        """Return the uniform figure, with the centre of the flat face as origin."""
+        """Return the uniform mass distribution of the cap, with the centre of the flat face as origin."""
         return segment(self.radius, self.height)
 
     @property
@@ -79,7 +79,7 @@ class Bowl(Shape):
 
     @property
     def solid(self) -> Solid:
-        """Return the difference of two caps, with the centre of the opening as origin."""
+        """Return the mass distribution, the difference of two caps, with the centre of the opening as origin."""
         return segment(self.radius, self.height) - segment(self.radius - self.thickness, self.height - self.thickness)
 
     @property
@@ -108,7 +108,7 @@ class Hemisphere(Shape):
 
     @property
     def solid(self) -> Solid:
-        """Return the uniform figure, with the centre of the flat face as origin."""
+        """Return the uniform mass distribution of the cap, with the centre of the flat face as origin."""
         return segment(self.radius, self.radius)
 
     @property

@@ -58,7 +58,7 @@ class BoredCylinder(Shape):
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """Return the simplified figures: a full disc, which ignores the hole."""
+        """Return the simplified mass distributions, by overlooked detail: a full disc, which ignores the hole."""
         return {"hole": disc(self.radius).turned(self.seen)}
 
     @property
@@ -104,7 +104,7 @@ class SphereWithHole(Shape):
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """Return the simplified figures: a full ball, which ignores the hole."""
+        """Return the simplified mass distributions, by overlooked detail: a full ball, which ignores the hole."""
         return {"hole": ball(self.radius)}
 
     @property
@@ -153,7 +153,7 @@ class HollowSphereWithHole(Shape):
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """Return the simplified figures: a complete hollow sphere, which ignores the opening."""
+        """Return the simplified mass distributions, by overlooked detail: a hollow sphere without the opening."""
         return {"hole": ball(self.radius) - ball(self.radius - self.thickness)}
 
     @property

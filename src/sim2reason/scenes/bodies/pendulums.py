@@ -68,7 +68,7 @@ class FixedBall(Shape):
 
     @property
     def solid(self) -> Solid:
-        """Return the figure of a point."""
+        """Return the mass distribution of the ball: a point."""
         return point()
 
     @property
@@ -107,12 +107,12 @@ class Bar(Shape):
 
     @property
     def solid(self) -> Solid:
-        """Return the uniform figure, with the centre as origin."""
+        """Return the uniform mass distribution of the body, with the centre as origin."""
         return box(self.width, self.thickness, self.length)
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """Return the simplified figures: a thin rod."""
+        """Return the simplified mass distributions, by overlooked detail: a thin rod."""
         return {"section": rod(self.length)}
 
     @property
@@ -176,7 +176,7 @@ class UniformRod(Shape):
 
     @property
     def solid(self) -> Solid:
-        """Return the uniform figure, with the centre as origin."""
+        """Return the uniform mass distribution of the body, with the centre as origin."""
         return rod(self.length)
 
     @property

@@ -139,7 +139,7 @@ class Track(Body):
         return (cos(slope), 0.0, sin(slope))
 
     def carry(self, frame: Frame, speed: float = 0.0, stated: tuple[str, float] | None = None) -> Frame:
-        """Let a body move along the track with an initial speed, m/s; the text may state its position by `stated`."""
+        """Let a body move along the track at an initial speed, m/s; `stated` is the label and value of its position."""
         return frame.slide(self.along, speed, name="right", stated=stated)
 
 

@@ -49,12 +49,12 @@ class PolygonalPrism(Shape):
 
     @property
     def solid(self) -> Solid:
-        """Return the uniform figure, with the centre as origin."""
+        """Return the uniform mass distribution of the prism, with the centre as origin."""
         return prism(self.sides, self.radius, self.height)
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """Return the simplified figures: a thin rod, and a thin plate."""
+        """Return the simplified mass distributions, by overlooked detail: a thin rod, and a thin plate."""
         return {"section": rod(self.height), "height": polygon(self.sides, self.radius)}
 
     @property

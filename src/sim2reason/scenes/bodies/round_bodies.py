@@ -58,12 +58,12 @@ class Cylinder(Shape):
 
     @property
     def solid(self) -> Solid:
-        """Return the uniform figure, with the centre as origin."""
+        """Return the uniform mass distribution of the body, with the centre as origin."""
         return cylinder(self.radius, self.height)
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """Return the simplified figures: a thin rod, and a thin disc."""
+        """Return the simplified mass distributions, by overlooked detail: a thin rod, and a thin disc."""
         return {"section": rod(self.height), "height": disc(self.radius)}
 
     @property
@@ -103,7 +103,7 @@ class Disc(Shape):
 
     @property
     def solid(self) -> Solid:
-        """Return the uniform figure, with the centre as origin."""
+        """Return the uniform mass distribution of the body, with the centre as origin."""
         return disc(self.radius)
 
     @property
@@ -123,7 +123,7 @@ class SphericalShell(Shape):
 
     @property
     def solid(self) -> Solid:
-        """Return the uniform figure, with the centre as origin."""
+        """Return the uniform mass distribution of the body, with the centre as origin."""
         return sphere_surface(self.radius)
 
     @property
@@ -163,7 +163,7 @@ class HollowSphere(Shape):
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """Return the simplified figures: a sphere with a thin wall, with the moment of inertia 2mR²/3."""
+        """Return the simplified mass distributions, by overlooked detail: a thin shell, with inertia 2mR²/3."""
         return {"wall": sphere_surface(self.radius)}
 
     @property
@@ -183,7 +183,7 @@ class Hoop(Shape):
 
     @property
     def solid(self) -> Solid:
-        """Return the uniform figure, with the centre as origin."""
+        """Return the uniform mass distribution of the body, with the centre as origin."""
         return ring(self.radius)
 
     @property
@@ -245,7 +245,7 @@ class ThickPipe(Shape):
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """Return the simplified figures: a thin pipe."""
+        """Return the simplified mass distributions, by overlooked detail: a thin pipe."""
         return {"wall": ring(self.radius)}
 
     @property
@@ -266,7 +266,7 @@ class Sphere(Shape):
 
     @property
     def solid(self) -> Solid:
-        """Return the uniform figure, with the centre as origin."""
+        """Return the uniform mass distribution of the body, with the centre as origin."""
         return ball(self.radius)
 
     @property

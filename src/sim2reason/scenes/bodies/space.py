@@ -60,7 +60,7 @@ class StartingPlace(Body):
 
     @property
     def look(self) -> BodyLook:
-        """Return no look of its own: the figure draws the ground below the rocket."""
+        """Return the empty drawn shape, since the figure draws the ground below the rocket."""
         return Unseen()
 
 

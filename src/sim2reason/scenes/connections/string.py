@@ -266,7 +266,7 @@ class SentenceParser(Generic[S]):
     def _on(
         self, at: int, leg: Leg[S], links: tuple[Link, ...], owned: tuple[str, ...], before: str
     ) -> Iterator[ParsedSentence[S]]:
-        """Yield the readings of the text from index `at` on, as a string through the rest of `leg` and beyond."""
+        """Yield the readings of the text from index `at` on, for a string that continues through the stops of `leg`."""
         if leg.stops:
             yield from self._next(at, leg, links, owned, before)
         elif not leg.last:

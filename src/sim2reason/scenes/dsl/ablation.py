@@ -94,7 +94,7 @@ HORIZONTAL_TOL = 1e-9  # largest vertical component of a horizontal direction
 
 
 def stuck_bodies(mechanism: Mechanism) -> tuple[str, ...]:
-    """Return the bodies with coordinates that constraints keep from moving."""
+    """Return the names of the bodies with coordinates that constraints keep from moving."""
     frames = initial_frames(mechanism)
     ways = motions(mechanism, frames)
     stuck: list[str] = []
@@ -152,7 +152,7 @@ def weighs(mechanism: Mechanism) -> bool:
 
 
 def would_weigh(mechanism: Mechanism) -> bool:
-    """Return whether gravity would affect a mechanism, so that a text must state if there is no gravity."""
+    """Return whether gravity, if present, would affect a mechanism, so that a text must state its absence."""
     if mechanism.contacts:
         return True
     frames = initial_frames(mechanism)

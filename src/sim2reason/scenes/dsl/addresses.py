@@ -26,14 +26,14 @@ def lookup(value: Any, path: str) -> Any:
 
 
 def _members(value: Any) -> dict[str, Any]:
-    """Return all members of a value by the next step of an address."""
+    """Return the fields of a model by name, or the members of a tuple by index, as the next step of an address."""
     if isinstance(value, tuple):
         return {str(index): member for index, member in enumerate(value)}  # type: ignore[reportUnknownArgumentType]
     return {name: getattr(value, name) for name in type(value).model_fields} if isinstance(value, Model) else {}
 
 
 def with_values(value: V, news: Mapping[str, object]) -> V:
-    """Return a copy of a value with `news` at addresses within it, validated once; None in a tuple removes a member."""
+    """Return a copy of a value with the `news` at their addresses, validated once; None in a tuple removes a member."""
     here, below = dict[str, object](), dict[str, dict[str, object]]()
     for path, new in news.items():
         step, _, rest = path.partition(".")
@@ -56,7 +56,7 @@ def used_ports(paths: Iterable[Sequence[Link]]) -> set[tuple[str, str]]:
 
 
 def idle_fields(named: Named, used: set[tuple[str, str]]) -> Iterator[tuple[str, str]]:
-    """Yield each optional field that is given although only open ports need it, with one of these ports."""
+    """Yield the name of each given optional field that only open ports need, with the name of one of these ports."""
     needed: dict[str, list[str]] = {}
     for name, port in outer_ports(type(named.entity)).items():
         if port.needs:

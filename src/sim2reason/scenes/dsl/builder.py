@@ -257,7 +257,7 @@ class Frame:
         self._builder.add_line(self.address(name), (a, b), Elastic(stiffness, length, acts="pushes"))
 
     def force(self, name: str, law: Law, region: Region | None = None) -> None:
-        """Add a force on the centre of mass; law and region have their origin at the entity's."""
+        """Add a force on the centre of mass; the origin of its law and region is that of the entity."""
         here = None if region is None else region.moved(self.origin)
         self._builder.forces.append(Force(self.address(name), self._own(), law.moved(self.origin), here))
 

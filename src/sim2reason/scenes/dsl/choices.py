@@ -19,7 +19,7 @@ SPECIAL = 0.2  # probability of a value stated by a word, such as smooth or hori
 
 
 def choices(cls: type[Model], rng: np.random.Generator) -> dict[str, Choice]:
-    """Return probabilities of optional fields and some special numbers, for a class and all that it can contain."""
+    """Return random choices for optional fields and some special numbers of a class and of all classes inside."""
     found = chances(cls)
     for model in reachable(cls):
         for name, kind in field_types(model).items():
@@ -69,7 +69,7 @@ PORT_PROBABILITY = 0.5  # probability of a connection at an optional port
 
 @dataclass(frozen=True, slots=True)
 class Option:
-    """A connection that can join an open port, with the ports of other entities before and behind it on the path."""
+    """A connection that can join an open port, with the other ports on its path before and after the open one."""
 
     kind: type[Connection]
     before: tuple[tuple[type[Entity], str], ...]
@@ -137,7 +137,7 @@ def connections_for_port(cls: type[Entity], name: str, *, widely: bool = False) 
 
 
 def _ended(port: Port) -> Iterator[Option]:
-    """Yield the connections that end at a port: towards a partner, or from it if only that fits."""
+    """Yield the connections between a port and a partner, from the port or, if only that fits, from the partner."""
     for kind in CONNECTIONS.values():
         for partner, other in _ends():
             if kind.admits(port, 0, 1) and kind.admits(outer_ports(partner)[other], 1, 1):

@@ -101,13 +101,13 @@ class Collector:
         return (where[0] - origin[0], where[1] - origin[1], where[2] - origin[2])
 
     def add_body(self, body: RigidBody) -> None:
-        """Add a body with a new name."""
+        """Add a body; raise SceneError if its name is already in use."""
         self._new(body.name, self._bodies)
         self._bodies[body.name] = body
         self._origin[body.name] = add(self._origin[body.parent], body.at)
 
     def add_coordinate(self, coordinate: Coordinate) -> None:
-        """Add a coordinate to its body unless that is glued to its parent; raise SceneError if the body is welded."""
+        """Add a coordinate unless its body is glued or welded; SceneError for a welded body with an initial speed."""
         found = self._bodies[coordinate.body]
         welded = self._is_welded(found)
         if welded and coordinate.speed != 0.0:

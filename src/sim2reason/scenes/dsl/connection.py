@@ -36,7 +36,7 @@ class Link(Model):
 
 
 class SentenceWriter(Protocol):
-    """The protocol of writers of a scene's text, as connections use it."""
+    """The protocol of the writer of a scene's text, whose methods connections call."""
 
     @property
     def builder(self) -> Builder:
@@ -104,7 +104,7 @@ class Routes(Protocol[S]):
 
 
 class SentenceMatcher(Protocol[S]):
-    """The protocol of matchers of the sentences of a text, as connections use it."""
+    """The protocol of the matcher of a text's sentences with templates, whose methods connections call."""
 
     pieces: tuple[str, ...]
     reach: int

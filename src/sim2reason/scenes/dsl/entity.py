@@ -69,7 +69,7 @@ class Part(Model):
 
     @classmethod
     def is_stated_by_word(cls, parameter: str, value: object) -> bool:
-        """Return whether a special word in the lines, as *smooth* for 0, states a number, so that no other must."""
+        """Return whether a special word in the lines, such as *smooth* for 0, already states a value of a parameter."""
         words = {name: word for name, word in cls.words.items() if word.parameter == parameter}
         lines = [line for saying in cls.says if not isinstance(saying, PartLines) for line in variants(saying)]
         used = {name for name in words for line in lines if all(f"{{{name}}}" in template for template in line)}
@@ -154,7 +154,7 @@ class Named(Model):
 
     @cached_property
     def alone(self) -> Builder:
-        """Return a builder with this entity alone, which scenes that differ in other entities share."""
+        """Return a builder with this entity alone, computed once and shared by scenes that differ in other entities."""
         builder = Builder()
         self.entity.build(builder.room(self.name))
         return builder
@@ -215,7 +215,7 @@ def outer_ports(cls: type[Part]) -> Mapping[str, Port]:
 
 
 def stops_of(part: Part, name: str, address: str, *, flipped: bool = False) -> list[Stop]:
-    """Return the stops of the port `name` of a part, several for a chain of ports, from the inside out."""
+    """Return the stops of the port `name` of a part: one, or several from the inside out for a chain of ports."""
     head, _, rest = name.partition(".")
     if rest:
         return stops_of(getattr(part, head), rest, f"{address}.{head}", flipped=flipped)
@@ -227,7 +227,7 @@ def stops_of(part: Part, name: str, address: str, *, flipped: bool = False) -> l
 
 
 def check_lines(cls: type[Part]) -> frozenset[str]:
-    """Return the numbers that may remain unstated because a body usually lacks them.
+    """Check that the lines state all numbers; return the names of those that may remain unstated, as bodies lack them.
 
     Raise TypeError if the lines of the class do not state all other declared numbers.
     """
@@ -290,7 +290,7 @@ def _clauses(cls: type[Part], port: Port) -> set[str]:
 
 
 def phrase_of(port: Port) -> str:
-    """Return the phrase of a port for a connection that ends there; empty if there is none."""
+    """Return the phrase of a port for a connection that ends at the port; empty if the port has no phrase."""
     if isinstance(port, Attachment):
         return port.tied
     return port.place if isinstance(port, Mount) else port.held if isinstance(port, Base) else ""

@@ -129,12 +129,12 @@ class Push:
     profile: Profile
 
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
-        """Return the strength times the direction."""
+        """Return the force, N: the strength times the direction."""
         del velocity
         return times(self.profile.at(place, time, maths), self.direction)
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
-        """Return −∫F·dr; None if the force depends on time, or changes across its direction."""
+        """Return the potential energy −∫F·dr, J; None if the force depends on time, or changes across its direction."""
         del maths
         along = dot(self.direction, self.profile.axis)
         if not self.profile.steady or (self.profile.slope and abs(along * along - 1.0) > 1e-12):

@@ -43,7 +43,7 @@ class Turning:
 
 @dataclass(slots=True)
 class Step:
-    """One coordinate between the room and a body, with its present direction."""
+    """One coordinate in the chain from the room to a body, with its present direction."""
 
     number: int
     axis: Triple

@@ -14,7 +14,7 @@ MAX_OSCILLATIONS, SIMULATED_OSCILLATIONS = (
 
 
 def horizon(entities: Iterable[Entity], gravity: float) -> float:
-    """Return the longest duration that any entity asks for under `gravity`, m/s², in the units of their text.
+    """Return the longest duration that any entity asks for under `gravity`, m/s², in the text's unit of time.
 
     If no entity asks for any, it is the time of a fall from the height from which a body falls for 2 s on Earth.
     """

@@ -104,7 +104,7 @@ def _pairs(stops: Sequence[Stop], spacing: float) -> list[Neighbours]:
 
 
 def _first(stop: Stop) -> str:
-    """Return the site that a connection reaches first; those of an end are listed from the inside out."""
+    """Return the site of a stop that a connection reaches first: of a string end the outermost, else the first."""
     return stop.sites[-1] if isinstance(stop.port, StringEnd) else stop.sites[0]
 
 

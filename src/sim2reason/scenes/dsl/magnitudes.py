@@ -141,7 +141,7 @@ def _heavy_planets(mechanism: Mechanism) -> Iterator[str]:
 
 
 def natural_lengths(scene: Scene) -> dict[str, float]:
-    """Return the natural lengths that a scene states, m, by the names of the lines that have them."""
+    """Return the natural lengths of springs that a scene states, m, by the name of the spring."""
     found = ((parameter.path.rpartition(".")[0], parameter) for parameter in scene.parameters)
     return {name: p.value for name, p in found if p.measure.name == "natural length" and p.value is not None}
 

@@ -51,7 +51,7 @@ class Range:
 
 @dataclass(frozen=True, slots=True)
 class Count:
-    """The numbers of members with which a variable-length part is drawn, both ends included.
+    """The range of the number of members of a randomly drawn variable-length part, both ends included.
 
     Attributes:
         low: Least number of members.
@@ -72,7 +72,7 @@ class Count:
 
 @dataclass(frozen=True, slots=True)
 class Chance:
-    """The probability with which an optional part is drawn if no recipe chooses; without this mark, it never is.
+    """The probability of drawing an optional part if no recipe chooses; a part without this mark is never drawn.
 
     Attributes:
         likelihood: Probability, from 0 to 1.
@@ -96,7 +96,7 @@ class Chance:
 
 @dataclass(frozen=True, slots=True)
 class Usually:
-    """A mark for an optional field that is always or never drawn unless a recipe chooses; it takes no random number.
+    """A mark for an optional field that is always or never drawn unless a recipe chooses, without a random number.
 
     Attributes:
         present: Whether the field is drawn.
@@ -128,7 +128,7 @@ class Sized:
 
 @dataclass(frozen=True, slots=True)
 class Member:
-    """A mark for an index of a member of another field, beside it or beside the part with the index.
+    """A mark for an index of a member of another field, which belongs to the same class or to the one that contains it.
 
     Attributes:
         field: Name of the field with the members.
@@ -162,7 +162,7 @@ class Hidden:
 
 @dataclass(frozen=True, slots=True)
 class Beside:
-    """Symbol and name of a number if an optional number is given too, such as µ_k instead of µ beside µ_s."""
+    """The symbol and name of a number if an optional number is given, too, such as µ_k instead of µ beside µ_s."""
 
     field: str
     symbol: str
@@ -227,7 +227,7 @@ class Measure:
         return max(0, 1 - floor(log10(abs(float(f"{value:.1e}")))))
 
     def round(self, value: float) -> float:
-        """Return a value as texts state it, so that the stated value is simulated; a large one has three digits."""
+        """Return a value, rounded to the digits that texts state, so that the stated value is simulated."""
         digits = 2 - floor(log10(abs(value))) if value else 0
         return round(value, min(self.places(value), digits)) + 0.0
 

@@ -50,7 +50,7 @@ class Model(BaseModel):
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
-        """Return replacements of drawn values that do not fit together.
+        """Return replacements, by field name, of drawn values that do not fit together.
 
         None by default. Values chosen by a recipe are kept.
         """
@@ -82,7 +82,7 @@ class Parameter:
 
 @record(slots=True)
 class FieldType:
-    """The analysed annotation of a field: `models` are the classes that it may hold."""
+    """The analysed annotation of a field: `models` are the classes that the field may hold."""
 
     measure: Measure | None
     drawn: Range | None

@@ -130,7 +130,7 @@ class Scene(Model):
             raise SceneError(place, problem, f"leave {port.unless} out")
 
     def _check_order(self, connection: Connection, place: str) -> None:
-        """Raise SceneError unless a connection begins and ends at ends, and passes only ports that can be passed."""
+        """Raise SceneError unless a connection ends only at ports for ends and passes only ports for passing."""
         last = len(connection.links) - 1
         if last < 1:
             raise SceneError(place, "it has fewer than two ends", "give it two")

@@ -27,7 +27,7 @@ PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))  # the entries of a sym
 
 @dataclass(frozen=True, slots=True)
 class Solid:
-    """A uniform figure (solid, surface or line); its size is a volume, an area or a length."""
+    """A uniform mass distribution in a solid, surface or line, whose size is a volume, an area or a length."""
 
     size: float  # m³, m² or m
     center: Vector  # its centroid, m
@@ -39,11 +39,11 @@ class Solid:
         return (yy + zz, xx + zz, xx + yy, -xy, -xz, -yz)
 
     def moved(self, by: Vector) -> "Solid":
-        """Return the figure translated by a vector, m."""
+        """Return the mass distribution translated by a vector, m."""
         return Solid(self.size, add(self.center, by), self.second)
 
     def turned(self, axes: Axes) -> "Solid":
-        """Return the figure rotated about the origin."""
+        """Return the mass distribution rotated about the origin."""
         entries = [(i, j, part) for (i, j), part in zip(PAIRS, self.second, strict=True)]
         both = [*entries, *((j, i, part) for i, j, part in entries if i != j)]
         xx, yy, zz, xy, xz, yz = (sum(part * axes[i][p] * axes[j][q] for i, j, part in both) for p, q in PAIRS)
@@ -51,7 +51,7 @@ class Solid:
         return Solid(self.size, center, (xx, yy, zz, xy, xz, yz))
 
     def __add__(self, other: "Solid") -> "Solid":
-        """Return the union of two figures of the same density."""
+        """Return the union of two mass distributions of the same density."""
         size = self.size + other.size
         if size == 0.0:
             return NOTHING
@@ -62,12 +62,12 @@ class Solid:
         return Solid(size, add(self.center, scale(other.size / size, apart)), (xx, yy, zz, xy, xz, yz))
 
     def __neg__(self) -> "Solid":
-        """Return the figure with negative density, as a hole."""
+        """Return the mass distribution with negative density, as a hole."""
         xx, yy, zz, xy, xz, yz = self.second
         return Solid(-self.size, self.center, (-xx, -yy, -zz, -xy, -xz, -yz))
 
     def __sub__(self, other: "Solid") -> "Solid":
-        """Return the first figure without the second, which lies inside it."""
+        """Return the first mass distribution without the second, which lies inside the first."""
         return self + (-other)
 
 
@@ -95,12 +95,12 @@ def transposed(axes: Axes) -> Axes:
 
 
 def seen(way: Vector, axes: Axes) -> Vector:
-    """Return a direction in the own axes of a rotated figure."""
+    """Return the components of a direction along the given axes, those of a rotated body."""
     return (inner(way, axes[0]), inner(way, axes[1]), inner(way, axes[2]))
 
 
 def _even(size: float, xx: float, yy: float, zz: float, height: float = 0.0) -> Solid:
-    """Return a figure with its centroid on the z axis and mean squares of x, y and z, m²."""
+    """Return a mass distribution with its centroid at z = `height` and mean squares of x, y and z about it, m²."""
     return Solid(size, (0.0, 0.0, height), (size * xx, size * yy, size * zz, 0.0, 0.0, 0.0))
 
 
@@ -228,7 +228,7 @@ class Shape(Body):
 
     @property
     def solid(self) -> Solid:
-        """Return the uniform figure with the mass distribution of the body."""
+        """Return the uniform mass distribution of the body."""
         raise NotImplementedError
 
     @property
@@ -251,7 +251,7 @@ class Shape(Body):
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """Return simplified figures of the same mass and centre, by the overlooked detail."""
+        """Return simplified mass distributions of the same mass and centre, by the detail that each overlooks."""
         return {}
 
     def reach(self, way: Vector) -> float:

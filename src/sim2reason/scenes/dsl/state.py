@@ -117,7 +117,7 @@ class State:
 
     @cached_property
     def known(self) -> "dict[tuple[str, str], Array]":
-        """Return the quantities evaluated so far, by quantity and subject, on which others build."""
+        """Return the cached values of quantities, by quantity and subject, from which other quantities are computed."""
         return {}
 
     @cached_property

@@ -30,7 +30,7 @@ Topic = Literal["axes", "slack", "start"]
 
 @dataclass(frozen=True, slots=True)
 class Slot:
-    """One piece of a template; `path` is empty for plain text."""
+    """One piece of a template, plain text or a placeholder; `path` is the address in the placeholder."""
 
     kind: Kind
     text: str = ""
@@ -69,7 +69,7 @@ class Word:
     otherwise: str = ""
 
     def text(self, value: float | str | None) -> str:
-        """Return the template for a value."""
+        """Return the template of the word for a value of the field; None means an absent value."""
         return self.special.get(value, self.otherwise) if value is not None else self.otherwise
 
 
@@ -260,7 +260,7 @@ def each(field: str, *wordings: str, table: tuple[str, ...] = ()) -> Each:
 
 
 def lines_of(field: str) -> PartLines:
-    """Return the place in the text of an entity for the lines of the parts in a field.
+    """Return a placeholder that marks where the text of an entity states the lines of the parts in a field.
 
     Args:
         field: Name of the field.

@@ -128,7 +128,7 @@ class ComplexCollisionPlane(Entity):
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
-        """Return the gliders from left to right, on stiff springs; a track with slope has no wall at its top."""
+        """Return drawn gliders in order from left to right, and stiff springs; on a slope, no wall at the top."""
         right = None if drawn["track"].angle else drawn.get("right")
         gliders = same_kind(drawn["gliders"]) if rng.random() < SAME_KIND_PROBABILITY else drawn["gliders"]
         return {**fit_neighbours(gliders, drawn.get("joined", ()), drawn.get("buffers", ())), "right": right}

@@ -110,7 +110,7 @@ class EmEntity(Entity):
         return min(USUAL, FASTEST / most) if most else USUAL
 
     def build(self, room: Frame) -> None:
-        """Build the bead with two slides in a level plane, and a force for each field."""
+        """Build the bead with two sliding coordinates in a level plane, and a force for each field."""
         vx, vy = self.start.velocity
         bead = room.body("particle", self.particle.mass).slide(X, vx, name="x", stated=("x", 0.0))
         bead.slide(Y, vy, name="y", stated=("y", 0.0))

@@ -89,7 +89,7 @@ class MassWithFixedPulley(Entity):
     tail = Chain(stops=("system.tail", "over"), required=True)
 
     def build(self, room: Frame) -> None:
-        """Build the pulley with the system's string at the left of its rim and the open side at the right."""
+        """Build the pulley with the mass system's string at the left of the rim and an open port at the right."""
         room.pulley("pulley", at=(WHEEL_RADIUS, 0.0, 0.0), mass=self.pulley.mass)
         self.system.build(room.part("system"))
 
@@ -118,7 +118,7 @@ class MassWithMovablePulley(Entity):
     )
 
     def build(self, room: Frame) -> None:
-        """Build the pulley on a vertical slide, with its rims facing down and its axle facing up."""
+        """Build the pulley with a vertical sliding coordinate, its rims facing down and its axle facing up."""
         carrier = room.body("carrier").slide(Z)
         carrier.site("axle", faces=Z)
         carrier.pulley("pulley", mass=self.pulley.mass, faces=scale(-1.0, Z))
@@ -159,7 +159,7 @@ class MassWithReverseMovablePulley(Entity):
     )
 
     def build(self, room: Frame) -> None:
-        """Build the pulley on a vertical slide, with its rims facing up and its axle facing down."""
+        """Build the pulley with a vertical sliding coordinate, its rims facing up and its axle facing down."""
         carrier = room.body("carrier").slide(Z)
         carrier.site("axle", faces=scale(-1.0, Z))
         carrier.pulley("pulley", mass=self.pulley.mass, faces=Z)
@@ -199,7 +199,7 @@ class ThreePointMovablePulley(Entity):
     )
 
     def build(self, room: Frame) -> None:
-        """Build the pulley on a vertical slide, with its rims facing away from its hook."""
+        """Build the pulley with a vertical sliding coordinate, its rims facing away from its hook."""
         away = scale(-1.0 if self.hook == "below" else 1.0, Z)
         carrier = room.body("carrier").slide(Z)
         carrier.site("axle", faces=away)

@@ -81,7 +81,7 @@ class RollingEntity(Entity):
         return self
 
     def build(self, room: Frame) -> None:
-        """Build the body with a slide along the plane and a hinge about its axis; it may be unbalanced."""
+        """Build the body, perhaps unbalanced, with a sliding coordinate along the plane and a hinge about its axis."""
         uphill, normal = self.plane.directions()
         axes = axes_along(Y) if self.hole is None else (outer(Y, self.hole.way), Y, self.hole.way)
         speed, spin = (0.0, 0.0) if self.start is None else self.start.motion(self.body.radius)

@@ -156,7 +156,7 @@ class MassPrismPlane(Entity):
         prism.string("rope", tops[0], room.address("apex"), tops[1])
 
     def _face(self, prism: Frame, name: str, blocks: tuple[Block, ...], angle: float, side: float) -> str:
-        """Build blocks on a face that rises to the `side`, the last one highest; return the address of its hook."""
+        """Build blocks on a face that rises to the `side`; return the address of the hook of the highest block."""
         uphill = (side * cos(radians(angle)), 0.0, sin(radians(angle)))
         normal = (-side * sin(radians(angle)), 0.0, cos(radians(angle)))
         count = len(blocks)

@@ -75,7 +75,7 @@ class SolarSystem(Entity):
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
-        """Return planets on nested ellipses about this star, all much lighter than it."""
+        """Return planets on nested ellipses about the drawn star, all much lighter than the star."""
         mass: float = drawn["star"].mass
         planets = orbiting(drawn["planets"], mass, ROUND, rng)
         return {"planets": tuple(_lighter(planet, mass, rng) for planet in planets)}
@@ -92,7 +92,7 @@ class SolarSystem(Entity):
         return 2.0 * pi * sqrt(axis**3 / attraction)
 
     def build(self, room: Frame) -> None:
-        """Build planets with two slides in the level plane, and the fixed star."""
+        """Build planets with two sliding coordinates each in the level plane, and the fixed star."""
         star = room.body("star", self.star.mass)
         frames: list[Frame] = []
         for index, planet in enumerate(self.planets):

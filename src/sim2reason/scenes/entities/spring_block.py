@@ -127,7 +127,7 @@ class SpringBlock(Entity):
         return PERIODS * 2.0 * pi * sqrt(self.block.mass / sum(spring.stiffness for spring in self.springs))
 
     def build(self, room: Frame) -> None:
-        """Build the block with two slides on the table, and a spring to each nail."""
+        """Build the block with two sliding coordinates on the table, and a spring to each nail."""
         launch = self.launch or Launch(x=0.0, y=0.0)
         block = room.body("block", self.block.mass, at=(self.x, self.y, 0.0))
         block.slide(X, launch.x, name="x", stated=("x", self.x))

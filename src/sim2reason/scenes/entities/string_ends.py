@@ -106,7 +106,7 @@ class DirectedMass(Entity):
     )
 
     def build(self, room: Frame) -> None:
-        """Build the block at the origin, on a two-sided slide, and two points round which the strings go."""
+        """Build the block with a horizontal sliding coordinate, and the two points round which its strings pass."""
         room.body("block", self.block.mass).slide(X).site("left_hook").site("right_hook")
         for way, name in ((-1.0, "left"), (1.0, "right")):
             distance, angle, side = (getattr(self, f"{name}_{field}") for field in ("distance", "angle", "side"))

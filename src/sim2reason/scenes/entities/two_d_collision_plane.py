@@ -193,7 +193,7 @@ class TwoDCollisionPlane(Entity):
         return [(axis, side, place) for axis, side, place in found if place is not None]
 
     def build(self, room: Frame) -> None:
-        """Build point-like bodies with two slides in the table, y up its slope; every pair may collide."""
+        """Build pucks with two sliding coordinates each on the table, y up the slope; every two pucks may collide."""
         tilt = radians(self.table.angle)
         upslope = (0.0, cos(tilt), sin(tilt))
         special = {(pair.first, pair.second): pair.restitution for pair in self.pairs}

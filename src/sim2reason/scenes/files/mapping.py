@@ -160,7 +160,7 @@ def _slots(cls: type[Model]) -> dict[str, _Slot]:
 
 
 def _with_line(place: str, text: str) -> str:
-    """Return a path with its line in the text, found by parsing again."""
+    """Return a path in a scene file with its line number, found by parsing the text again."""
     lines: Lines = {}
     parse(text, lines)
     known = place
@@ -278,7 +278,7 @@ def _one(slot: _Slot, data: Plain, place: str) -> object:
 
 
 def _mapping(data: Plain, place: str, keys: tuple[str, ...], *, root: bool = False) -> dict[str, Plain]:
-    """Return a mapping; raise SceneError for an unknown key."""
+    """Return `data` if it is a mapping with known keys alone; raise SceneError otherwise."""
     listed = ", ".join(keys) or "none"
     if not isinstance(data, dict):
         problem = "it is missing" if data is None else f"it is {shown(data)}, not a mapping"

@@ -33,7 +33,7 @@ _SUBPATH = re.compile(r"([a-z_]+(?:\.[a-z0-9_]+)*): (.*)", re.DOTALL)
 
 
 def explain_error(cls: type[Model], error: ValidationError, place: str) -> SceneError:
-    """Return the first error in a value of `cls` at `place`, and the number of further errors."""
+    """Return a SceneError for the first error in a value of `cls` at `place`, with the number of further errors."""
     details = error.errors(include_url=False)
     first = details[0]
     where = place + "".join(f"[{step}]" if isinstance(step, int) else f".{step}" for step in first["loc"])

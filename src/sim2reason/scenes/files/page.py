@@ -71,7 +71,7 @@ scene:
 
 
 def format_page() -> str:
-    """Return the text of the whole page."""
+    """Return the text of the page that documents the format of scene files, ``docs/scene-format.md``."""
     return "\n".join([HEAD, *_page()]) + "\n"
 
 
@@ -101,7 +101,7 @@ def _section(
 
 
 def _table(cls: type[Model], found: dict[str, type[Model]], only: list[str] | None = None) -> Iterator[str]:
-    """Yield the rows of the fields of a class; classes that they hold are added to `found`."""
+    """Yield the lines of a table of the fields of a class; add the classes that the fields hold to `found`."""
     known = [field for field in fields(cls) if only is None or field.name in only]
     if not known:
         return
@@ -148,7 +148,7 @@ def _default(cls: type[Model], field: Field) -> str:
 
 
 def _ports(cls: type[Entity]) -> Iterator[str]:
-    """Yield the directions of an entity and the use of each port."""
+    """Yield the lines of a table of an entity's directions, with the use of each port."""
     ports = outer_ports(cls)
     if not ports:
         return

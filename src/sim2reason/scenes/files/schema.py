@@ -62,7 +62,7 @@ def holders(cls: type[Entity]) -> dict[str, dict[str, type[Model]]]:
 
 
 def is_many(annotation: Any) -> bool:
-    """Return whether a field holds a tuple, a list in files."""
+    """Return whether a field holds a tuple, which scene files write as a list."""
     origin = get_origin(annotation)
     if origin is tuple:
         return True

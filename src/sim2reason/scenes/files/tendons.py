@@ -42,7 +42,7 @@ class FilePair:
 
 @dataclass(frozen=True, slots=True)
 class Path:
-    """The pairs of one connection, in the order of travel; `first` is the index of the first in the file."""
+    """One connection, from several pairs: its links in the order of travel; `first` is the place of the first pair."""
 
     kind: type[Connection]
     links: tuple[Link, ...]
@@ -173,7 +173,7 @@ def paths(pairs: list[FilePair]) -> Iterator[Path]:
 def _onward(
     number: int, leaves: int, pairs: list[FilePair], by_end: Mapping[tuple[str, str, int | None], tuple[int, int]]
 ) -> list[tuple[int, int]]:
-    """Return the pairs of ends by which a string goes on beyond one end of a pair, each with its entering end."""
+    """Return the pairs, by index, by which a string goes on beyond one end of a pair, each with its entering end."""
     found: list[tuple[int, int]] = []
     end = pairs[number].ends[leaves]
     while end.side is not None:
@@ -213,10 +213,10 @@ def _link(end: FileEnd, *, passed: bool = True) -> Link:
 
 
 def own_fields(kind: type[Connection]) -> list[str]:
-    """Return the parameters of a kind of connection."""
+    """Return the names of the parameters of a kind of connection."""
     return [name for name in kind.model_fields if name != "links"]
 
 
 def own_values(connection: Connection) -> dict[str, Any]:
-    """Return the parameters of a connection and their values."""
+    """Return the values of the parameters of a connection, by name."""
     return {name: getattr(connection, name) for name in own_fields(type(connection))}

@@ -123,7 +123,7 @@ class Quantity(ABC):
         return True
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether questions may ask for the quantity of a subject, as for friction if the face is rough.
+        """Return whether questions may ask for the quantity of a subject, such as friction only on a rough face.
 
         By default True.
         """
@@ -141,7 +141,7 @@ class Quantity(ABC):
         return self.signed
 
     def share(self, sense: Sense | None, mechanism: Mechanism, name: str) -> float:
-        """Return the relative frequency of questions for the component along a sense, or for the size if it is None."""
+        """Return the relative frequency of questions for the component along `sense`, or for the size if None."""
         del mechanism, name
         return sense.share if sense is not None else 1.0
 

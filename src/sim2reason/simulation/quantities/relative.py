@@ -30,7 +30,7 @@ class DistanceBetween(Quantity):
     panel, order = "distance", 0
 
     def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the names of the pairs, and of any other two bodies that move freely in a plane, in either order."""
+        """Return the names of all pairs, then of both orders of any other two bodies that move freely in a plane."""
         free = [body.name for body in mechanism.bodies if moves_in_plane(mechanism, body.name)]
         return tuple(
             dict.fromkeys((*self.of.names(mechanism), *(PAIR_SEPARATOR.join(two) for two in permutations(free, 2))))

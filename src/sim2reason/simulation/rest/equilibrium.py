@@ -72,7 +72,7 @@ class Balance:
         return True
 
     def state(self) -> State:
-        """Return the resting state; undetermined constraint forces are NaN, and then all normal forces."""
+        """Return the state at rest; undetermined forces are NaN, and if there are any, so are all normal forces."""
         mechanism, kinds, still = self.system.mechanism, self.loads.kinds, np.zeros((1, self.loads.size))
         known = self.forces.copy()
         open_ = undetermined_forces(self.loads.at(self.places).along[self.active])
@@ -238,7 +238,7 @@ class _Descent:
             return None
 
     def points(self) -> Iterator[Vector]:
-        """Yield points spread over the range of the coordinates, always the same ones."""
+        """Yield starting coordinates for the search, spread over the range and the same on each call."""
         points = _spread(self.size)
         yield from points * np.where(self.loads.hinges, math.pi, self.longest)
 

@@ -101,7 +101,7 @@ class RestingLoads:
         return found
 
     def tightening(self, loads: Loads, active: list[int]) -> Vector:
-        """Return the shortest step, (n,), after which all active rows are satisfied."""
+        """Return the shortest change of the coordinates, (n,), that satisfies all active rows to first order."""
         found: Vector = np.zeros(self.size)
         if active:
             found = found + np.linalg.lstsq(loads.along[active], loads.spare[active], rcond=1e-9)[0]
@@ -127,7 +127,7 @@ def null_space(rows: Vector, size: int) -> Vector:
 
 
 def undetermined_forces(rows: Vector) -> NDArray[np.bool_]:
-    """Return whether the force of each row is undetermined, since other rows could bear it, (rows,)."""
+    """Return, for each row, whether its force is undetermined, since other rows could bear the load, (rows,)."""
     if not rows.size:
         return np.zeros(len(rows), dtype=np.bool_)
     sides, sizes, _ = np.linalg.svd(rows, full_matrices=True)

@@ -12,7 +12,7 @@ from sim2reason.scenes.dsl.ports import Attachment, Port
 
 
 class Straight(TwoEnded):
-    """Base class of light straight lines between two attachments, along directions in which both can be left."""
+    """Base class of light straight lines between two attachments, which the line can leave in opposite directions."""
 
     joins: ClassVar[type[Port]] = Attachment
     free: FreeLength = FREE_LENGTH

@@ -54,7 +54,7 @@ class TwoEnded(Connection):
 
     @classmethod
     def between(cls, one: tuple[str, SitePort], other: tuple[str, SitePort], **numbers: float) -> Self:
-        """Return a connection from a port of a named entity to one of another."""
+        """Return a connection from a port of a named entity to a port of another."""
         links = tuple(Link(entity=name, port=port.name) for name, port in (one, other))
         return cls(links=links, **numbers)  # type: ignore[arg-type]  # each is a field of the class, validated by it
 
@@ -89,7 +89,7 @@ class TwoEnded(Connection):
     def parse(
         cls, name: str, place: int, state: S, matcher: SentenceMatcher[S], routes: Routes[S]
     ) -> Iterator[ParsedSentence[S]]:
-        """Yield all parses of the sentence: every wording, between every two ports that it can join."""
+        """Yield all parses of the sentence: every wording, between every two ports that the connection can join."""
         if place >= len(matcher.pieces):
             return
         text = matcher.pieces[place]
@@ -131,7 +131,7 @@ class TwoEnded(Connection):
 
     @classmethod
     def _ends(cls, slot: str, legs: dict[str, Leg[S]], routes: Routes[S], state: S) -> Iterator[Leg[S]]:
-        """Yield the ports that fit the end `slot` of the connection, given the other end if it is known (`legs`)."""
+        """Yield the ports that fit the end `slot` of the connection, given the other end if known (`legs`)."""
         other = tuple(leg.link for key, leg in legs.items() if key != slot)
         for leg in routes.legs(cls, state, other or NO_LINK if slot == "b" else ()):
             if leg.link not in other and cls.admits(leg.stops[0].port, "ab".index(slot), 1):
@@ -139,7 +139,7 @@ class TwoEnded(Connection):
 
 
 def _told(cls: type[Connection], template: str) -> set[str]:
-    """Return the ends and numbers that a wording states, including those inside its words."""
+    """Return the placeholders of ends and numbers that a wording states, also in words that depend on a value."""
     found = set(paths(template))
     for word in (cls.words[name] for name in found & cls.words.keys()):
         found |= {path for text in (*word.special.values(), word.otherwise) for path in paths(text)}

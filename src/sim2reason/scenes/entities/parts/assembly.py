@@ -95,7 +95,7 @@ class WeldedArm(Entity):
     @field_validator("pieces")
     @classmethod
     def _sided(cls, pieces: tuple[AnyPiece, ...]) -> tuple[AnyPiece, ...]:
-        """Set the side of every piece after the first, which the text always states."""
+        """Set the words for the side of each piece so that they are unambiguous after the earlier pieces."""
         return tuple(piece.told_after(pieces[:number]) for number, piece in enumerate(pieces))
 
     @model_validator(mode="after")

@@ -63,7 +63,7 @@ class Hanging(MassSystem):
     )
 
     def build(self, room: Frame, side: float = 1.0) -> None:
-        """Build blocks on vertical slides, the first one on top."""
+        """Build blocks with a vertical sliding coordinate each, the first block on top."""
         del side
         for index, block in enumerate(self.blocks):
             depth = self.length + index * SPACING

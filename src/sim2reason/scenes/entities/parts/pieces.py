@@ -62,7 +62,7 @@ class WeldedPiece(Part):
         return -self.distance if self.side in (OTHER, UNLIKE_FIRST) else self.distance
 
     def told_after(self, earlier: Sequence["WeldedPiece"]) -> Self:
-        """Return the piece with unambiguous words for its side: *same* and *other* only while all are on one side."""
+        """Return the piece with words for its side that are unambiguous after the `earlier` pieces."""
         opposite = self.place < 0.0
         if any(piece.place < 0.0 for piece in earlier):
             side = UNLIKE_FIRST if opposite else LIKE_FIRST

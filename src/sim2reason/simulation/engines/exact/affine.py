@@ -1,4 +1,4 @@
-"""Detection of results on a tape that are affine functions of its inputs, with exact rational coefficients.
+"""Detection of recorded results that are affine functions of the inputs, with exact rational coefficients.
 
 The equations of springs along fixed lines, dashpots and constant forces are affine. The result is a proof and is free
 of round-off: numerical differences of very unequal numbers, as for a stiff and a soft spring, would lose digits.
@@ -74,7 +74,7 @@ def _coefficients(tape: Tape, numbers: Sequence[Number]) -> list[Affine] | None:
 
 
 def _needed(tape: Tape, numbers: Sequence[Number]) -> set[int]:
-    """Return the tape nodes on which the given numbers depend, operands before results."""
+    """Return the indices of all tape nodes on which the given numbers depend, directly or not."""
     waiting, found = [number.id for number in numbers if isinstance(number, Symbol)], set[int]()
     while waiting:
         number = waiting.pop()
@@ -87,7 +87,7 @@ def _needed(tape: Tape, numbers: Sequence[Number]) -> set[int]:
 
 
 def _of_node(tape: Tape, number: int, known: dict[int, Affine | None]) -> Affine | None:
-    """Return the affine coefficients of a node from those of its operands; None if it is not affine."""
+    """Return the affine coefficients of a node from those of its operands; None if the node is not affine."""
     operation, a, b = tape.nodes[number]
     if operation == "input":
         return {a: Fraction(1)}

@@ -55,7 +55,7 @@ def separating_contacts(problem: Problem, heave: list[Row], found: Solution, sma
 def _rises(
     problem: Problem, heave: list[Row], mode: ContactMode, apart: tuple[int, ...], small: float
 ) -> tuple[tuple[int, ...], frozenset[int]]:
-    """Assume that the contacts `apart` separate; return those that then do, and those that contradict this."""
+    """Return the contacts that open if those in `apart` are free to, and the contacts that contradict this choice."""
     opened, kept = _opened(problem, heave, apart)
     rubbing = tuple(side for grip, side in zip(problem.grips, mode.rubbing, strict=True) if grip.contact not in apart)
     found = search(opened, ContactMode(mode.acting, rubbing))
@@ -67,7 +67,7 @@ def _rises(
 
 
 def _opened(problem: Problem, heave: list[Row], apart: tuple[int, ...]) -> tuple[Problem, list[int]]:
-    """Return the problem with the contacts `apart` free to open, each with its gap as a coordinate; and the others."""
+    """Return the problem with the gaps of contacts in `apart` as coordinates, and the indices of other contacts."""
     kept = [number for number in range(len(problem.press)) if number not in apart]
     place = {number: new for new, number in enumerate(kept)}
 

@@ -12,7 +12,7 @@ KEPT = 512  # compiled functions to keep; a process with more shapes of mechanis
 
 
 def compiled(parameters: str, lines: Sequence[str], constants: str = "") -> Callable[..., Any]:
-    """Compile a function of `parameters` with the given lines; with `constants`, a factory of it."""
+    """Compile lines of code to a function of `parameters`; given `constants`, to a factory that takes these."""
     body = "\n".join(f"        {line}" for line in lines)
     return _made(f"def make({constants}):\n    def code({parameters}):\n{body}\n    return code\n", bool(constants))
 

@@ -56,7 +56,7 @@ class Flips:
         return ContactMode(tuple(acting), tuple(rubbing))
 
     def each(self) -> Iterator["Flips"]:
-        """Yield the changes one at a time."""
+        """Yield, for each change, a `Flips` object with that change alone."""
         yield from (Flips([number], []) for number in self.rows)
         yield from (Flips([], [pair]) for pair in self.rubbing)
 
@@ -94,7 +94,7 @@ def _searched(problem: Problem, guess: ContactMode, *, lenient: bool) -> Solutio
 
 
 def linked(problem: Problem, mode: ContactMode) -> ContactMode:
-    """Return the mode with two-sided constraints acting, and dependent ones acting exactly if their leaders do."""
+    """Return the mode with two-sided rows acting, and each row that follows another acting if the other does."""
     if not any(problem.held):
         return mode
     acting = list(mode.acting)
@@ -104,7 +104,7 @@ def linked(problem: Problem, mode: ContactMode) -> ContactMode:
 
 
 def _exhausted(problem: Problem, tried: set[ContactMode], *, lenient: bool) -> Solution | None:
-    """Try all contact modes in order, those with the most acting rows and sticking contacts first."""
+    """Return the first consistent solution among all untried contact modes; None if none or if there are too many."""
     choices: list[tuple[int, ...]] = [(True,) if held else (True, False) for held in problem.held]
     choices += [
         (0,) if grip.never else (side,) if side else (0, 1, -1)
@@ -191,7 +191,7 @@ def _system(problem: Problem, mode: ContactMode, active: list[int], faint: float
 
 
 def _spread(values: Row, active: list[int], size: int) -> Row:
-    """Return the multipliers of the active rows at their indices in `size` rows, followed by the remaining values."""
+    """Return the multipliers of all `size` rows, zero for inactive ones, followed by the remaining values."""
     spread = [0.0] * size
     for number, value in zip(active, values, strict=False):
         spread[number] = value
@@ -253,7 +253,7 @@ def _flips(problem: Problem, solution: Solution, *, lenient: bool = False) -> Fl
 
 
 def count_resting_as_acting(problem: Problem, solution: Solution) -> Solution:
-    """Return the same solution with every resting constraint counted as acting and every resting contact as sticking.
+    """Return the solution with every constraint at rest counted as acting and every contact at rest as sticking.
 
     Its `spare` then lists the force patterns that the motion does not determine.
     """

@@ -46,7 +46,7 @@ class Watch:
     def crossings(
         self, ends: Sequence[Sequence[float]], margins: Callable[[float], Sequence[float]]
     ) -> list[tuple[int, Crossing]]:
-        """Return the first zero, if any, of each event function; `ends` are all functions at 0, ½ and 1 of the step."""
+        """Return index and first zero of each event function with a zero; `ends`: values at 0, ½ and 1 of the step."""
         known: dict[float, Sequence[float]] = {}
 
         def at(x: float) -> Sequence[float]:
@@ -121,7 +121,7 @@ def _slope(margin: Margin, x: float, value: float, step: float) -> float:
 
 
 def _rise(margin: Margin, samples: Sequence[Sample]) -> list[Sample]:
-    """Return the point, if any, where an event function that starts at zero is positive before it is negative."""
+    """Return a sample, if any, where an event function that starts at zero is positive before it is negative."""
     x = next(x for x, value in samples if value < 0.0)
     for _ in range(HALVES):
         x *= 0.5

@@ -153,7 +153,7 @@ class _Run(Settling):
         return margin.kind in ENDS
 
     def _halt(self, number: int) -> None:
-        """Apply the end of sliding at a contact; a slip along one coordinate sets its speed to exactly zero."""
+        """Apply the end of sliding at a contact; if the slip is one coordinate's rate, set that rate to exact zero."""
         grip = self.system.grips[number]
         if grip.coordinate >= 0 and abs(self.v[grip.coordinate]) < REST_RATE:
             self.v = [0.0 if k == grip.coordinate else speed for k, speed in enumerate(self.v)]
@@ -177,7 +177,7 @@ class _Run(Settling):
 
     @cached_property
     def _rough(self) -> set[int]:
-        """Return the coordinates with friction, for which a reversal changes the contact mode."""
+        """Return the indices of the coordinates with friction, whose reversal changes the contact mode."""
         return {grip.coordinate for grip in self.system.grips}
 
     def _note_turns(self, found: Balance, span: float) -> None:

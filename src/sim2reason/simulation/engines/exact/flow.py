@@ -122,7 +122,7 @@ class Flow:
         return StopReason(duration, ())
 
     def _leap(self, end: float, steps: float) -> bool:
-        """Solve a linear interval by eigenmodes if `steps` steps are too many or too coarse; return whether it did.
+        """Solve the motion to `end` by eigenmodes if `steps` steps are too many or coarse; return whether this is done.
 
         The interval starts at the first step if possible, because errors of early steps persist; otherwise at the
         present.
@@ -150,7 +150,7 @@ class Flow:
         return far > MIN_RESOLVED_DISPLACEMENT
 
     def _take(self, begin: FlowStep | None, end: float, periods: float = SHORTEST_LEAP) -> bool:
-        """Solve a linear interval by eigenmodes, from step `begin` (replacing all) or the present; return success."""
+        """Solve an interval by eigenmodes, from now or from step `begin`, replacing all steps; return the success."""
         linear = self.formulas.linear
         if linear is None:
             return False
@@ -171,7 +171,7 @@ class Flow:
         return True
 
     def _check_held(self) -> None:
-        """Raise SimulationError if redundant constraints block the motion, unseen in the equations of one instant."""
+        """Raise SimulationError if redundant constraints block the motion, as equations of one instant cannot show."""
         held = self.formulas.held
         if held is not None and max(map(abs, held(self.time, self.values))) > OFF:
             problem = "strings and rods hold something so often that they contradict each other"
@@ -220,7 +220,7 @@ class Flow:
         return StopReason(self.time - self.start, tuple(due)) if length >= 0.0 else None
 
     def _passes(self, step: FlowStep, known: set[int]) -> list[tuple[int, Crossing]]:
-        """Return the instants within a step at which two points of a line are nearest, if they coincide there."""
+        """Return event functions, by index, of line points that coincide within a step, each with the instant."""
         passing = self.formulas.passing
         if not passing:
             return []
@@ -234,7 +234,7 @@ class Flow:
         return found
 
     def _polished(self, step: FlowStep, x: float, number: int, room: float) -> float:
-        """Return the step length to an event predicted at a fraction of the step, corrected by integrator steps."""
+        """Append a step that ends at an event, predicted at fraction `x` of `step`; return the length of that step."""
         rate, first = self.formulas.rate, step.stages[0]
         width = 1e-4 * min(x, 1.0 - x) if 0.0 < x < 1.0 else 1e-6
         slope = (step.margins(x + width)[number] - step.margins(x - width)[number]) / (2.0 * width * step.length)

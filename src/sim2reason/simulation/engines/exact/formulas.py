@@ -112,7 +112,7 @@ class _Recorded:
         return Formulas(rate, write, margins, tuple(names), held, tuple(passing), closing, cost, linear, due)
 
     def _patterns(self, mode: ContactMode, free: FreeForces) -> dict[Margin, Number]:
-        """Return how one pattern of undetermined forces changes the event functions of rows and contacts."""
+        """Return the change of each event function of rows and contacts due to one pattern of undetermined forces."""
         lift: list[Number] = [0.0] * self.system.count
         for number, force in free.rows.items():
             for contact, part in self.rows[number].lift.items():
@@ -243,7 +243,7 @@ class _Recorded:
         return found
 
     def _keeps(self, mode: ContactMode, first: str, last: str) -> bool:
-        """Return whether an acting constraint consists of this segment alone, so that its length is constant."""
+        """Return whether the segment between two sites is a whole acting constraint and so has a constant length."""
         known = self.system.mechanism.line
         acting = [kind.name for kind, acts in zip(self.system.kinds(self.phase), mode.acting, strict=True) if acts]
         lines = [known[name] for name in acting if name in known]

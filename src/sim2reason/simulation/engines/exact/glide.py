@@ -207,7 +207,7 @@ class ConstantEquations:
         return _Pair(meeting, _plain(apart), slides, lifts)
 
     def instant(self, time: float, q: Row, v: Row, phase: SwitchState) -> Instant:
-        """Return the equations at one instant: constant except distances to events, with a row per stuck pair."""
+        """Return the equations at one instant, constant except for distances to events and rows of stuck pairs."""
         spare, rates = list[float](), list[float]()
         for row, reel, room in zip(self._rows, self._reels, self._spare, strict=True):
             spare.append(room - row.rate(q) - reel * time)
@@ -224,7 +224,7 @@ class ConstantEquations:
 
     @staticmethod
     def _near(pair: _Pair, stuck: bool, q: Row, v: Row) -> Near:  # noqa: FBT001 - one of several in a map
-        """Return the gap and rates of a pair; its gradient too if the bodies touch or stick together."""
+        """Return the gap of a collision pair with its rates, and with its gradient if the bodies touch or stick."""
         meeting, apart, velocity = pair.meeting, pair.at(q), _carried(pair.slides, v)
         if meeting.normal is None:
             r = hypot(*apart)
@@ -242,7 +242,7 @@ class ConstantEquations:
     # ---- the next event
 
     def glide(self, instant: Instant, found: Balance, duration: float) -> StopReason:
-        """Return how long the contact mode lasts, and the events that end it."""
+        """Return the duration of the contact mode and the event functions that end the mode."""
         due = [*self._changes(instant, found), *self._finishes(instant, found)]
         soonest = min((time for time, _ in due), default=inf)
         if soonest >= duration:

@@ -15,7 +15,7 @@ NEGLIGIBLE = 1e-11  # fraction of a row's largest entry: a smaller pivot counts 
 
 @dataclass(slots=True)
 class Solved:
-    """All solutions of a linear system: `x` + any combination of `nulls`."""
+    """All solutions of a linear system: one solution `x` plus any combination of the null vectors `nulls`."""
 
     x: Row
     nulls: list[Row]
@@ -23,7 +23,7 @@ class Solved:
 
 
 def dot(a: Row, b: Row) -> float:
-    """Return the scalar product of two rows; the shorter one determines the number of terms."""
+    """Return the scalar product of two rows; the shorter row determines the number of terms."""
     return sum(map(mul, a, b))
 
 

@@ -23,7 +23,7 @@ class Condition(NamedTuple):
 
 
 def greatest_least(bases: Sequence[float], parts: Sequence[Sequence[float]]) -> tuple[float, frozenset[int]]:
-    """Return the maximum over z of the least base + Σ parts·z, and the functions that limit it; infinity if unbounded.
+    """Return the maximum over z of the least base + Σ parts·z, inf if unbounded, and the indices of the limiting terms.
 
     Fourier–Motzkin elimination: any two conditions in which a free force has opposite signs combine, with weights of
     sum 1, into one without it.

@@ -59,7 +59,7 @@ class EventLog:
         self._hits |= dict.fromkeys(names, (time, subjects))
 
     def previous_impact_time(self, time: float, names: Iterable[str]) -> float | None:
-        """Return the time of the previous impact if one of `names` is struck again too soon; None otherwise.
+        """End the motion at the previous impact if one of `names` is struck again too soon; return its time, else None.
 
         Alternating impacts could continue without end.
         """

@@ -49,7 +49,7 @@ def admissible_forces(problem: Problem, mode: ContactMode, x: Row) -> tuple[Row,
 
 
 def _stacked(problem: Problem, along: Array, lift: Array, sticking: list[int]) -> Array:
-    """Return the matrix of force balance, with a column for each nonnegative unknown: λ, p and r, then spare."""
+    """Return the matrix of force balance, with columns for forces of rows, parts p and r of friction, and spare."""
     n, rows = along.shape
     c, k = len(lift), len(sticking)
     matrix = np.zeros((n + c, rows + 2 * k + c))
@@ -85,7 +85,7 @@ def nonnegative(matrix: Array, right: Array) -> tuple[Array, float]:
 
 
 def _descend(matrix: Array, right: Array, x: Array, inside: np.ndarray[tuple[int], np.dtype[np.bool_]]) -> None:
-    """Move x in place to the best point among the unknowns `inside`, dropping those that would turn negative."""
+    """Change the unknowns `inside` of x to least squares, fixing those at zero that would turn negative."""
     while inside.any():
         goal = np.zeros_like(x)
         goal[inside] = np.linalg.lstsq(matrix[:, inside], right, rcond=None)[0]

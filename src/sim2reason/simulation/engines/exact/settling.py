@@ -122,7 +122,7 @@ class Settling:
         return None if self.event_log.cut else snapped
 
     def _takes_part(self, number: int, near: Near) -> bool:
-        """Return whether a pair takes part in an impact; a resting pair that may bounce is struck later."""
+        """Return whether a pair takes part in an impact: touching, not stuck, not at rest if the bodies can bounce."""
         resting = near.meeting.restitution > 0.0 and near.rate >= -REST_RATE
         return near.touching and not resting and not self.phase.stuck[number]
 
@@ -181,7 +181,7 @@ class Settling:
     # -- forces ----------------------------------------------------------------------------------
 
     def settle(self, instant: Instant, snapped: set[int], rates: Sequence[float]) -> Balance | None:
-        """Compute the forces, record changes of contact; None at the end. `rates`: of row lengths before impacts."""
+        """Return the forces and record changes of contact; None at the end. `rates`: of row lengths before impacts."""
         before = self.mode
         found = self.balance(instant, snapped, rates)
         touching = (i for i, near in enumerate(instant.pairs) if near.touching)
@@ -233,7 +233,7 @@ class Settling:
         )
 
     def _least(self, grip: RoughContact) -> float:
-        """Return the largest slip speed that counts as zero: 0 if it is one coordinate's rate, else `REST_RATE`."""
+        """Return the largest slip speed that counts as zero: 0 for a slip that is one coordinate's rate, else more."""
         return 0.0 if self.curved is None and grip.coordinate >= 0 else REST_RATE
 
     def _is_tight(self, instant: Instant, number: int, rates: Sequence[float]) -> bool:

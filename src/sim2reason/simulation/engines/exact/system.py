@@ -186,7 +186,7 @@ class System:
         return tuple(found)
 
     def kinds(self, phase: SwitchState) -> list[RowKind]:
-        """Return the kinds of all constraint rows in a phase."""
+        """Return the kinds of all constraint rows for an on/off state (phase) of forces, engines, pairs and springs."""
         found = self._kinds.get(phase.stuck)
         if found is None:
             found = self._kinds[phase.stuck] = row_kinds(self.mechanism, phase)

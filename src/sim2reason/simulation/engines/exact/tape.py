@@ -145,7 +145,7 @@ class Tape:
     # ---- values at one point
 
     def stand(self, inputs: Sequence[float]) -> None:
-        """Evaluate every symbol at a point; NaN if it has no value there."""
+        """Evaluate every recorded symbol for given input values; a symbol without a value becomes NaN."""
         values, nodes, self._stands = self.values, self.nodes, True
         for number, value in enumerate(inputs):
             values[number] = value
@@ -217,7 +217,7 @@ def _written(
     outputs: tuple[tuple[int, Said], ...],
     guards: tuple[tuple[int, Said], ...],
 ) -> _Code:
-    """Generate the code of a tape with its constants as parameters, so that equations alike except in these share it.
+    """Generate the code of a tape with constants as parameters, so that equations that differ only in these share it.
 
     Outputs and guards are nodes with a number; an output that is no node has the index −1.
     """

@@ -147,7 +147,7 @@ class CompiledModel:
         self._heights, self._places = np.array(q[self.faces]), np.array(q[self.rubs])
 
     def overlap(self, overlaps: Array) -> None:
-        """Shift the limit of every constraint so that the state set by `stand` violates it by this distance, m."""
+        """Shift each constraint limit so that the state set by `stand` violates the limit by a given distance, m."""
         ranges = self._model.tendon_range
         ranges[self.tendons, 1] = self._lengths[self.tendons] - overlaps[self.strings]
         ranges[self.pairs, 1] = self._lengths[self.pairs] - overlaps[self.hits]

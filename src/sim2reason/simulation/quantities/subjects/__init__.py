@@ -47,7 +47,7 @@ class Subject(ABC):
 
     @abstractmethod
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Return the phrases by name of subjects that a text can refer to; `mentions` are its bodies by address."""
+        """Return the phrases, by subject, with which a text can refer; `mentions`: phrases of bodies by address."""
 
     @abstractmethod
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:

@@ -32,7 +32,7 @@ class Bodies(Subject):
     extras = frozenset({"ground"})
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return all bodies, including massless ones and wheels."""
+        """Return the names of all bodies, including massless bodies and wheels."""
         return tuple(mechanism.body)
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
@@ -64,7 +64,7 @@ class Bodies(Subject):
         return _of_path(path) or (right if path.straight else [])
 
     def directions(self, mechanism: Mechanism, name: str) -> list[Vector]:
-        """Return the directions of motion of the body and of its carriers; none if they change."""
+        """Return the directions of motion of the body and of its carriers; an empty list if any direction changes."""
         path = center_path(mechanism, name)
         return [] if path.bends else list(path.ways)
 
@@ -139,7 +139,7 @@ class TurningBodies(Subject):
     extras = frozenset({"net"})
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return all rotating bodies, including wheels of pulleys."""
+        """Return the names of all rotating bodies, including wheels of pulleys."""
         return tuple(name for name in mechanism.body if turning_axes(mechanism, name))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:

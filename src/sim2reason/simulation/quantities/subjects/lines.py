@@ -31,7 +31,7 @@ def line_phrases(
 
 
 def pulleys(mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-    """Return the phrases of pulleys by the address of the body that carries them, or by their own if fixed."""
+    """Return the address of each pulley that the text mentions and a body carries, by the name of that body."""
     found: dict[str, str] = {}
     for address in mentions:
         site = mechanism.site.get(f"{address}.left")

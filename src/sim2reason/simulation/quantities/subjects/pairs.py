@@ -43,7 +43,7 @@ class Pairs(Subject):
 
 
 def members(name: str) -> tuple[str, str]:
-    """Return the two bodies of a pair."""
+    """Return the names of the two bodies in the name of a pair."""
     a, _, b = name.partition(PAIR_SEPARATOR)
     return a, b
 
@@ -62,7 +62,7 @@ class RelativeBodies(Subject):
     name, slot = "body relative to another", "relative"
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return all ordered pairs of bodies whose centres of mass move."""
+        """Return the names of all ordered pairs of bodies whose centres of mass move."""
         moving = [name for name in mechanism.body if can_move(mechanism, name)]
         return tuple(PAIR_SEPARATOR.join(pair) for pair in permutations(moving, 2))
 

@@ -79,7 +79,7 @@ _TURNED: Mapping[str, str] = {"increases": "decreases", "decreases": "increases"
 
 
 def _by_way(trend: str) -> Word:
-    """Return the word for the trend of a field's component along an axis, given that along the field."""
+    """Return the word for the trend of a field's component along an axis, given the trend along the field."""
     return Word("way", {way: trend if way.startswith("positive") else _TURNED[trend] for way in _WAYS})
 
 

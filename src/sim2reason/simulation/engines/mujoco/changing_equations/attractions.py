@@ -35,7 +35,7 @@ class Attractions:
         self._began = self._at_the_start() if pairs else np.zeros(0)
 
     def closeness(self, data: Any) -> float:  # noqa: ANN401 - MuJoCo's
-        """Return the smallest current distance of a pair relative to the start, at most 1, to scale the step tolerance.
+        """Return the smallest ratio of a pair's present to initial distance, at most 1, to scale the step tolerance.
 
         When two bodies pass closely, a small error of their positions is a large part of their distance, which
         determines their deflection.

@@ -228,7 +228,7 @@ def _least(matrix: Array, wanted: Array) -> tuple[Array | None, Array]:
 
 @record()
 class Row:
-    """A constraint, usually one-sided: J·q̈ ≤ target once the length left, `spare`, is zero; it shrinks at `rate`."""
+    """A constraint, usually one-sided: J·q̈ ≤ target once the length left, `spare`, shrinking at `rate`, is zero."""
 
     kind: str  # string, rod, prop, foot, hold, stuck
     name: str

@@ -109,7 +109,7 @@ class Lines:
         return self._summed(found)
 
     def _summed(self, parts: Array) -> Array:
-        """Return the sums over the segments of each line."""
+        """Return, for each line, the sum of the values of its segments."""
         return parts if self._single else self._owned @ parts
 
     def _moved(self, data: Any, places: Array) -> Array:  # noqa: ANN401 - MuJoCo's

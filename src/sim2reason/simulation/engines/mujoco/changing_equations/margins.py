@@ -232,7 +232,7 @@ class EventSearch:
         return [due for due, r, close in zip(margins, self._room, near, strict=True) if due.value + r <= close]
 
     def _worst(self, margins: list[EventMargin]) -> float:
-        """Return the least event function; if two points of a line have met, that of their distance alone."""
+        """Return the least value of all event functions; if two points of a line have met, that of their distance."""
         left = [(due.value + r, due.kind) for due, r in zip(margins, self._room, strict=True)]
         met = min((value for value, kind in left if kind == "reach"), default=1.0)
         return met if met < 0.0 else min(left, default=(1.0, ""))[0]

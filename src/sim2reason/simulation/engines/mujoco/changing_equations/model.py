@@ -199,7 +199,7 @@ class ConstrainedModel:
         return total
 
     def closeness(self) -> float:
-        """Return the smallest distance of an attracting pair relative to the start, at most 1."""
+        """Return the smallest ratio of an attracting pair's present distance to the initial one, at most 1."""
         return self._attracted.closeness(self._data)
 
     # ---- lengths and rows

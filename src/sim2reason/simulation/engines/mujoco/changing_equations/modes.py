@@ -104,7 +104,7 @@ def _ways(instant: ForceProblem, guess: ContactMode) -> Iterator[ContactMode]:
 
 
 def replace_rows(instant: ForceProblem, guess: ContactMode) -> ContactMode:
-    """Return the guess with disallowed rows idle, two-sided ones acting, and already slipping faces as they slip."""
+    """Return the contact mode `guess` with disallowed rows idle, two-sided rows acting, and sliding faces slipping."""
     rows = tuple(
         (acts or both) and ok for acts, both, ok in zip(guess.rows, instant.both, instant.allowed, strict=True)
     )

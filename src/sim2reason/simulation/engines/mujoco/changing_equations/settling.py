@@ -112,7 +112,7 @@ class InstantSolver:
         return row.spare <= TOUCHING and abs(row.rate) <= 1e2 * REST_SPEED
 
     def _tear(self, rows: list[Row], a: Array) -> None:
-        """Record the end of the motion if a foot that loses contact would return at once, since it must slip first."""
+        """Record the end of the motion if a foot that loses contact would return at once without first slipping."""
         for due in self.due:
             if due.kind == "force" and rows[due.number].kind == "foot":
                 row = rows[due.number]
@@ -182,7 +182,7 @@ class InstantSolver:
         return any(gap <= TOUCHING and rate < -REST_SPEED and not stuck for (gap, rate, *_), stuck in pairs)
 
     def _strike(self, rows: list[Row], acts: list[bool], touching: list[int]) -> None:
-        """Compute the velocities just after an impact: the problem of forces, with momenta as loads."""
+        """Compute the velocities just after an impact, as in the problem of forces but with momenta as loads."""
         instant, every = self._struck(rows, acts, touching)
         speeds = self.model.slips @ self.v
         sides = tuple(
@@ -208,7 +208,7 @@ class InstantSolver:
             self.record.add(Knot(self.now, np.concatenate([self.q, self.v]), np.concatenate([self.v, 0.0 * self.v])))
 
     def _struck(self, rows: list[Row], acts: list[bool], touching: list[int]) -> tuple[ForceProblem, list[Row]]:
-        """Return the problem of an impact, and its rows, those of the touching pairs last."""
+        """Return the force problem that represents an impact, and the problem's rows, those of touching pairs last."""
         hits: list[Row] = []
         for number in touching:
             meeting = self.mechanism.meetings[number]
@@ -234,7 +234,7 @@ class InstantSolver:
         return True
 
     def note(self, kind: str, *subjects: str) -> None:
-        """Record an event now unless it is already recorded, as for overlapping regions; collisions may repeat."""
+        """Record an event at the present time unless already recorded; only collisions may be recorded repeatedly."""
         event = Event(self.now, kind, subjects)
         if kind == "collision" or event not in self.events[-DUPLICATE_WINDOW:]:
             self.events.append(event)
