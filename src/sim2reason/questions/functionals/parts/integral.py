@@ -83,7 +83,7 @@ class Integral(Functional):
 
     @abstractmethod
     def rate(self, state: State, name: str) -> Array:
-        """Return the integrand, (n,), in the unit per second."""
+        """Return the integrand, (n,), in the unit of the integral per second."""
 
     def corners(self, trace: Trace, name: str) -> Iterable[float]:
         """Return the times, s, at which the rate has a kink although no event occurs; by default none."""
