@@ -97,7 +97,7 @@ def pick(
 
 
 def is_clear_of_events(time: float, trace: Trace) -> bool:
-    """Return whether a time is clear of all events that change the motion."""
+    """Return whether a time, s, is not close to any event that changes the motion."""
     clear = EVENT_CLEARANCE * float(trace.state.times[-1])
     return all(abs(time - event.time) > clear for event in trace.events if event.changes_motion)
 

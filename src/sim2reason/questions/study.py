@@ -78,14 +78,14 @@ class SimulatedScene(Memo):
         return self._simulate_variant((scene, error), lambda: (scene, scene.mechanism, None), until, error)
 
     def with_values(self, values: Mapping[str, float], until: float | None = None) -> "SimulatedScene | None":
-        """Return the scene with other values at some addresses and its motion until a time, s; None without a motion."""
+        """Return the scene with other values at addresses, and its motion until a time, s; None if either fails."""
         scene = self._having(values)
         return None if scene is None else self.variant(scene, until)
 
     def with_same_change(self, values: Mapping[str, float]) -> "SimulatedScene | None":
         """Return the motion with other values, with the same change of the mechanism, duration and accuracy.
 
-        None if there is none.
+        None if there is no such motion.
         """
         scene = self._having(values)
         if scene is None:

@@ -59,7 +59,7 @@ class EventCount(Functional):
         """Return the times of the counted events, s, in order."""
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """Return phrases for the interval; none if it ends with a numbered collision, which may reveal the answer."""
+        """Return phrases for the interval; none for one up to a numbered collision, which may reveal the count."""
         return () if isinstance(moment, Collided | Bounced) else super().when(moment, words, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
