@@ -59,12 +59,12 @@ def parse_choice(text: str, unit: str, rng: np.random.Generator | None = None) -
 
 
 def amounts(values: Sequence[float], unit: str) -> tuple[str, ...]:
-    """Return numbers formatted in one style, with their unit."""
+    """Return the texts of numbers with their unit, all in one style."""
     return tuple(join_unit(text.replace("-", MINUS), unit) for text in said(values))
 
 
 def said(values: Sequence[float], digits: int = DIGITS) -> list[str]:
-    """Return numbers in one style: integers, or `digits` significant digits, in scientific notation if needed."""
+    """Return the texts of numbers, all as integers or all with `digits` significant digits and any powers of ten."""
     if all(value == round(value) and abs(value) < 10**digits for value in values):
         return [str(round(value)) for value in values]
     powers = [_power(value, digits) for value in values]
@@ -76,6 +76,6 @@ def said(values: Sequence[float], digits: int = DIGITS) -> list[str]:
 
 
 def _power(value: float, digits: int) -> int:
-    """Return the power of ten of a number after rounding."""
+    """Return the exponent of ten of a number in scientific notation, after rounding to `digits` digits; 0 for zero."""
     rounded = abs(float(f"{value:.{digits - 1}e}"))
     return floor(log10(rounded)) if rounded else 0

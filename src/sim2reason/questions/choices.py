@@ -97,7 +97,7 @@ def pick(
 
 
 def is_clear_of_events(time: float, trace: Trace) -> bool:
-    """Return whether a time is clear of all events that change the motion."""
+    """Return whether a time, s, is not close to any event that changes the motion."""
     clear = EVENT_CLEARANCE * float(trace.state.times[-1])
     return all(abs(time - event.time) > clear for event in trace.events if event.changes_motion)
 
@@ -133,7 +133,7 @@ def data_relevant_from(trace: Trace) -> float:
 
 
 def smallest_answer(mechanism: Mechanism, quantity: Quantity) -> float:
-    """Return the smallest admissible answer of a quantity; less for one that scales with mass if all are below 1 kg."""
+    """Return the smallest admissible answer for a quantity; less for one that grows with mass if all are below 1 kg."""
     return quantity.least * min(1.0, max(body.mass for body in mechanism.bodies)) if quantity.heavy else quantity.least
 
 

@@ -46,7 +46,7 @@ class UniquenessScan:
         self._known: dict[float, float | None] = {}
 
     def another(self, values: Sequence[float]) -> float | None:
-        """Return a number whose answer may equal the given result or is wrongly above or below it; None without one.
+        """Return a number whose answer may equal the given result or be on its unexpected side; None if there is none.
 
         A number whose answer may lie beyond the end of the simulation counts as well. Candidates are all `values`,
         limits of the range with an answer, minima of dips, and midpoints of intervals in which the answer oscillates.
@@ -59,7 +59,7 @@ class UniquenessScan:
         return next((at for at in beside if values[0] <= at <= values[-1] and self._coarse(at) is None), None)
 
     def far(self, values: Sequence[float]) -> float | None:
-        """Return one of some distant numbers whose answer is close to the given result or past it; else None.
+        """Return the first of `values`, far from the root, whose answer nearly equals or passes that given; else None.
 
         Intermediate values are not tested: beyond another root all answers are on the wrong side.
         """
@@ -87,7 +87,7 @@ class UniquenessScan:
         yield from filter(self._is_apart, self._swings())
 
     def _between(self, values: Sequence[float]) -> Iterator[float]:
-        """Yield the values that the coarse passes omit, except those in intervals where the answer is smooth."""
+        """Yield those of `values` that the coarse passes omit, except in intervals where the answer is smooth."""
         stride = STRIDES[-1]
         first = stride // 2
         last = len(values) - 1 - (len(values) - 1 - first) % stride
@@ -135,7 +135,7 @@ class UniquenessScan:
         return self._coarse.is_late(at) if clear is None else clear <= 1.0
 
     def _clear(self, at: float) -> float | None:
-        """Return the distance of an answer from the given result, in smallest significant differences.
+        """Return the answer for a number less the given result, in units of the smallest significant difference.
 
         It is positive on the correct side of the result. None without an answer.
         """

@@ -73,7 +73,7 @@ class AnswerFunction:
             self._record_course(value, self._study)
 
     def coarser(self, error: float) -> "AnswerFunction":
-        """Return the same function with less accurate integration; both share the known times until the answer."""
+        """Return the same function with less accurate integration; both share the known simulation times."""
         found = AnswerFunction(self._query, self._study, self._path, error, self._scene, self._likely, self._patience)
         found._times, found._late = self._times, self._late
         return found
@@ -154,7 +154,7 @@ class AnswerFunction:
 
     @property
     def _later_counts(self) -> bool:
-        """Return whether the query waits for an event whose time is not the answer."""
+        """Return whether the query asks for another quantity than a time, at a moment without a stated time."""
         timed = KINDS[self._query.kind].measured(self._query).name == "time"
         return not timed and self._query.moment is not None and self._query.moment.stated_time is None
 

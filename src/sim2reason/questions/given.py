@@ -41,7 +41,7 @@ class StatedResult:
 
     @property
     def half(self) -> float:
-        """Return the largest rounding error that the digits imply; of large integers three digits count."""
+        """Return the largest rounding error that the digits imply; in large integers, only three digits count."""
         whole, _, decimals = self.digits.removeprefix(MINUS).partition(".")
         return 0.5 * 10.0 ** (-len(decimals) if decimals else max(0, len(whole) - 3))
 

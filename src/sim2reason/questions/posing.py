@@ -234,7 +234,7 @@ def _changed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) ->
 
 
 def _after_removal(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
-    """Return the question about the motion that follows the removal of something; TextError if it is compared."""
+    """Return the question about the motion after an object is removed; TextError if the answer is to be compared."""
     if answer_form(asked, VALUE) != VALUE:
         raise TextError("compare", "what follows a removal is not compared with what goes before", "take the value")
     scene = motion.study.scene

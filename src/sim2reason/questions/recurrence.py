@@ -213,7 +213,7 @@ TURNED = 1e-3  # of the greatest displacement: a returned coordinate has made no
 
 
 def why_never(moment: Moment | None, trace: Trace) -> str:
-    """Return a clause explaining why a moment or a repetition never occurs; empty if it still may.
+    """Return a clause explaining why a moment or a repetition never occurs; empty if either still may occur.
 
     A motion whose description ends before the moment never reaches the moment.
     """

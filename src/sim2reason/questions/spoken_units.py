@@ -28,7 +28,7 @@ _HEADING = re.compile(r" \(([^()\s]+)\)$")
 
 @dataclass(frozen=True, eq=False)
 class SpokenUnits:
-    """A system of units for texts: its replacements of SI units, each with the size of an SI unit in it.
+    """A system of units for texts: replacements of SI units, each with the size of the SI unit in the replacement.
 
     `whole` are units as they stand, such as m/s; `words` stand for m, kg, N and J wherever they occur in a unit, with
     prefixes, too.
@@ -44,7 +44,7 @@ class SpokenUnits:
         return bool(self.words or self.whole)
 
     def spelled(self, unit: str) -> tuple[str, Decimal]:
-        """Return the system's unit in place of an SI unit, and the size of the SI unit in it.
+        """Return the system's unit in place of an SI unit, and the size of the SI unit in the system's unit.
 
         Electrical units stay as they are, since of those each system has several, and so do those of astronomy.
         """
@@ -173,7 +173,7 @@ def in_si(text: str) -> tuple[str, ...]:
 
 @lru_cache(maxsize=1024)
 def _spelled(system: SpokenUnits, shown: str) -> tuple[str, Decimal]:
-    """Return a system's unit for a printed SI unit, and the size of the latter in it; any other text unchanged."""
+    """Return a system's unit for a printed SI unit, and the SI unit's size in that unit; other texts unchanged."""
     try:
         unit, factor = system.spelled(shown)
     except UnitError:
@@ -183,7 +183,7 @@ def _spelled(system: SpokenUnits, shown: str) -> tuple[str, Decimal]:
 
 @cache
 def _restored(shown: str) -> tuple[str, Decimal]:
-    """Return the printed SI unit for one of another system, and the size of the latter in it."""
+    """Return the printed SI unit for a unit of another system, and the size of the SI unit in that unit."""
     try:
         name = parse_unit(shown).name
     except UnitError:

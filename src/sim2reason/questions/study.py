@@ -71,21 +71,21 @@ class SimulatedScene(Memo):
     def variant(
         self, scene: Scene, until: float | None = None, error: float = COARSE_STEP_ERROR
     ) -> "SimulatedScene | None":
-        """Return a changed scene with its motion until a time, s, by default as long as this one; None if it fails.
+        """Return a changed scene with its motion until a time, s, by default as long as this; None if simulation fails.
 
         `error` is the relative error allowed in an integration step.
         """
         return self._simulate_variant((scene, error), lambda: (scene, scene.mechanism, None), until, error)
 
     def with_values(self, values: Mapping[str, float], until: float | None = None) -> "SimulatedScene | None":
-        """Return the motion with other values at some addresses, until a time, s; None if it fails."""
+        """Return the scene with other values at addresses, and its motion until a time, s; None if either fails."""
         scene = self._having(values)
         return None if scene is None else self.variant(scene, until)
 
     def with_same_change(self, values: Mapping[str, float]) -> "SimulatedScene | None":
-        """Return the motion with other values, with the same change, duration and accuracy; None if it fails.
+        """Return the motion with other values, with the same change of the mechanism, duration and accuracy.
 
-        None if there is none.
+        None if there is no such motion.
         """
         scene = self._having(values)
         if scene is None:
@@ -98,7 +98,7 @@ class SimulatedScene(Memo):
         return self._simulate_variant(("likewise", tuple(values.items())), make, None, error)
 
     def _having(self, values: Mapping[str, float]) -> Scene | None:
-        """Return the scene with other values, from a cache; None if it is invalid."""
+        """Return the scene with other values at some addresses, cached; None if the values are invalid."""
         key = tuple(values.items())
         if key not in self._scenes:
             try:
@@ -108,7 +108,7 @@ class SimulatedScene(Memo):
         return self._scenes[key]
 
     def changed(self, name: Hashable, change: Change, until: float | None = None) -> "SimulatedScene | None":
-        """Return the motion of the changed mechanism; `name` identifies the change in the cache; None if it fails."""
+        """Return the motion of the changed mechanism, cached under the change's `name`; None if simulation fails."""
         whole = change if self.change is None else _one_after(self.change, change)
         return self._simulate_variant(name, lambda: (self.scene, change(self.mechanism), whole), until)
 

@@ -32,7 +32,7 @@ class _Found(NamedTuple):
 
 
 class ThresholdSearch:
-    """Whether an outcome occurs, as a function of the number at an address of the scene."""
+    """A search for the value of the number at an address at which an outcome starts, or ceases, to occur."""
 
     def __init__(self, study: SimulatedScene, outcome: PossibleOutcome, path: str, engine: str = RECORDED) -> None:
         """Prepare the search, given the study of a scene in which that number has any value."""

@@ -248,5 +248,5 @@ class Words:
         return found
 
     def fills(self, of: Subject, name: str) -> dict[str, str]:
-        """Return the texts of further placeholders in phrases about one subject."""
+        """Return the texts of further placeholders in phrases about one subject, by placeholder."""
         return of.fills(self.mechanism, name, self.mentions)

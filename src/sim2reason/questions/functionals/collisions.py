@@ -74,7 +74,7 @@ class CollisionImpulse(Functional):
         return collision_phrases(moment, words, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return m|Δv|, in N s; None if a third body takes part at the same instant."""
+        """Return the impulse m|Δv| of the collision, N s; None if a third body takes part at the same instant."""
         one, other = (jumps(trace, lambda s, n=n: Momentum.evaluate(s, n), [end])[0] for n in members(name))
         size = float(np.linalg.norm(one))
         return size if float(np.linalg.norm(one + other)) <= BALANCE * size else None
@@ -140,7 +140,7 @@ class Collisions(EventCount):
         return pairs and not words.mechanism.half_springs
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """Return phrases for intervals, including that of all future motion."""
+        """Return phrases for the interval up to a moment; for all future motion if the moment is the last collision."""
         if isinstance(moment, LastCollision):
             return ("in all", "altogether", f"from {words.since} on")
         return super().when(moment, words, name)
@@ -179,7 +179,7 @@ class FromFixed(Functional):
         return (Channel(name, Momentum.name),)
 
     def sum(self, trace: Trace, name: str, times: list[float]) -> float | None:
-        """Return |Σ mΔv| over impacts, in N s; None if another body takes part in one of them."""
+        """Return the total impulse |Σ mΔv| of impacts, N s; None if another body takes part in one of the impacts."""
         others = (
             collision_times(trace, times[-1], lambda e: name in e.subjects and len(e.subjects) > 1) if times else []
         )
@@ -202,7 +202,7 @@ class ImpactImpulse(FromFixed):
         return collision_phrases(moment, words, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return m|Δv|, in N s."""
+        """Return the impulse m|Δv| of the impact, N s; None if another body takes part in the impact."""
         return self.sum(trace, name, [end])
 
 
@@ -215,11 +215,11 @@ class TotalImpactImpulse(FromFixed):
     how = "how large is the total impulse that {what} exerts on {body} {when}?"
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return |Σ mΔv|, in N s."""
+        """Return the total impulse |Σ mΔv| of all impacts up to a time, N s; None if another body takes part in one."""
         return self.sum(trace, name, collision_times(trace, end, lambda event: event.subjects == (name,)))
 
     def worth(self, study: SimulatedScene, name: str, end: float) -> bool:
-        """Return whether there are several impacts."""
+        """Return whether several impacts occur up to the time, so that the total differs from a single impulse."""
         return len(collision_times(study.trace, end, lambda event: event.subjects == (name,))) >= FEWEST
 
 
@@ -234,7 +234,7 @@ class TotalCollisionLoss(Functional):
     weight = 4.0
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """Return phrases for intervals, including that of the entire future motion."""
+        """Return phrases for the interval up to a moment; for the whole motion if the moment is the last collision."""
         if isinstance(moment, LastCollision):
             return (f"from {words.since} on", "in the motion that follows", "in the whole motion")
         return super().when(moment, words, name)
@@ -245,7 +245,7 @@ class TotalCollisionLoss(Functional):
         return energy_lost(trace, collision_times(trace, end))
 
     def worth(self, study: SimulatedScene, name: str, end: float) -> bool:
-        """Return whether there are several collisions."""
+        """Return whether several collisions occur up to the time, so that the total differs from a single loss."""
         del name
         return len(collision_times(study.trace, end)) >= FEWEST
 

@@ -110,7 +110,7 @@ class AxisDistance(Extreme):
         return all(self._is_along(law) for law in acts.electric)
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """Return phrases for the interval, also if the motion recurs elsewhere, as this coordinate does not drift."""
+        """Return phrases for the interval, also if the motion repeats elsewhere, as the coordinate does not drift."""
         return moment.phrases(words) if isinstance(moment, WholeMotion) else super().when(moment, words, name)
 
     def _is_along(self, law: Push) -> bool:

@@ -75,7 +75,7 @@ class AreaSwept(Integral):
     weight = 0.3
 
     def rate(self, state: State, name: str) -> Array:
-        """Return the areal speed ½|r × v|, (n,)."""
+        """Return the magnitude ½|r × v| of the areal velocity, the area swept per unit time, (n,)."""
         return np.linalg.norm(_areal_velocity(state, name), axis=1)
 
     def worth(self, study: SimulatedScene, name: str, end: float) -> bool:

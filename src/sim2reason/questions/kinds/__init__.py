@@ -105,7 +105,7 @@ class Kind(ABC):
         return query
 
     def far_answer(self, query: Query, study: SimulatedScene) -> float | None:
-        """Return the answer in a scene misread by a solver, searched for in a wide range; or that of `loose_answer`."""
+        """Return the answer in a scene misread by a solver, searched for in a wide range; by default `loose_answer`."""
         return self.loose_answer(query, study)
 
     @abstractmethod
@@ -135,7 +135,7 @@ class Kind(ABC):
 
     @abstractmethod
     def parsed(self, text: str, study: SimulatedScene, words: Words, targets: Targets) -> Iterator[Query]:
-        """Yield all queries that a sentence may express, from its numbers and names; `targets` are those it names.
+        """Yield all queries that a sentence may express; `targets` are the targets that the sentence names.
 
         The query whose `shapes` contain the sentence, word for word, is the correct one.
         """

@@ -46,7 +46,7 @@ class ComparisonQuery(NestedQuery):
     grows: bool = True
 
     def others(self, study: SimulatedScene) -> list[SimulatedScene | None]:
-        """Return the motion with the changed number."""
+        """Return a list of one motion, that with the changed number; its element is None if there is no such motion."""
         return [self.changed(study)]
 
     def changed(self, study: SimulatedScene) -> SimulatedScene | None:

@@ -42,7 +42,7 @@ class LimitQuery(NestedQuery):
         return self.extremes(study)
 
     def extremes(self, study: SimulatedScene, times: Sequence[float] = TIMES) -> list[SimulatedScene | None]:
-        """Return the motions with the mass multiplied by ever larger factors, or divided by them."""
+        """Return motions whose mass is the scene's greatest mass times growing factors, or the least one over these."""
         masses = [float(p.value) for p in study.scene.parameters if p.measure.unit == MASS and p.value]
         end = max(masses) if self.large else min(masses)
         return [study.with_same_change({self.path: end * by if self.large else end / by}) for by in times]

@@ -201,7 +201,7 @@ def _modes(mechanism: Mechanism) -> Oscillations | None:
 
 
 def _measure(words: Words, rng: np.random.Generator, count: int = 3) -> str:
-    """Return a random measure, weighted by share; only the period for times in years."""
+    """Return *period*, *frequency* or another measure at random, by weight; always *period* if times are in years."""
     names, shares = list(MEASURES)[:count], np.array(OFTEN[:count])
     return str(rng.choice(names, p=shares / shares.sum())) if words.units.time == "s" else "period"
 

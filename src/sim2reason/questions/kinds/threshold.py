@@ -121,7 +121,7 @@ class ThresholdKind(Kind):
         return 0.0
 
     def indifferent(self, query: Query, study: SimulatedScene, other: SimulatedScene) -> bool:
-        """Return whether the scenes differ only in gravity, which such outcomes need but which may cancel out."""
+        """Return whether the scenes differ only in gravity, which an outcome needs but which may cancel out."""
         del query
         return replace(other.mechanism, gravity=study.mechanism.gravity) == study.mechanism
 

@@ -30,7 +30,7 @@ class EventKind(ValueKind):
     share = 0.3
 
     def draw(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """Return a query for a random quantity at a random event that does not reveal it; None if there is none."""
+        """Return a query for a random quantity at a random event that does not reveal the value; None without one."""
         moment = draw_moment(self.moments(), study, words, rng)
         return self.at(moment, study, words, targets, rng) if moment is not None else None
 
@@ -81,7 +81,7 @@ class StartKind(ValueKind):
     def at(
         self, moment: Moment, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator
     ) -> Query | None:
-        """Return a query at the start; None for any other moment."""
+        """Return a query for a random quantity at the start; None if the moment is not the start."""
         return self.draw(study, words, targets, rng) if moment.kind == self.name else None
 
 

@@ -56,7 +56,7 @@ class WhichFirstKind(WhichKind):
         return greater - less
 
     def measured(self, query: Query) -> Measured:
-        """Return a time difference of at least 0.01 s."""
+        """Return the quantity, unit and least value of the answer: a time difference, in s, of at least 0.01 s."""
         del query
         return Measured("difference", "s", least=1e-2)
 

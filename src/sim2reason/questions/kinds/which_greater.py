@@ -69,7 +69,7 @@ class WhichGreaterKind(WhichKind):
         return greater / less if less > 0.0 and greater < GREATEST * less else None
 
     def measured(self, query: Query) -> Measured:
-        """Return a dimensionless ratio above 1."""
+        """Return the quantity, unit and least value of the answer: a ratio, without unit, of at least 1.1."""
         del query
         return Measured("ratio", "", least=LEAST)
 

@@ -62,7 +62,7 @@ class Moment(ABC):
         return self
 
     def mirrored_values(self, trace: Trace) -> Sequence[float] | None:
-        """Return the `stated` numbers for the opposite side of the initial value; None, as by default, without any."""
+        """Return the `stated` numbers mirrored to the other side of the initial value; None, as by default, if none."""
         del trace
         return None
 

@@ -143,7 +143,7 @@ class Orbited(Passage):
         return now, began, rates[b] - rates[a]
 
     def excess(self, state: State) -> Array:
-        """Return a function, (n,), that rises through zero at the angle."""
+        """Return a product of the line's present and initial vectors, (n,), that rises through zero at the angle."""
         now, began, rate = self._arm(state)
         spin = np.cross(began, rate)
         sine = np.cross(began, now) @ spin
@@ -191,7 +191,7 @@ class TurnedThrough(Threshold):
 
     @classmethod
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
-        """Return a random part of the greatest angle, a multiple of 5° (10° from 100° on); None if there is none."""
+        """Return a random angle below the greatest one, degrees, a multiple of 5 (10 from 100 on); None without one."""
         reached = float(np.abs(AngleTurned.evaluate(trace.scan, name)).max())
         angle = rounded_as_written(5.0 * max(1, round(rng.uniform(0.2, 0.9) * min(reached, MAX_TURN) / 5.0)))
         return angle if angle < reached else None

@@ -146,7 +146,7 @@ class StoppedSlipping(SlipChange):
 
     @classmethod
     def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Return the moments worth asking about: none if slip reversed before, which is ambiguous with its end."""
+        """Return the moments worth asking about: none, as ambiguous, of a body whose slip reverses before its end."""
         found = super(StoppedSlipping, cls).found(study, words, rng)
         return [moment for moment in found if not moment.turned_back(study.trace)]
 

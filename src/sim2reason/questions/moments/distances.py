@@ -147,7 +147,7 @@ class Moved(DistanceThreshold):
         return self.towards * (Displacement.evaluate(state, self.name) @ np.array(sense.vector)) - self.value
 
     def time(self, trace: Trace) -> float | None:
-        """Return the time, s; None if the body reverses before, unless a side is given or the body may collide."""
+        """Return the time of the moment, s; None after a reversal, unless a side is given or the body may collide."""
         found = first_crossing(trace, self.excess)
         return None if found is not None and self._turns_back(trace, found) else found
 

@@ -67,7 +67,7 @@ class AcrossField(FieldPassage):
         return time if here > COMPONENT_RTOL * fastest else None
 
     def excess(self, state: State) -> Array:
-        """Return the velocity component along the field, negative at first, m/s, (n,)."""
+        """Return the velocity component along the field, m/s, (n,), with a sign that makes initial values negative."""
         way = np.array(_field_direction(state.mechanism, self.name))
         velocity, acceleration = initial_rates(state, self.name)
         along = float(velocity @ way)

@@ -61,7 +61,7 @@ class MostCompressed(SpringTurn):
     local_verb = Verb("reaches a maximum of its compression", "reach a maximum of its compression")
 
     def sign(self) -> float:
-        """Return -1, since the length is least then."""
+        """Return −1, as the moment is one of greatest compression."""
         return -1.0
 
 
@@ -75,7 +75,7 @@ class MostStretched(SpringTurn):
     local_verb = Verb("reaches a maximum of its extension", "reach a maximum of its extension")
 
     def sign(self) -> float:
-        """Return 1, since the length is greatest then."""
+        """Return 1, as the moment is one of greatest extension."""
         return 1.0
 
 
@@ -115,7 +115,7 @@ class NaturalLength(Passage):
 
     @property
     def revealed_channels(self) -> tuple[Channel, ...]:
-        """Return the channels of the extension, length and force, which are given then."""
+        """Return the channels of the extension, length and force, whose values follow from the natural length."""
         return self.channels
 
 

@@ -36,7 +36,7 @@ class AtStart(Moment):
         yield cls()
 
     def time(self, trace: Trace) -> float | None:
-        """Return zero."""
+        """Return the time of the start, zero."""
         del trace
         return 0.0
 
@@ -155,7 +155,7 @@ class WholeMotion(Moment):
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """Yield the whole motion with and without a displacement per period, as no words name it."""
+        """Yield the whole motion, also as one that repeats at another place if it does so; the text is ignored."""
         del text, words
         if cls(ends=False).time(trace) is None and cls(drifts=True, ends=False).time(trace) is not None:
             yield cls(drifts=True)

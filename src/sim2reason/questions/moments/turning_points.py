@@ -88,7 +88,7 @@ class Stopped(Occurrence):
         return f"the centre of {name}" if point == name else point
 
     def does(self, words: Words) -> Verb:
-        """Return the verb: *reaches its greatest height*, *comes to rest*, or *again* for a body at rest at first."""
+        """Return the verb: *reaches its greatest height* or *comes to rest*, with *again* after a start from rest."""
         if self._is_top(words):
             return self.top
         return self.verb if _starts(words.mechanism, self.name) else self.again

@@ -119,7 +119,7 @@ _ABOVE_LOWEST = pattern(
 
 
 def above_lowest(question: str, clause: str, side: str, heard: TokenizedSentence) -> Iterator[tuple[Main, When]]:
-    """Yield the height of a body above the lowest point of its path at a moment that a clause names."""
+    """Yield questions, as main clause and moment, for a body's height above the lowest point of its path."""
     found = _ABOVE_LOWEST.fullmatch(question) if clause else None
     if found is None or not heard.subjects:
         return
@@ -130,7 +130,7 @@ def above_lowest(question: str, clause: str, side: str, heard: TokenizedSentence
 
 
 def _slack(heard: TokenizedSentence) -> Iterator[tuple[Main, When]]:
-    """Yield the time for which a string is slack."""
+    """Yield the question, as main clause and moment, for the time for which a string is slack."""
     found = _SLACK.fullmatch(heard.text)
     if found is not None:
         line = heard.subject(found["s"])
@@ -170,7 +170,7 @@ def differences(heard: TokenizedSentence) -> Iterator[tuple[Main, When]]:
 
 
 def _times(one: str, other: str, heard: TokenizedSentence, who: str) -> Iterator[tuple[Main, When]]:
-    """Yield the time from one moment to another; *the first and the second bounce* share a noun."""
+    """Yield questions, as main clause and moment, for the time between the moments that two clauses name."""
     if _AGAIN.search(other) or _AGAIN.search(one):
         return
     if _HOMEWARD.fullmatch(other):
@@ -192,7 +192,7 @@ def _times(one: str, other: str, heard: TokenizedSentence, who: str) -> Iterator
 
 
 def after_bounce(question: str, clause: str, side: str, heard: TokenizedSentence) -> Iterator[tuple[Main, When]]:
-    """Yield the height above the ground of the highest point after a bounce."""
+    """Yield the question, as main clause and moment, for the height above the ground of the top after a bounce."""
     found, bounced = _TOP.fullmatch(question), _BOUNCE.fullmatch(clause)
     if side != AFTER or found is None or bounced is None or not heard.subjects:
         return
@@ -203,7 +203,7 @@ def after_bounce(question: str, clause: str, side: str, heard: TokenizedSentence
 
 
 def changed(main: Main, when: When, side: str) -> When | None:
-    """Return two moments, as *later minus earlier*, for a change of a quantity in an event or since the start."""
+    """Return two moments, joined by *minus*, between which a quantity changes: about an event, or from the start on."""
     told = when.told.removesuffix(" before")
     jumps = told.endswith(("bounced", "collided", "edge landed")) and side in (THEN, DURING)
     if main.needs == JUMP and (not jumps or (not main.of and "collided" in told)):

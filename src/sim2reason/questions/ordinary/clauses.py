@@ -53,7 +53,7 @@ def _named_first(clause: str, heard: TokenizedSentence, subject: str) -> str:
 
 
 def _on_one_side(clause: str, beside: str, heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
-    """Yield the turning point that a clause such as *stops on the left* means, presuming that it is on that side."""
+    """Yield the turning point that a clause such as *stops on the left* means, presuming the stated side."""
     who = _named_first(clause, heard, subject)
     for when in whens(f"{clause} on other side", heard, subject, side):
         yield replace(when, ways=(*when.ways, (who, beside)))

@@ -41,7 +41,7 @@ def _lettered(words: Words) -> Mapping[str, Mapping[str, str]]:
 
 
 def _hanging(names: list[str], words: Words) -> list[str]:
-    """Return the bodies that move straight up and down and lie on nothing."""
+    """Return those of `names` whose bodies move straight up and down and lie on nothing."""
     free = (name for name in names if name not in words.mechanism.contacts)
     return [name for name in free if all(abs(way[2]) > 1.0 - DIRECTION_TOL for way in _ways(name, words))]
 
@@ -52,7 +52,7 @@ def _ways(name: str, words: Words) -> Iterator[tuple[float, float, float]]:
 
 
 def _on_fixed_face(names: list[str], words: Words) -> list[str]:
-    """Return the bodies that lie on a face fixed in the room."""
+    """Return those of `names` whose bodies lie on a face fixed in the room."""
     return [name for name in names if name in words.mechanism.contacts and words.mechanism.body[name].parent is None]
 
 

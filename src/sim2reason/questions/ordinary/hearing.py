@@ -222,7 +222,7 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
 
 
 def _with_pulleys(text: str, words: Words) -> str:
-    """Return a text that calls the only pulley, movable one, or fixed one of several, as the scene's text does."""
+    """Return a text with the scene's phrase in place of *the pulley*, *movable pulley* or *fixed pulley*, if unique."""
     mechanism, kinds = words.mechanism, dict[str, list[str]]()
     for address, said in words.mentions.items():
         sites = [site for site in mechanism.site.values() if site.name.rpartition(".")[0] == address]

@@ -226,7 +226,7 @@ def directed(found: re.Match[str], heard: TokenizedSentence, subject: str, side:
 
 
 def at(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
-    """Yield a stated time; a time counted from lift-off only if the body lifts off at once."""
+    """Yield the moment at a stated time, presuming, for a time after lift-off, that the body lifts off at once."""
     number = heard.number(found["n"])
     ways = ((subject, SETS_OFF),) if LIFT_OFF.search(heard.text) is not None else ()
     if is_time(number):
@@ -234,7 +234,7 @@ def at(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) 
 
 
 def second(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
-    """Yield the end of the first second."""
+    """Yield the moment 1 s after the start, the end of the first second of the motion."""
     del found, heard, subject
     yield When("at 1 s", side)
 

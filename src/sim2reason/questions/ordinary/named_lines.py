@@ -98,7 +98,7 @@ def named_lines(words: Words) -> Iterable[Ranked]:
 
 
 def swinging_lines(words: Words) -> Iterable[Ranked]:
-    """Yield ranked patterns of the line from an axle to a body on the side of an arm's centre of mass."""
+    """Yield ranked patterns that name an arm by a line from its axle to a body on the side of the centre of mass."""
     mechanism = words.mechanism
     for name, phrase in words.called(SwingingLines()).items():
         body = mechanism.body.get(name)
@@ -138,7 +138,7 @@ def _named(name: str, noun: str, words: Words) -> NamedLine:
 
 
 def _by_ends(line: NamedLine, lines: list[NamedLine]) -> Iterable[Ranked]:
-    """Yield patterns by the ends of a line; by a single end only if no other line ends there."""
+    """Yield ranked patterns that name a line by its two ends, or by a single end at which no other line ends."""
     string = rf"\b(?:[Tt]he )?{_PART}(?:{alike(line.noun)})"
     one, other = line.ends
     if one and other and [{*each.ends} for each in lines].count({one, other}) == 1:
@@ -171,7 +171,7 @@ def _by_ends(line: NamedLine, lines: list[NamedLine]) -> Iterable[Ranked]:
 
 
 def _by_pulleys(line: NamedLine, lines: list[NamedLine]) -> Iterable[Ranked]:
-    """Yield patterns by a pulley over which no other line passes."""
+    """Yield ranked patterns that name a line by a pulley over which no other line passes."""
     for pulley in line.over:
         if sum(pulley in each.over for each in lines) == 1:
             told = rf"\b(?:[Tt]he )?(?:{alike(line.noun)}) {_OVER} {_end(pulley)}(?! [A-Z]\b)"
@@ -179,7 +179,7 @@ def _by_pulleys(line: NamedLine, lines: list[NamedLine]) -> Iterable[Ranked]:
 
 
 def _by_places(line: NamedLine, lines: list[NamedLine], words: Words) -> Iterable[Ranked]:
-    """Yield patterns by the direction of a part of a string, by the body beside a part, and by a number in order."""
+    """Yield ranked patterns that name a string's part by its direction or the body beside it, or a line by number."""
     counted = re.fullmatch(rf"the {line.noun} (\d)|{line.noun} (\d)", line.phrase)
     if counted is not None and 0 < int(counted[1] or counted[2]) <= len(_COUNTED):
         yield 1400, line.phrase, rf"\b(?:[Tt]he )?{_COUNTED[int(counted[1] or counted[2]) - 1]} {line.noun}\b"

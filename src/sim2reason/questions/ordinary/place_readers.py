@@ -44,7 +44,7 @@ def level(found: re.Match[str], heard: TokenizedSentence, subject: str, side: st
 
 
 def sets_off(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
-    """Yield the start, presuming that a body moves at once; for *before*, that the value depends on positions only."""
+    """Yield the start, presuming that a body moves at once or, for *before*, that only positions affect the value."""
     way = UNMOVED if side == BEFORE else SETS_OFF
     yield When("at start", ways=((subject_of(found, heard, subject), way),))
 
@@ -125,7 +125,7 @@ def multiple(found: re.Match[str], heard: TokenizedSentence, subject: str, side:
 
 
 def across(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
-    """Yield the stop of a body beyond the lowest point of its path, or any stop at which that body is at rest."""
+    """Yield the moment when a body rests beyond the lowest point of its path, at its own stop or at any other stop."""
     who = subject_of(found, heard, subject)
     yield When(f"{who} stopped", side, ((who, ACROSS),))
     yield When("stopped", side, ((who, ACROSS), (who, STANDS)))

@@ -138,7 +138,7 @@ def rubbing(words: Words) -> tuple[str, ...]:
 
 
 def _hung(told: str, words: Words) -> Iterator[str]:
-    """Yield a moment's text: an arm's turning point as that of each body, a swinging line's without its subject."""
+    """Yield texts of a moment: an arm's turning point as that of each body, a swinging line's without a subject."""
     bodies = dict.fromkeys(words.called(Bodies()).values())
     arms = [said for said in words.called(TurningBodies()).values() if said not in bodies]
     lines = [said for said in words.called(SwingingLines()).values() if said not in bodies]

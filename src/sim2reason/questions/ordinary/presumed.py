@@ -141,7 +141,7 @@ def _goes(kind: type[Displacement | Velocity], who: str, way: str, state: State,
 
 
 def _beside(who: str, way: str, words: Words) -> str:
-    """Return a message if a presumption about other bodies fails; empty if it holds."""
+    """Return a message if a presumption that relates a body to other objects fails; empty if the presumption holds."""
     if way == ALL:
         return "" if _all_bodies(who, words) else f"{who} are not all that moves"
     if way.startswith(HELD):

@@ -241,7 +241,7 @@ def _heads(axis: str, sign: float) -> Callable[[Case], bool]:
 
 
 def _beside(axis: str, sign: float, *, farthest: bool) -> Callable[[Case], bool]:
-    """Return a test of whether a coordinate has a sign at an instant, or is never farther out."""
+    """Return a test of whether a body is on a given side of an axis and, if `farthest`, never farther from the axis."""
 
     def test(case: Case) -> bool:
         name, trace = named(case.who, case.words), case.followed.study.trace

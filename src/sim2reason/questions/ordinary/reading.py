@@ -99,12 +99,12 @@ def readings(heard: TokenizedSentence) -> tuple[Reading, ...]:
 
 
 def _tells(reading: Reading) -> bool:
-    """Return whether a question for a time does not itself state that time."""
+    """Return False for a question that asks for a time and itself states that time; True for all other questions."""
     return reading.asked.find != "time" or not (reading.asked.when.startswith("at ") or reading.asked.when == LONG)
 
 
 def _together(heard: TokenizedSentence) -> TokenizedSentence:
-    """Return a sentence in which two subjects joined by *and* are one, so that the question is asked of both."""
+    """Return a sentence with one token for two subjects joined by *and*, so that the question concerns both."""
     found = _BOTH.search(heard.text)
     if found is None:
         return heard
@@ -115,7 +115,7 @@ def _together(heard: TokenizedSentence) -> TokenizedSentence:
 
 
 def _of_each(reading: Reading) -> Iterator[Reading]:
-    """Yield a reading for each of several subjects of its moment; a collision remains a single reading."""
+    """Yield one reading for each body of the reading's moment if the moment has several, unless they collide."""
     several = _SEVERAL.search(reading.asked.when)
     if several is None or "collided" in reading.asked.when:
         yield reading

@@ -58,7 +58,7 @@ def _extreme(size: str) -> Reader:
 
 
 def _pairs(size: str) -> Reader:
-    """Return a reader for the greatest or least value of a quantity of a pair, or of a subject without a pair."""
+    """Return a reader for a pair's greatest or least distance, or for another quantity's extreme of one subject."""
 
     def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
         name = matching_entry(QUANTITIES, found.groupdict()["q"])

@@ -151,7 +151,7 @@ def _posed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> P
 
 
 def _unfit(reading: Reading, question: PosedQuestion, followed: SimulatedAnswer, words: Words) -> str:
-    """Return why a reading is not the meaning of a sentence; empty if it may be."""
+    """Return why a reading cannot be what a sentence means; empty if the reading is possible."""
     if followed.answer is None:
         return ""
     if question.unknown is not None or isinstance(question.query, ThresholdQuery):

@@ -208,7 +208,7 @@ def numbers_wanted(heard: TokenizedSentence, scene: Scene, words: Words) -> Iter
 
 
 def _balanced(path: str, of: str, words: Words) -> Iterator[Reading]:
-    """Yield readings that ask for the number with which a body, or any one, is not accelerated; none on rough faces."""
+    """Yield readings that ask for the number with which a named body, else each body, has no acceleration."""
     if rubs(words):
         return  # within a whole range of numbers
     alone = addresses(words).get(of)

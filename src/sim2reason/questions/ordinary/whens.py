@@ -180,7 +180,7 @@ def relaxed_again(told: str, words: Words) -> str:
 
 
 def strained(told: str, words: Words) -> str:
-    """Return, if two bodies are closest or farthest on one spring, the moment when it is shortest or longest."""
+    """Return the moment when a spring is shortest or longest if its ends are closest or farthest; else `told`."""
     found = _NEAREST.fullmatch(told)
     ends = {found["one"], found["other"]} if found is not None else set[str]()
     for name in Springs().names(words.mechanism) if found is not None else ():

@@ -67,11 +67,11 @@ class PossibleOutcome(ABC):
 
     @abstractmethod
     def does(self, words: Words) -> tuple[str, ...]:
-        """Return the clauses for an occurrence: *A slips on B*."""
+        """Return clauses that say that the outcome occurs, such as *A slips on B*."""
 
     @abstractmethod
     def does_not(self, words: Words) -> tuple[str, ...]:
-        """Return the clauses for its absence: *A stays at rest on B*."""
+        """Return clauses that say that the outcome does not occur, such as *A stays at rest on B*."""
 
     def subject(self, words: Words) -> str:
         """Return the phrase for the subject."""

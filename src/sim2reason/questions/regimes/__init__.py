@@ -37,7 +37,7 @@ class Regime(ABC):
     @classmethod
     @abstractmethod
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
-        """Return the regimes that motions of a scene may be in, as far as the text has words for them."""
+        """Return the regimes of this class that motions of a scene may be in, for subjects that the text can name."""
 
     @abstractmethod
     def holds(self, study: SimulatedScene, until: float) -> bool:
@@ -49,7 +49,7 @@ class Regime(ABC):
         return False
 
     def regardless_of(self, study: SimulatedScene, path: str) -> bool:
-        """Return whether the assumption concerns initial positions only, whatever the number at an address is."""
+        """Return whether the number at an address cannot affect the assumption; by default, if this is on the start."""
         del study, path
         return self.at_start
 

@@ -36,7 +36,7 @@ class CollideInTurn(Regime):
 
     @classmethod
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
-        """Return the regimes of all short sequences of collisions with words in the text."""
+        """Return one regime for each short sequence of possible collisions between bodies that the text can name."""
         met = [names for names in _meetings(study.mechanism) if _said(names, words)]
         lengths = [n for n in range(MAX_COLLISIONS + 1) if len(met) ** n <= ORDERS] if met else []
         return [cls("", order) for n in lengths for order in product(met, repeat=n)]
@@ -107,7 +107,7 @@ class SlidesThroughout(Regime):
 
     @classmethod
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
-        """Return the regimes of both alternatives for every body on a rough face, with its directions of slip."""
+        """Return, for each body on a rough face, a regime of sticking and one of sliding per sequence of directions."""
         mechanism = study.mechanism
         rough = [name for name in words.called(cls.of) if mechanism.contacts[name].friction > 0.0]
         slides = [

@@ -42,7 +42,7 @@ class StartsAcute(Regime):
 
     @classmethod
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
-        """Return the regimes of strings, springs and rods; none of arms, whose described masses show the direction."""
+        """Return one regime per string, spring or rod; none for an arm, whose described masses show the direction."""
         held = study.mechanism.body
         extended = {name for name, body in held.items() if not body.mass or any(body.inertia)}
         return [cls(name) for name in words.called(cls.of) if name not in extended]
@@ -72,7 +72,7 @@ class DeflectedBeyondStart(Regime):
 
     @classmethod
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
-        """Return both alternatives for every line if the question has a symbol for an angle; else none."""
+        """Return a regime of a larger and one of a smaller angle for each line if the question has a symbol for one."""
         del study
         return [cls(name, larger) for name in words.called(cls.of) for larger in (True, False) if "deg" in words.own]
 
@@ -105,7 +105,7 @@ class MovesOneWay(Regime):
 
     @classmethod
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
-        """Return both directions for every body whose line has a direction in words."""
+        """Return two regimes, one per direction of motion, for each body on a line for which the text has words."""
         senses = [(name, sense) for name in words.called(cls.of) for sense in _senses(study, name)]
         return [cls(name, sense.positive, ahead) for name, sense in senses for ahead in (True, False)]
 
@@ -192,7 +192,7 @@ class MovesFirst(Regime):
 
     @classmethod
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
-        """Return both directions for every body if all start from rest; else none, as the text gives the direction."""
+        """Return two regimes, one per direction of motion, for each body on a line; none unless all start from rest."""
         return [cls(way.name, way) for way in MovesOneWay.possible(study, words)] if words.released else []
 
     def holds(self, study: SimulatedScene, until: float) -> bool:
@@ -221,7 +221,7 @@ class SideOfCenterOfMass(Regime):
 
     @classmethod
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
-        """Return both alternatives for arms that carry bodies on both sides of the axle."""
+        """Return two regimes, one per side of the centre of mass, for each arm with bodies on both sides of an axle."""
         mechanism, named = study.mechanism, words.called(cls.of)
         rods = [body.name for body in mechanism.bodies if is_light_rod(body)]
         firsts = [welded_to(mechanism, rod)[0].name for rod in rods if carries_on_both_sides(mechanism, rod)]

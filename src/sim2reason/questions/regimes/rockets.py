@@ -34,7 +34,7 @@ class BurntOut(Regime):
 
     @classmethod
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
-        """Return both alternatives for every body that burns fuel."""
+        """Return two regimes for each body that burns fuel: all of the fuel is used up before the moment, or not."""
         named = [burn.body for burn in study.mechanism.burns if burn.body in words.called(cls.of)]
         body = study.mechanism.body
         falls = {name: "s" in words.own and any(c.lower > -inf for c in body[name].coordinates) for name in named}
@@ -93,7 +93,7 @@ class DelayedLiftoff(Regime):
 
     @classmethod
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
-        """Return both alternatives for every body with fuel that stands on the ground."""
+        """Return two regimes for each rocket that stands on the ground: lift-off after some burning, or at once."""
         if not any(isinstance(line.law, Prop) for line in study.mechanism.lines):
             return []
         named = words.called(cls.of)

@@ -31,7 +31,7 @@ class StaysTaut(Regime):
 
     @classmethod
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
-        """Return the regime for every string."""
+        """Return one regime for each string that the text can name."""
         del study
         return [cls(name) for name in words.called(cls.of)]
 
@@ -79,7 +79,7 @@ class AllStayTaut(Regime):
 
     @classmethod
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
-        """Return the regime if there are several strings; a pulley with mass divides one into several lines."""
+        """Return the only regime of this class if there are several strings, not merely the parts of a single one."""
         del words
         return [cls("")] if len({line.name.partition("/")[0] for line in study.mechanism.strings}) > 1 else []
 

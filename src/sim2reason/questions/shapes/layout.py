@@ -33,7 +33,7 @@ class AssumptionsInBracket(PromptShape):
         return text_of([*facts, question, f"({text_of(held)})"]) if held and facts else None
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """Yield drafts with the bracketed sentences moved back before the question."""
+        """Yield drafts of the usual order, with the bracketed assumptions moved from the end to before the question."""
         before, opens, inside = text.removesuffix(".)").rpartition(" (")
         if not (opens and text.endswith(".)")):
             return
@@ -54,7 +54,7 @@ class AssumptionsLast(PromptShape):
         return text_of([*facts, question, *closings]) if closings and facts else None
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """Yield drafts with the closing sentences moved back before the question."""
+        """Yield drafts of the usual order, with the closing assumptions moved from the end to before the question."""
         asked, closings = without_assumptions(units(text))
         for story, question in splits(asked) if closings else ():
             yield Draft(text_of([*story, *closings]), question)
@@ -87,7 +87,7 @@ class GravityFirst(PromptShape):
         return text_of([front.replace("{g}", told[1]), *facts, question])
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """Yield drafts with the sentence on g moved back to the end of the story."""
+        """Yield drafts of the usual order, with the value of g moved from the front to the end of the scene's text."""
         first, *rest = units(text)
         told = _FRONT.fullmatch(first)
         number = next(filter(None, told.groups()), "") if told else ""
@@ -116,7 +116,7 @@ class Labelled(PromptShape):
         return f"{scene}{description.text}\n\n{asked}{question}"
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """Yield the story and the question under their labels."""
+        """Yield the draft whose scene and question are the texts after their labels."""
         for scene, asked in LABELS:
             story, heading, question = text.rpartition(f"\n\n{asked}")
             if heading and story.startswith(scene):
@@ -139,7 +139,7 @@ class QuestionApart(PromptShape):
         return None if is_table(description.sentences[-1]) else f"{description.text}{BETWEEN}{question}"
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """Yield the text with its last paragraph as the question."""
+        """Yield the draft whose question is the last paragraph of the text."""
         story, between, question = text.rpartition(BETWEEN)
         if between:
             yield Draft(story, question)
@@ -158,6 +158,6 @@ class SceneFirst(PromptShape):
         return text_of([*description.sentences, question])
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """Yield drafts whose question is the last sentence, or the last two."""
+        """Yield one draft with the last sentence as its question, and one with the last two sentences."""
         for story, question in splits(units(text)):
             yield Draft(text_of(story), question)

@@ -49,7 +49,7 @@ class NumbersListed(PromptShape):
         return f"{story} {question} {listed}" if after else f"{story} {listed} {question}"
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """Yield drafts without the list of numbers, which precedes or follows the question."""
+        """Yield drafts whose given numbers are those of a list before or after the question; texts omit the list."""
         said = units(text)
         for place in range(len(said) - 1, len(said) - 2 - QUESTION, -1):
             given = _listed(said[place]) if place > 0 else {}
@@ -108,7 +108,7 @@ class TableLast(PromptShape):
         return text_of([*told, question, *tables]) if len(tables) == 1 else None
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """Yield drafts with the table at every position in the story."""
+        """Yield drafts with the final table moved into the scene's text, one draft for each possible position."""
         *told, last = units(text)
         if is_table(last):
             for story, question in splits(told):

@@ -48,7 +48,7 @@ class ReleaseInQuestion(PromptShape):
         return text_of([*rest, clause.replace("{taut}", RESTS[rests[0]]) + lowered(question)])
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """Yield drafts with the clause about the start moved back before the closing sentences."""
+        """Yield drafts with the question's clause on the start as a sentence before the scene's closing assumptions."""
         for story, question in splits(units(text)):
             clause = _CLAUSE.match(question)
             if clause is None:
@@ -78,7 +78,7 @@ class SupposedStart(PromptShape):
         return text_of([*facts[:-1], *closings, FRONT + lowered(facts[-1]), question])
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """Yield drafts with the supposed start moved back before the closing sentences."""
+        """Yield drafts with the sentence *Suppose that …* as a plain one before the scene's closing assumptions."""
         for story, question in splits(units(text)):
             if story and story[-1].startswith(FRONT):
                 facts, closings = without_assumptions(story[:-1])

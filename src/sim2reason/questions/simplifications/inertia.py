@@ -43,7 +43,7 @@ class HoleAboutCenter(OtherFigure):
     overlooked = "hole"
 
     def taken_for(self, body: RigidBody, figure: Solid) -> RigidBody:
-        """Return the body with the inertia of the full figure about the geometric centre, less m(c² 1 − c cᵀ)."""
+        """Return the body with the inertia of a solid without hole about the geometric centre, less m(c² 1 − c cᵀ)."""
         x, y, z = body.center
         about = figure.inertia(body.mass)
         steiner = (y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z)
@@ -60,7 +60,7 @@ class HoleForgotten(OtherFigure):
     overlooked = "hole"
 
     def taken_for(self, body: RigidBody, figure: Solid) -> RigidBody:
-        """Return the body with the inertia and the centre of mass of a full body of the same mass."""
+        """Return the body with the inertia and the centre of mass of a solid of the same mass without a hole."""
         return replace(body, center=figure.center, inertia=figure.inertia(body.mass))
 
 

@@ -62,7 +62,7 @@ class CircularOrbit(MisinterpretedMotion):
         return [""] if orbits(study.mechanism) else []
 
     def read(self, study: SimulatedScene) -> SimulatedScene:
-        """Return the motion on circles with ω² = GM/r³."""
+        """Return the motion of all planets on circles about the star, with ω² = GM/r³."""
         circles = {orbit: partial(_circle, orbit) for orbit in orbits(study.mechanism)}
         return SimulatedScene(study.scene, moving_as(study.trace, circles))
 
@@ -89,7 +89,7 @@ class CircularOrbitSpeed(MisinterpretedMotion):
         return [""] if asked_name(query) in SPEEDS and orbits(study.mechanism) else []
 
     def read(self, study: SimulatedScene) -> SimulatedScene:
-        """Return the motion with speeds from v² = GM/r."""
+        """Return the motion along the same paths with the speeds of circular orbits, v² = GM/r."""
         return SimulatedScene(study.scene, with_velocities(study.trace, _as_on_a_circle))
 
 
@@ -111,7 +111,7 @@ class ConstantOrbitalSpeed(MisinterpretedMotion):
         return [""] if asked_name(query) in SPEEDS and orbits(study.mechanism) else []
 
     def read(self, study: SimulatedScene) -> SimulatedScene:
-        """Return the motion with the initial speeds throughout."""
+        """Return the motion along the same paths with each planet's initial speed throughout."""
         return SimulatedScene(study.scene, with_velocities(study.trace, _as_at_first))
 
 

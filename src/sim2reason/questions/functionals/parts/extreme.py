@@ -85,7 +85,7 @@ class Extreme(Functional):
         return QUANTITIES[self.quantity.name].present(words.mechanism, name)
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """Return phrases for the interval; if the motion recurs at another place, only if positions do not matter."""
+        """Return phrases for the interval; if the motion repeats elsewhere, none for a place-dependent quantity."""
         if not isinstance(moment, WholeMotion):
             return super().when(moment, words, name)
         return moment.phrases(words) if not moment.drifts or self.name in PLACELESS else ()

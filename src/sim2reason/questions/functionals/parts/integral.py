@@ -59,7 +59,7 @@ class EventCount(Functional):
         """Return the times of the counted events, s, in order."""
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """Return phrases for the interval; none if it ends with a numbered collision, which may reveal the answer."""
+        """Return phrases for the interval; none for one up to a numbered collision, which may reveal the count."""
         return () if isinstance(moment, Collided | Bounced) else super().when(moment, words, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
@@ -83,7 +83,7 @@ class Integral(Functional):
 
     @abstractmethod
     def rate(self, state: State, name: str) -> Array:
-        """Return the integrand, (n,), in the unit per second."""
+        """Return the integrand, (n,), in the unit of the integral per second."""
 
     def corners(self, trace: Trace, name: str) -> Iterable[float]:
         """Return the times, s, at which the rate has a kink although no event occurs; by default none."""

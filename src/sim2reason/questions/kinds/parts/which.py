@@ -21,7 +21,7 @@ CLEARLY = 0.1  # relative: least difference between the two values
 
 @dataclass(frozen=True, slots=True)
 class WhichQuery(Query):
-    """A pair of queries, one of which the answer names: the first one in the motion for which it was drawn.
+    """A pair of queries, one of which the answer names: the first query, in the motion for which the pair was drawn.
 
     The target and the moment are those of the first query, `base` is the kind of both, and `other` is the second one.
     """
@@ -94,7 +94,7 @@ class WhichKind(Kind):
         return found if found is None or (first <= second if self.is_least else first >= second) else -found
 
     def oriented(self, query: WhichQuery, study: SimulatedScene) -> WhichQuery:
-        """Return the query with the correct candidate of a motion first, if it is known."""
+        """Return the query with the candidate first that is correct in a motion; unchanged if there is no answer."""
         found = self.answer(query, study)
         return query.exchanged if found is not None and found < 0.0 else query
 

@@ -186,7 +186,7 @@ class VelocityJump(Occurrence):
         return self.does(words).sided(self.subject(words), self.count(words), after=self.after)
 
     def clause(self, words: Words) -> Clause | None:
-        """Return the clause, such as *the ball first hits the ground*, for one of the two sides only."""
+        """Return a clause such as *the ball first hits the ground* for the moment just after the event; else None."""
         return self.does(words).clause(self.subject(words), self.count(words)) if self.after else None
 
     def stretches(self, words: Words) -> tuple[str, ...]:

@@ -124,7 +124,7 @@ class Threshold(Passage):
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """Yield a moment for every subject and every number with the unit in a sentence."""
+        """Yield a moment for every subject that a sentence names and every number in the quantity's unit."""
         del trace
         numbers = words.heard(text, cls.unit)
         for name, phrase in cls.candidates(words).items():

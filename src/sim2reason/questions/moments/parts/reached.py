@@ -66,7 +66,7 @@ class Reached(Happening):
 
     @classmethod
     def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Return no moments, as the mode that asks for times draws the value."""
+        """Return no moments: only the mode that asks for times draws such moments, each with its value."""
         del study, words, rng
         return ()
 

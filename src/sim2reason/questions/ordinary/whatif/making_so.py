@@ -192,7 +192,7 @@ def _by_result(
 
 
 def _of_end(end: str, values: list[float]) -> list[float]:
-    """Return the least or greatest of ordered values, if the sentence asks for it; else all."""
+    """Return only the least or greatest of values in ascending order if `end` names one of these; else all values."""
     return values if not end else values[:1] if end == LEAST else values[-1:]
 
 

@@ -270,7 +270,7 @@ def _balanced(path: str, who: str, words: Words) -> Iterator[Reading]:
 
 
 def _orbits(who: str, words: Words) -> Iterator[str]:
-    """Yield the pairs of a named body, or of any body, with the body that attracts it."""
+    """Yield names of pairs of bodies that attract each other, such as *A & B*; only those with a named body, if any."""
     name = addresses(words).get(who, "")
     for pull in words.mechanism.attractions:
         if not name or name in (pull.a, pull.b):

@@ -235,7 +235,7 @@ def _times(
 
 
 def _is_later(token: str, times: tuple[float, ...], heard: TokenizedSentence, words: Words) -> bool:
-    """Return whether a time counted from the start can only be meant as counted from the removal, as it is shorter."""
+    """Return whether a stated time is less than that of the removal, so that it must be counted from the removal."""
     time = time_of(token, heard, words)
     return time is not None and all(time < removal for removal in times)
 

@@ -100,7 +100,7 @@ def _with_only_subject(heard: TokenizedSentence, words: Words) -> TokenizedSente
 
 
 def _compared(asked: ChangedQuestion, before: SimulatedAnswer, after: SimulatedAnswer) -> SimulatedAnswer:
-    """Return an answer compared with that before the change; TextError if it changes in the unpresumed direction."""
+    """Return the ratio or difference of answers after and before a change; TextError if the presumed growth fails."""
     now, then = before.answer or 0.0, after.answer or 0.0
     if asked.grows is not None and (abs(then) > abs(now)) != asked.grows:
         raise TextError("question", "it is not so: it changes the other way", "ask by how much it changes")
@@ -169,7 +169,7 @@ def _value(supposed: Supposition, path: str, scene: Scene) -> float | None:
 
 
 def _vanishing(number: NamedNumber, motion: FollowedMotion, words: Words) -> Mapping[str, float]:
-    """Return zero for each vanishing number, by address; for all coefficients of friction unless owners are named."""
+    """Return zero for the address of each vanishing number; of friction, for all rough faces if no owner is named."""
     scene = motion.study.scene
     if number.kind != "friction":
         paths = paths_of(number, motion.study, words)

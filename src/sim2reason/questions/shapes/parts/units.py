@@ -15,7 +15,7 @@ ASKS = re.compile(r"(?:What|How|By how much|Find|Determine|Calculate)\b")
 
 
 def units(text: str) -> list[str]:
-    """Return the sentences and tables of a text."""
+    """Return the parts of a text in order, each part a sentence or a table."""
     found: list[str] = []
     for block in re.split(r"\n\n+", text.strip()):
         found.extend([f"\n\n{block}\n\n"] if is_table(block) else _END.split(block.strip()))

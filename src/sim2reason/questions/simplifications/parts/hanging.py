@@ -55,7 +55,7 @@ def _rises(body: RigidBody) -> bool:
 
 
 class _Holding:
-    """A search for loads that follows strings downwards."""
+    """A search for the loads that hang from a body, which follows strings from the body downwards."""
 
     def __init__(self, mechanism: Mechanism) -> None:
         self._mechanism = mechanism

@@ -117,7 +117,7 @@ def with_accelerations(trace: Trace, acceleration: Told) -> Trace:
 
 
 def _retold(trace: Trace, rates: Callable[[State], tuple[Array, Array]]) -> Trace:
-    """Return the positions of a motion with other velocities and accelerations, (n, c) each."""
+    """Return a motion with the positions of another one, and with new velocities and accelerations, (n, c) each."""
 
     def sample(times: Array) -> State:
         state = trace.sample(times)

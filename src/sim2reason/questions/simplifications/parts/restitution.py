@@ -25,7 +25,7 @@ class OneRestitution(ChangedMechanism):
         return [""] if any(meeting.restitution != self.restitution for meeting in study.mechanism.meetings) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with that coefficient in all collisions."""
+        """Return the mechanism with the assumed coefficient of restitution in all collisions."""
         del subject
         same = tuple(replace(meeting, restitution=self.restitution, sticks=False) for meeting in mechanism.meetings)
         return replace(mechanism, meetings=same)

@@ -47,7 +47,7 @@ def carriers(mechanism: Mechanism) -> tuple[str, ...]:
 
 
 def _led(mechanism: Mechanism) -> set[str]:
-    """Return the names of the points between their ends that lines pass, as at a pulley."""
+    """Return the names of the points, such as those at pulleys, that lines pass between their two ends."""
     return {site for line in mechanism.lines for site in line.through[1:-1]}
 
 
