@@ -107,7 +107,7 @@ class Moment(ABC):
         return ()
 
     def first(self) -> "Moment":
-        """Return a form of the moment whose time later motion cannot change, as *first* implies; by default unchanged."""
+        """Return a form of the moment that later motion cannot shift, as *first* implies; unchanged by default."""
         return self
 
     def in_symbols(self, trace: Trace) -> "Moment":
