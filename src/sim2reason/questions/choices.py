@@ -133,7 +133,7 @@ def data_relevant_from(trace: Trace) -> float:
 
 
 def smallest_answer(mechanism: Mechanism, quantity: Quantity) -> float:
-    """Return the smallest admissible answer for a quantity; less for one that grows with mass if all are below 1 kg."""
+    """Return the least admissible answer of a quantity; if all masses are < 1 kg, less for one that grows with mass."""
     return quantity.least * min(1.0, max(body.mass for body in mechanism.bodies)) if quantity.heavy else quantity.least
 
 

@@ -59,7 +59,7 @@ class UniquenessScan:
         return next((at for at in beside if values[0] <= at <= values[-1] and self._coarse(at) is None), None)
 
     def far(self, values: Sequence[float]) -> float | None:
-        """Return the first of `values`, far from the root, whose answer nearly equals or passes that given; else None.
+        """Return one of the distant `values` whose answer is close to the given result or past that result; else None.
 
         Intermediate values are not tested: beyond another root all answers are on the wrong side.
         """

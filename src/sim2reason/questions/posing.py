@@ -174,7 +174,7 @@ def _difference(first: SimulatedAnswer, second: SimulatedAnswer) -> SimulatedAns
 
 
 def _summed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
-    """Return the queries for a sum over several subjects, such as *block A + block B*."""
+    """Return the question for a sum over several subjects, such as *block A + block B*, with one query per subject."""
     if asked.find not in SUMMED or asked.change:
         raise TextError("of", f"{asked.find} of several does not add up", f"ask for one, or for: {', '.join(SUMMED)}")
     first, *others = (pose_question(replace(asked, of=of.strip()), motion, words).query for of in asked.of.split(PLUS))
@@ -212,7 +212,7 @@ def numbers_offered(scene: Scene, words: Words) -> Mapping[str, Unknown]:
 
 
 def _changed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
-    """Return the question for an answer's change with a number, limit for a large or small mass, or extreme value."""
+    """Return the question for an answer's change with a number, its limit for an extreme mass, or its extreme value."""
     study = motion.study
     if is_removal(asked.change):
         return _after_removal(asked, motion, words)

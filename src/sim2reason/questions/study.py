@@ -154,7 +154,7 @@ CHANGE_RTOL = 1e-9  # of the largest change: smaller changes are zero
 
 
 def change_directions(study: SimulatedScene, time: float) -> tuple[float, ...]:
-    """Return the signs of the coordinates' changes by a time, s, or of their initial trend, and which reverse then.
+    """Return the signs of all coordinates' changes by a time, s (of trends at 0), then whether each reverses then.
 
     Between motions with different results a magnitude passes through zero, or a swing becomes a full turn.
     """

@@ -198,7 +198,7 @@ class ValueKind(Kind):
         return [moment for moment in moments_by_cause() if KINDS[moment.kind] is self]
 
     def answer(self, query: Query, study: SimulatedScene) -> float | None:
-        """Return the quantity in SI units at the moment, or just before it where its words say so; None without it."""
+        """Return the quantity in SI units at the moment, or just before if the words say so; None without one."""
         assert query.target is not None
         assert query.moment is not None
         time = study.time(query.moment)

@@ -30,7 +30,7 @@ class WhichFirstKind(WhichKind):
     is_least = True
 
     def draw(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """Return a query for an event of the motion and another event, or that of another subject; None without one."""
+        """Return a query for two events of the motion, or for one event of two subjects; None without such a pair."""
         del targets
 
         def wanted(moment: Happening) -> bool:

@@ -62,7 +62,7 @@ class Moment(ABC):
         return self
 
     def mirrored_values(self, trace: Trace) -> Sequence[float] | None:
-        """Return the `stated` numbers mirrored to the other side of the initial value; None, as by default, if none."""
+        """Return the `stated` numbers on the opposite side of the initial value; None, as by default, without any."""
         del trace
         return None
 
@@ -107,7 +107,7 @@ class Moment(ABC):
         return ()
 
     def first(self) -> "Moment":
-        """Return a form of the moment that later motion cannot change, as *first* implies; by default unchanged."""
+        """Return a form of the moment that later motion cannot shift, as *first* implies; unchanged by default."""
         return self
 
     def in_symbols(self, trace: Trace) -> "Moment":

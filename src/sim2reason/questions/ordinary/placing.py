@@ -231,7 +231,7 @@ def _collided(told: str, words: Words, events: Sequence[Event]) -> str:
 
 
 def _component(told: str, words: Words) -> str:
-    """Return a moment such as *velocity of A along vertical = 2 m/s* with the scene's name of the axis."""
+    """Return a moment such as *velocity of A along vertical = 2 m/s* with the scene's name in place of *vertical*."""
     found = _ALONG.fullmatch(told)
     if found is None:
         return told

@@ -206,7 +206,7 @@ def _straight(case: Case) -> bool:
 
 
 def one_way(case: Case) -> bool:
-    """Return whether a body then moves straight up or down, or along the only line on which the body can move."""
+    """Return whether a body moves vertically, or along its only possible line, at the instant in question."""
     name = named(case.who, case.words)
     if not name:
         return False

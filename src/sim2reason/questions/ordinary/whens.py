@@ -21,7 +21,7 @@ EVERYTHING = "everything"  # all subjects of a quantity together
 
 
 def addresses(words: Words) -> Mapping[str, str]:
-    """Return the name of a body by each phrase that denotes it alone; a pulley by its carrier."""
+    """Return the names of bodies by the phrases that denote only one body; for a pulley, the name of its carrier."""
     mechanism, found = words.mechanism, dict[str, str]()
     phrases = list(words.mentions.values())
     for address, said in words.mentions.items():
@@ -44,7 +44,7 @@ def addressed(asked: StructuredQuestion, words: Words) -> StructuredQuestion:
 
 
 def seen_from(asked: StructuredQuestion, words: Words) -> StructuredQuestion:
-    """Return a relative speed of two bodies that never meet as the size of their relative velocity."""
+    """Return a question for the relative speed of two bodies that never meet as one for their relative velocity."""
     names = [addresses(words).get(said, said) for said in asked.of.split(" & ")]
     if asked.find != "relative speed" or len(names) != 2 or not set(names) <= words.mechanism.body.keys():
         return asked

@@ -49,7 +49,7 @@ class Regime(ABC):
         return False
 
     def regardless_of(self, study: SimulatedScene, path: str) -> bool:
-        """Return whether the number at an address cannot affect the assumption; by default, if this is on the start."""
+        """Return whether a number cannot affect the assumption; by default True for assumptions about the start."""
         del study, path
         return self.at_start
 

@@ -104,7 +104,7 @@ class Peak(Passage):
         """Return the function whose maximum is sought, (n,); `excess` is the negative of its rate."""
 
     def time(self, trace: Trace) -> float | None:
-        """Return the time of the function's first maximum, s; None if a later value is greater or a jump precedes."""
+        """Return the time of the function's first maximum, s; None if exceeded later or if the rate jumps before."""
         if rises_from_zero(trace, self.excess) and not self.exceeded:
             return None
         reached = ((time, float(self.extent(trace.at(time))[0])) for time in crossings(trace, self.excess))
