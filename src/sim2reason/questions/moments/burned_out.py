@@ -37,6 +37,6 @@ class BurnedOut(Occurrence):
         return (Channel(self.name, "mass"),)
 
     def is_plain(self, study: SimulatedScene) -> bool:
-        """Return True, as fuel mass and burn rate give the time."""
+        """Return True: the fuel mass divided by the burn rate is the time, which needs no physics."""
         del study
         return True

@@ -119,7 +119,7 @@ class Terms(ABC):
         return self._list(members, start=start)
 
     def number(self, address: str) -> str:
-        """Return a number in the voice of this text."""
+        """Return a number as this text writes it: numerals with a unit, or a symbol."""
         parameter = self.parameters[address]
         self.told[address] = None
         return self._voice(parameter, self.symbols.get(address, parameter.measure.symbol))

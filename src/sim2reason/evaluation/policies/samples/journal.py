@@ -24,7 +24,7 @@ BLOCK = 2**16  # bytes read at once in the search for the last line feed
 
 
 class FinishedSample(BaseModel):
-    """A line of a journal."""
+    """A finished response of a policy, stored as one line of a run's file of responses."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
