@@ -47,7 +47,7 @@ def pushed(room: Frame, block: Block, thrust: float, name: str = "block") -> Fra
 
 
 class Sled(Entity):
-    """What conforms: a block on a smooth track under a steady force."""
+    """An entity without a fault: a block on a smooth track under a constant force."""
 
     block: Block
     thrust: Thrust
@@ -59,7 +59,7 @@ class Sled(Entity):
 
 
 class Brake(Sled):
-    """Its track is rough, which no line says."""
+    """A sled on a rough track, whose text does not state the friction."""
 
     def build(self, room: Frame) -> None:
         body = room.body("block", self.block.mass).rest(X, Z, friction=0.015, speed=1.0)
@@ -67,14 +67,14 @@ class Brake(Sled):
 
 
 class Wind(Sled):
-    """A second force acts, which no line says."""
+    """A sled with a second force that its text does not state."""
 
     def build(self, room: Frame) -> None:
         pushed(room, self.block, self.thrust).force("wind", Push(X, Profile(0.7)))
 
 
 class Airy(Sled):
-    """The air resists its motion, and its text denies this."""
+    """A sled with air resistance, whose text states that there is none."""
 
     says: ClassVar[tuple[Saying, ...]] = (
         PUSHED,
@@ -88,14 +88,14 @@ class Airy(Sled):
 
 
 class Twin(Sled):
-    """It says what a sled says, and is pushed the other way half as much."""
+    """A sled with the text of `Sled`, but half its force in the opposite direction."""
 
     def build(self, room: Frame) -> None:
         pushed(room, self.block, -0.5 * self.thrust)
 
 
 class Lamp(Sled):
-    """A line tells of what nothing depends on."""
+    """A sled whose text contains a sentence that has no effect on the motion."""
 
     glow: Annotated[float, Measure("length", "m", "h"), Range(1.0, 3.0)] | None = None
 
@@ -106,13 +106,13 @@ class Lamp(Sled):
 
 
 class Constant(Sled):
-    """A range of one number."""
+    """A sled with a field whose range contains only one number."""
 
     thrust: Annotated[Thrust, Range(2.0, 2.0)]
 
 
 class Indices(Sled):
-    """Two numbers share a symbol, and a third has the symbol that one of them gets by that."""
+    """A sled with two numbers of one symbol, and a third whose symbol equals an indexed one of these."""
 
     second: Thrust
     third: Annotated[float, Measure("third", "N", "F_1"), Range(1.0, 9.0)]
@@ -130,14 +130,14 @@ class Indices(Sled):
 
 
 class Curved(Sled):
-    """A force that is no simple function of what is told."""
+    """A sled whose force is no simple function of the stated numbers."""
 
     def build(self, room: Frame) -> None:
         pushed(room, self.block, self.thrust**0.3)
 
 
 class Offset(Sled):
-    """A hidden number that matters."""
+    """A sled whose answers depend on a field marked `Hidden`."""
 
     offset: Annotated[Length, Hidden()] = 1.0
 
@@ -146,7 +146,7 @@ class Offset(Sled):
 
 
 class Thin(Sled):
-    """A tensor of inertia that no body has: about one axis more than about the two others together."""
+    """A sled with an impossible inertia tensor: one principal moment exceeds the sum of the two others."""
 
     def build(self, room: Frame) -> None:
         body = room.body("block", self.block.mass, center=(0.0, 0.0, -1.0), inertia=(0.1, 5.0, 0.1, 0.0, 0.0, 0.0))
@@ -156,7 +156,7 @@ class Thin(Sled):
 
 @dataclass(frozen=True, slots=True)
 class Lying:
-    """A drag that says of itself that it is constant."""
+    """A drag law that wrongly declares its force constant."""
 
     strength: float
 
@@ -182,7 +182,7 @@ class Lying:
 
 
 class Liar(Sled):
-    """A law that is not what it says of itself."""
+    """A sled under a force law that wrongly declares itself constant."""
 
     def build(self, room: Frame) -> None:
         room.body("block", self.block.mass).rest(X, Z).force("thrust", Lying(self.thrust))
@@ -190,7 +190,7 @@ class Liar(Sled):
 
 @dataclass(frozen=True, slots=True)
 class Moody:
-    """A force that is another one each time it is asked."""
+    """A force law whose value differs at each call."""
 
     strength: float
     asked: "count[int]" = field(default_factory=count, compare=False)
@@ -217,14 +217,14 @@ class Moody:
 
 
 class Mood(Sled):
-    """A law with a memory."""
+    """A sled under a force law whose value differs at each call."""
 
     def build(self, room: Frame) -> None:
         room.body("block", self.block.mass).rest(X, Z).force("thrust", Moody(self.thrust))
 
 
 class Couple(Entity):
-    """It counts on two blocks, but takes one."""
+    """An entity that needs two blocks, but accepts one."""
 
     blocks: Annotated[tuple[Block, ...], Len(1, 3), Count(2, 3)]
     thrust: Thrust
@@ -244,7 +244,7 @@ class Couple(Entity):
 
 
 class Sponge(Body):
-    """A body that nobody draws."""
+    """A body that no figure can draw."""
 
     mass: Mass
 
@@ -254,7 +254,7 @@ class Sponge(Body):
 
 
 class Bath(Sled):
-    """What it is made of has no look."""
+    """A sled with a body that no figure can draw."""
 
     block: Sponge  # type: ignore[assignment]  # a body of another class
 
@@ -264,7 +264,7 @@ class Bath(Sled):
 
 
 class Terse(Sled):
-    """It says the same thing in the same words."""
+    """A sled with fewer than three wordings of a sentence."""
 
     says: ClassVar[tuple[Saying, ...]] = (
         either("on a smooth track {thrust} pushes {block}.", "on a smooth track {block} is pushed by {thrust}."),
@@ -272,14 +272,14 @@ class Terse(Sled):
 
 
 class Alias(Sled):
-    """Its body has another name than its field."""
+    """A sled whose mechanism names its body differently from its field."""
 
     def build(self, room: Frame) -> None:
         pushed(room, self.block, self.thrust, name="cart")
 
 
 class Crash(Sled):
-    """It can't be built."""
+    """A sled whose `build` raises an error."""
 
     def build(self, room: Frame) -> None:
         numbers: dict[str, Any] = {}

@@ -104,7 +104,7 @@ class Registry(Mapping[str, T], Generic[T]):
         return self._members
 
     def __iter__(self) -> Iterator[str]:
-        """Yield the names in alphabetical order."""
+        """Iterate over the names of the registered members in alphabetical order."""
         return iter(self._all())
 
     def values(self) -> ValuesView[T]:

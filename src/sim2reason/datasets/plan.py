@@ -252,7 +252,7 @@ Given = str | tuple[str, ...]
 
 
 def _known(named: Callable[[Given], tuple[str, ...]]) -> AfterValidator:
-    """Return a validator that calls `named`, which raises an error for unknown names."""
+    """Return a pydantic validator of a setting that rejects empty values, and names that `named` does not know."""
 
     def check(value: Given) -> Given:
         if not value:

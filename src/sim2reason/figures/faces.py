@@ -1,4 +1,4 @@
-"""Pieces with faces: fixed planes, and wedges and prisms on a floor, with the blocks on them."""
+"""Drawings of surfaces and the blocks on them: fixed planes, wedges on a floor, and prisms on a floor."""
 
 from cmath import rect
 from collections.abc import Iterator

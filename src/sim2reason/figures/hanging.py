@@ -1,4 +1,4 @@
-"""Hanging and pulling pieces: blocks in the air, pulleys, hooks and hands."""
+"""Drawings of hanging blocks, pulleys, hooks, and hands that pull."""
 
 from collections.abc import Iterator
 

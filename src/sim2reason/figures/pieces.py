@@ -1,4 +1,4 @@
-"""Pieces of a drawing: rigid parts of a layout, one class for each look of a body.
+"""Parts of a drawing that are moved as a whole to lay it out, one class for each look of a body.
 
 `PIECES` maps the look of a body to its piece, so that an entity made of bodies with looks needs no drawing code.
 """

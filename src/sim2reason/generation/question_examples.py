@@ -147,7 +147,7 @@ def _enter(query: Query, motion: FollowedMotion, words: Words, found: Examples, 
 
 
 def _names(query: Query) -> list[tuple[str, str]]:
-    """Return the registered names that a query is an example of, each with its registry, such as a quantity."""
+    """Return pairs of a registry and a name for all registered components in a query: its kind, quantity and moment."""
     names = [("kinds", query.kind)]
     if isinstance(query, WhichQuery):
         return names

@@ -70,7 +70,7 @@ DIGITS: Final = 18  # of a repeating decimal, enough for a float
 
 
 def spelled(content: str) -> str:
-    """Return an answer in the spelling of the tokenizer; Refused (unreadable) if a part is invisible in print."""
+    """Return an answer in the notation that the tokenizer reads; raise Refused for commands that hide text."""
     if _TRIGGER.search(content) is None:
         return content
     if hiding := _HIDING.search(content):

@@ -1,4 +1,4 @@
-"""Pieces of a drawing to scale, with the numbers that the text states about them."""
+"""Parts of a drawing to scale, labelled with the numbers that the text states about them."""
 
 from cmath import phase
 from collections.abc import Iterator

@@ -132,7 +132,7 @@ def _box(setting: DrawingContext, address: str, found: Sketch) -> None:
 
 
 def _eyes(setting: DrawingContext, address: str, sides: dict[float, float], found: Sketch) -> None:
-    """Draw short arms from a box to the ends of strings on it, and to the pulleys at its edges."""
+    """Draw the short arms that attach string ends, and pulleys at the edges, to a box."""
     ends = {site for line in setting.mechanism.lines for site in (line.through[0], line.through[-1])}
     for site in setting.mechanism.sites:
         at, bends = setting.site(site.name), {name: (a, b) for name, a, b in _bends(setting)}

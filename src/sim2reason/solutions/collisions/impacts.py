@@ -19,11 +19,11 @@ class Impacts(FreeFlights, ABC):
 
     @abstractmethod
     def discs_meet(self, impact: Impact) -> Symbol:
-        """Return the time at which two discs touch."""
+        """Write the time at which the rims of two moving discs first touch, in s, and return its symbol."""
 
     @abstractmethod
     def discs_part(self, impact: Impact) -> dict[int, Polynomial]:
-        """Return the velocities of two discs just after their collision, by coordinate."""
+        """Write the velocity components of two discs just after their collision, and return them by coordinate."""
 
     def when(self, impact: Impact) -> Symbol:
         """Return the symbol of the time of a collision; on first use, write the time."""

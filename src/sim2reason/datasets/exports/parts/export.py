@@ -1,4 +1,4 @@
-"""Writing of an export: the folder that another library reads."""
+"""Export of a dataset into a folder that another library reads."""
 
 import json
 import shutil

@@ -54,7 +54,7 @@ REDRAWS = 200  # of scenes that do not fit an idea
 
 @dataclass(frozen=True)
 class Idea:
-    """A type of random scene with one entity: the ranges and parts to draw from, a condition, and a weight."""
+    """A specification of random scenes of one entity: ranges and parts to draw, a condition, and a weight."""
 
     entity: str
     choices: Choices = field(default_factory=dict[str, Choice])

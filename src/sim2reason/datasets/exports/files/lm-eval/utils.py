@@ -1,4 +1,4 @@
-"""What sim2reason.yaml needs: the problems beside it, and the grade of a response."""
+"""Functions that sim2reason.yaml refers to: loading of the problems, and grading of a response."""
 
 from pathlib import Path
 

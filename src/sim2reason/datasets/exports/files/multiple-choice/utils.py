@@ -1,4 +1,4 @@
-"""What sim2reason_choice.yaml needs: the problems beside it, how they are put, and the letters of their choices."""
+"""Functions that sim2reason_choice.yaml refers to: the problems, their prompts, and the letters of choices."""
 
 from pathlib import Path
 from typing import Any
