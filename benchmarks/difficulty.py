@@ -18,8 +18,7 @@ from sim2reason.generation.make import make
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.generation.request import Request
 from sim2reason.questions import MODES
-from sim2reason.questions.difficulty import DIFFICULTIES
-from sim2reason.questions.need import ELEMENTARY, NEEDS
+from sim2reason.questions.difficulty import DIFFICULTIES, ELEMENTARY, NEEDS
 
 MOST = 0.1  # of the items of a mode may need more than elementary means
 

@@ -19,9 +19,9 @@ from sim2reason.errors import Sim2ReasonError, TextError
 from sim2reason.generation.make import make
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import KINDS, SimulatedScene, Words
-from sim2reason.questions.given import StatedResult
-from sim2reason.questions.moments.parts.reached import Reached
-from sim2reason.questions.parse_prompt import ParsedPrompt, parse_prompt
+from sim2reason.questions.accuracy import StatedResult
+from sim2reason.questions.moments.reached import Reached
+from sim2reason.questions.prompt import ParsedPrompt, parse_prompt
 from sim2reason.questions.unknown import range_of
 
 VALUES = 300  # of the unknown, at most this far apart

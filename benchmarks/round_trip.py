@@ -16,7 +16,7 @@ from sim2reason.errors import Sim2ReasonError
 from sim2reason.generation.make import make
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import MODES
-from sim2reason.questions.parse_prompt import parse_prompt
+from sim2reason.questions.prompt import parse_prompt
 
 TOLERANCE = 0.01
 

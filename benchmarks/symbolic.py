@@ -25,7 +25,7 @@ from sim2reason.generation.make import make
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.generation.request import Request
 from sim2reason.questions.difficulty import DIFFICULTIES
-from sim2reason.questions.parse_prompt import parse_prompt
+from sim2reason.questions.prompt import parse_prompt
 from sim2reason.text.prose.symbol_names import stated_value
 
 MUTANTS, FRESH = 20, 2

@@ -26,7 +26,7 @@ from sim2reason.questions import MODES, Question
 from sim2reason.questions.choices import ENDINGS
 from sim2reason.questions.dependence import AnswerFunction
 from sim2reason.questions.moments.times import AtStart
-from sim2reason.questions.parse_prompt import parse_prompt
+from sim2reason.questions.prompt import parse_prompt
 from sim2reason.text.prose.description import describe
 
 HIDDEN = np.random.default_rng(1)

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from sim2reason.figures.scenes import figure, plot
     from sim2reason.generation.item import Item
     from sim2reason.grading import Score
-    from sim2reason.questions.parse_prompt import parse_prompt
+    from sim2reason.questions.prompt import parse_prompt
     from sim2reason.scenes.dsl.mechanism import Mechanism
     from sim2reason.scenes.dsl.scene import Scene
     from sim2reason.scenes.files import dump, load
@@ -75,7 +75,7 @@ _HOMES = {
     "list": "base.registries:members",
     "load": "scenes.files",
     "open": "datasets.dataset:Dataset",
-    "parse_prompt": "questions.parse_prompt",
+    "parse_prompt": "questions.prompt",
     "parse_scene": "text.parsing",
     "plot": "figures.scenes",
     "sample": "datasets.items",

@@ -8,8 +8,7 @@ from sim2reason.errors import TextError
 from sim2reason.generation.random_scenes import sample
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions.difficulty import DIFFICULTIES
-from sim2reason.questions.parse_prompt import parse_prompt
-from sim2reason.questions.prompt import FORMATS
+from sim2reason.questions.prompt import FORMATS, parse_prompt
 from sim2reason.text.prose import describe
 
 ITEMS = [2, pytest.param(6, marks=pytest.mark.slow)]  # of each cell; benchmarks/round_trip.py takes 500 in all

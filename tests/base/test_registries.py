@@ -29,11 +29,11 @@ from sim2reason.questions import KINDS, MODES, MOMENTS, Query, SimulatedScene, W
 from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.moments.times import AllAlong, AtTime
-from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import targets
 from sim2reason.questions.regimes import REGIMES
+from sim2reason.questions.sentences import parse_question
 from sim2reason.scenes.dsl.body import BODIES, Body
 from sim2reason.scenes.dsl.connection import CONNECTIONS, Connection
 from sim2reason.scenes.dsl.entity import ENTITIES

@@ -14,7 +14,7 @@ from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.random_scenes import sample
 from sim2reason.generation.request import Request
 from sim2reason.questions import MODES
-from sim2reason.questions.tolerance import STRICTEST, TOLERANCE
+from sim2reason.questions.accuracy import STRICTEST, TOLERANCE
 
 STRICT = 0.01
 

@@ -9,8 +9,7 @@ from sim2reason.generation.grade_answer import grade_answer
 from sim2reason.generation.item import Item
 from sim2reason.generation.make import make
 from sim2reason.generation.request import Request
-from sim2reason.questions.difficulty import Difficulty
-from sim2reason.questions.need import Need
+from sim2reason.questions.difficulty import Difficulty, Need
 from sim2reason.questions.simplifications import MISCONCEPTIONS
 from sim2reason.rewards import boxed
 

@@ -10,7 +10,7 @@ from sim2reason.datasets.items import item
 from sim2reason.generation.item import Item
 from sim2reason.generation.make import in_units
 from sim2reason.generation.recipes import RECIPES
-from sim2reason.questions.parse_prompt import parse_prompt
+from sim2reason.questions.prompt import parse_prompt
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.scenes.dsl.units import parse_unit
 

@@ -10,8 +10,7 @@ from sim2reason.datasets.plan import needs_named
 from sim2reason.errors import DatasetError, DrawError, UnknownNameError
 from sim2reason.generation.item_search import SHARE, SIMPLE, allowed
 from sim2reason.generation.request import Request
-from sim2reason.questions.difficulty import DIFFICULTIES
-from sim2reason.questions.need import ELEMENTARY, EVERY, NEEDS, Need
+from sim2reason.questions.difficulty import DIFFICULTIES, ELEMENTARY, EVERY, NEEDS, Need
 from sim2reason.solutions import solve
 
 ORDERED = ("special function",)

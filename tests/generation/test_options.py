@@ -15,7 +15,7 @@ from sim2reason.datasets.store import read, write
 from sim2reason.generation.item import Answer, Distractor, Item
 from sim2reason.generation.options import OPTION_RTOL, REQUIRED_DISTRACTORS, options, options_of, values
 from sim2reason.grading import Outcome
-from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt, parse_choice
+from sim2reason.questions.prompt_formats import LETTERS, ChoicePrompt, parse_choice
 from sim2reason.scenes.dsl.measures import join_unit
 
 CELLS = [("pulley", "easy", 0), ("rotation", "medium", 0), ("hybrid", "hard", 1)]

@@ -22,7 +22,7 @@ from sim2reason.generation.splits import problem
 from sim2reason.grading import Outcome
 from sim2reason.questions import Query, Question
 from sim2reason.questions.moments.times import AtTime
-from sim2reason.questions.part_prompts import PartPrompt, parse_parts
+from sim2reason.questions.prompt_formats import PartPrompt, parse_parts
 from sim2reason.questions.query import Target
 
 CELLS = [

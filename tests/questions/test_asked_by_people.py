@@ -11,10 +11,10 @@ from sim2reason.questions import KINDS, MOMENTS
 from sim2reason.questions.choices import pick
 from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.functionals import FUNCTIONALS
-from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import targets
+from sim2reason.questions.sentences import parse_question
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import loads

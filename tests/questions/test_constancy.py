@@ -6,7 +6,7 @@ import pytest
 from plain_scenes import arm, atwood, ramp, table
 from sim2reason.questions import KINDS, Moment, SimulatedScene, Target
 from sim2reason.questions.choices import depends_on_moment, is_constant
-from sim2reason.questions.moments.collisions import Collided
+from sim2reason.questions.moments.contacts import Collided
 from sim2reason.questions.moments.times import AllAlong, AtStart, AtTime
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import targets

@@ -7,7 +7,7 @@ import pytest
 
 from sim2reason.questions import Query, SimulatedScene, Target
 from sim2reason.questions.dependence import AnswerFunction
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.distances import Farthest
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.study import EXACT_STEP_ERROR

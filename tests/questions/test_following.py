@@ -6,10 +6,9 @@ import pytest
 
 from plain_scenes import G, atwood, ramp, swing
 from sim2reason.questions.following import SimulatedAnswer, simulate_scene, simulate_until_answer, simulate_until_event
-from sim2reason.questions.parse_prompt import parse_prompt
-from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.posing import pose_question
-from sim2reason.questions.prompt import words_of
+from sim2reason.questions.prompt import parse_prompt, words_of
+from sim2reason.questions.sentences import parse_question
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.scenes.dsl.scene import Scene, World
 from sim2reason.scenes.files import load, loads

@@ -18,20 +18,18 @@ from sim2reason.questions import KINDS, MODES, Moment, Question, SimulatedScene,
 from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.paths import AreaSwept
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.angles import Orbited
 from sim2reason.questions.moments.bounces import Bounced
-from sim2reason.questions.moments.collisions import Collided, LastCollision
-from sim2reason.questions.moments.contacts import StoppedSlipping
+from sim2reason.questions.moments.contacts import Collided, LastCollision, StoppedSlipping
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.strings import WentTaut
 from sim2reason.questions.moments.times import AtTime, WholeMotion
 from sim2reason.questions.moments.turning_points import Halted, Stopped
-from sim2reason.questions.parse_prompt import parse_prompt
-from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
-from sim2reason.questions.prompt import words_of
+from sim2reason.questions.prompt import parse_prompt, words_of
 from sim2reason.questions.recurrence import first_return
+from sim2reason.questions.sentences import parse_question
 from sim2reason.scenes.bodies.space import HeavyPlanet, Star
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.entity import Named

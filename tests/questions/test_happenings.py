@@ -15,13 +15,19 @@ from sim2reason.questions import KINDS, MOMENTS, Moment, Query, Question, Simula
 from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.moments.angles import Deflected, Orbited, TurnedThrough
 from sim2reason.questions.moments.bounces import Bounced, Landed, StayedBelow, TopAfterBounce
-from sim2reason.questions.moments.burned_out import BurnedOut
-from sim2reason.questions.moments.collisions import Collided, LastCollision
-from sim2reason.questions.moments.contacts import BeganToSlip, EdgeLanded, LeftFace, LiftedOff, StoppedSlipping
+from sim2reason.questions.moments.contacts import (
+    BeganToSlip,
+    Collided,
+    EdgeLanded,
+    LastCollision,
+    LeftFace,
+    LiftedOff,
+    StoppedSlipping,
+)
 from sim2reason.questions.moments.distances import Away, Closest, Farthest, Moved, Returned
 from sim2reason.questions.moments.fields import AcrossField, EnteredRegion, LeftRegion, VelocityReturned, VelocityTurned
 from sim2reason.questions.moments.strings import MostCompressed, MostStretched, NaturalLength, WentSlack, WentTaut
-from sim2reason.questions.moments.times import AtTime
+from sim2reason.questions.moments.times import AtTime, BurnedOut
 from sim2reason.questions.moments.turning_points import Fastest, Halted, HighestPoint, LowestPoint, Stopped
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import targets

@@ -5,10 +5,9 @@ import pytest
 from plain_scenes import G, ramp
 from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.inversion import values_giving, why_not_one
-from sim2reason.questions.parse_prompt import parse_prompt
-from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.posing import pose_question
-from sim2reason.questions.prompt import words_of
+from sim2reason.questions.prompt import parse_prompt, words_of
+from sim2reason.questions.sentences import parse_question
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.unknown import range_of
 from sim2reason.questions.words import Words

@@ -10,15 +10,14 @@ from hypothesis import strategies as st
 
 from plain_scenes import G, arm, atwood, ramp, row, squeezed, table
 from sim2reason.questions import KINDS, Moment, SimulatedScene
-from sim2reason.questions.crossing import crossings, first_crossing, jumps, rises_from_zero
-from sim2reason.questions.moments.collisions import Collided
+from sim2reason.questions.moments.contacts import Collided
+from sim2reason.questions.moments.crossings import crossings, first_crossing, jumps, rises_from_zero
 from sim2reason.questions.moments.distances import Moved
-from sim2reason.questions.moments.parts.turning_points import SpringTurn
+from sim2reason.questions.moments.extrema import SpringTurn
 from sim2reason.questions.moments.strings import MostStretched, NaturalLength
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
-from sim2reason.questions.parse_prompt import parse_prompt
-from sim2reason.questions.prompt import words_of
+from sim2reason.questions.prompt import parse_prompt, words_of
 from sim2reason.questions.query import targets
 from sim2reason.questions.words import format_number, numbers_in_text, round_number, rounded_as_written, two_digits
 from sim2reason.scenes.bodies.planes import Incline

@@ -4,8 +4,8 @@ import pytest
 
 from lone_entities import alone
 from plain_scenes import ramp, row
-from sim2reason.questions.functionals.parts.integral import collision_phrases
-from sim2reason.questions.moments.collisions import Collided
+from sim2reason.questions.functionals.aggregates import collision_phrases
+from sim2reason.questions.moments.contacts import Collided
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.strings import MostStretched
 from sim2reason.questions.moments.turning_points import Stopped

@@ -17,11 +17,10 @@ from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.request import Request
 from sim2reason.questions import KINDS, MODES, MOMENTS, Query, SimulatedScene, Target
 from sim2reason.questions.functionals import FUNCTIONALS
-from sim2reason.questions.parse_prompt import parse_prompt
-from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
-from sim2reason.questions.prompt import words_of
+from sim2reason.questions.prompt import parse_prompt, words_of
 from sim2reason.questions.query import targets
+from sim2reason.questions.sentences import parse_question
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.certify import certify_trace
 from sim2reason.simulation.channels import Channel
@@ -61,7 +60,7 @@ import numpy as np
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
 from sim2reason.questions.moments import MOMENTS, Clause
-from sim2reason.questions.moments.parts.passage import Threshold
+from sim2reason.questions.moments.crossings import Threshold
 from sim2reason.questions.words import rounded_as_written
 
 
@@ -194,7 +193,7 @@ PUCKS = "table.pucks.0 table.pucks.1"
 FUNCTIONAL = '''
 from sim2reason.simulation.quantities.momentum import Momentum
 from sim2reason.questions.functionals import functional
-from sim2reason.questions.functionals.parts.extreme import Extreme
+from sim2reason.questions.functionals.aggregates import Extreme
 
 
 @functional

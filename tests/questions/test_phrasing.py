@@ -4,9 +4,9 @@ import pytest
 
 from sim2reason.questions import Words
 from sim2reason.questions.functionals import FUNCTIONALS
-from sim2reason.questions.kinds.parts.stretch_kind import nouns
-from sim2reason.questions.moments.burned_out import BurnedOut
+from sim2reason.questions.kinds.stretches import nouns
 from sim2reason.questions.moments.strings import MostCompressed
+from sim2reason.questions.moments.times import BurnedOut
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.phrasing import again
 from sim2reason.questions.prompt import words_of

@@ -14,9 +14,9 @@ from sim2reason.questions import KINDS, MOMENTS, Words
 from sim2reason.questions.following import SimulatedAnswer, simulate_scene
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.moments.times import WholeMotion
-from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.posing import PosedQuestion, findable, pose_question
 from sim2reason.questions.prompt import words_of
+from sim2reason.questions.sentences import parse_question
 from sim2reason.questions.structured import StructuredQuestion, moment_named, moment_told, resolved
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import load, loads

@@ -9,7 +9,7 @@ import pytest
 
 from motions import Motion, charge, light_rod, orbit, rolling_ball, slab, spring_block, string_pendulum, thrown_ball
 from sim2reason.questions.following import simulate_scene
-from sim2reason.questions.period_words import attracted_by
+from sim2reason.questions.phrasing import attracted_by
 from sim2reason.questions.recurrence import Repetition, drift_return, escapes, first_return, has_known_continuation
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.fields import Magnetic, Profile, Push

@@ -13,11 +13,10 @@ from sim2reason.generation.random_scenes import sample
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import MODES, Question
 from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
-from sim2reason.questions.parse_prompt import parse_prompt
-from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, shaped, unit_in_words
+from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, parse_prompt, shaped, unit_in_words
 from sim2reason.questions.shapes import SHAPES
+from sim2reason.questions.shapes.layout import is_table, text_of, units
 from sim2reason.questions.shapes.numbers import FEWEST
-from sim2reason.questions.shapes.parts.units import is_table, text_of, units
 from sim2reason.scenes.bodies.sliders import Block
 from sim2reason.scenes.bodies.spring import NailedSpring
 from sim2reason.scenes.dsl.entity import Named

@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 
 from plain_scenes import ramp
 from sim2reason.questions import KINDS, SimulatedScene
-from sim2reason.questions.parse_question import parse_question, plainly
 from sim2reason.questions.prompt import words_of
+from sim2reason.questions.sentences import parse_question, plainly
 from sim2reason.questions.words import format_number, numbers_in_text, two_digits
 from sim2reason.scenes.dsl.units import ASTRONOMICAL, SI
 from sim2reason.text.prose.description import describe

@@ -11,15 +11,14 @@ from sim2reason.errors import SimulationError
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.questions import KINDS, MODES, SimulatedScene, Words
 from sim2reason.questions.following import UNDECIDED, simulate_scene
+from sim2reason.questions.inversion import ThresholdSearch
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes import OUTCOMES, Onset
-from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.posing import pose_question
-from sim2reason.questions.prompt import prompt, words_of
+from sim2reason.questions.prompt import parse_prompt, prompt, words_of
 from sim2reason.questions.simplifications import MISCONCEPTIONS
 from sim2reason.questions.structured import StructuredQuestion
-from sim2reason.questions.trial import ThresholdSearch
 from sim2reason.scenes.bodies.pendulums import Ball, Cord, LightRod
 from sim2reason.scenes.bodies.planes import Incline, Plane
 from sim2reason.scenes.bodies.pulleys import FixedPulley

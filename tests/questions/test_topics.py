@@ -12,15 +12,14 @@ from sim2reason.generation.certified import CertifiedQuestion
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.recipes import RECIPES, difficulty_named
 from sim2reason.questions import MODES, Query, Question, SimulatedScene, Target
-from sim2reason.questions.given import StatedResult
+from sim2reason.questions.accuracy import StatedResult
 from sim2reason.questions.kinds.equilibrium import EquilibriumQuery
-from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.questions.moments.reached import Reached
 from sim2reason.questions.moments.strings import WentSlack
 from sim2reason.questions.moments.times import AtStart, AtTime
-from sim2reason.questions.parse_prompt import parse_prompt
-from sim2reason.questions.prompt import words_of
-from sim2reason.questions.regimes.strings import StaysTaut
-from sim2reason.questions.topics import irrelevant
+from sim2reason.questions.prompt import parse_prompt, words_of
+from sim2reason.questions.regimes.directions import StaysTaut
+from sim2reason.questions.sentences import irrelevant
 from sim2reason.scenes.bodies.pendulums import Ball, Cord, FixedBall
 from sim2reason.scenes.bodies.planes import RoughTrack
 from sim2reason.scenes.bodies.round_bodies import Sphere

@@ -8,7 +8,7 @@ import pytest
 
 from plain_scenes import G, atwood, ramp
 from sim2reason.questions import Query, Target
-from sim2reason.questions.moments.collisions import Collided
+from sim2reason.questions.moments.contacts import Collided
 from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint
 from sim2reason.scenes.bodies.pendulums import Ball
 from sim2reason.scenes.bodies.sliders import Puck, Table

@@ -8,14 +8,14 @@ import pytest
 
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.kinds.equilibrium import EquilibriumQuery
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.angles import Deflected, Orbited
 from sim2reason.questions.moments.distances import Away, Closest, Farthest
 from sim2reason.questions.moments.strings import MostCompressed, MostStretched, NaturalLength
 from sim2reason.questions.moments.times import AtStart, AtTime, WholeMotion
 from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
-from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.bodies.charges import ChargedBead, Launched, Released
 from sim2reason.scenes.bodies.holed_bodies import BoredCylinder
 from sim2reason.scenes.bodies.pendulums import UniformRod

@@ -9,8 +9,7 @@ import pytest
 from sim2reason.datasets.items import made
 from sim2reason.generation.filters import FILTERS
 from sim2reason.generation.request import Request
-from sim2reason.questions.difficulty import DIFFICULTIES
-from sim2reason.questions.need import MEANINGS, Need
+from sim2reason.questions.difficulty import DIFFICULTIES, MEANINGS, Need
 from sim2reason.solutions import STRATEGIES, Solution, Step
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Root

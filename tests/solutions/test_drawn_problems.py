@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from sim2reason.questions.need import ELEMENTARY
+from sim2reason.questions.difficulty import ELEMENTARY
 from sim2reason.solutions import STRATEGIES, ProblemContext, Solution, solve, solve_with
 from sim2reason.testing.solutions.faults import WORDS, faults, words
 from sim2reason.testing.solutions.reading import read

@@ -13,7 +13,7 @@ from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.recipes import RECIPES, difficulty_named
 from sim2reason.questions import MODES, Query, StatedResult, Target
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.distances import Away
 from sim2reason.questions.moments.times import AtTime

@@ -14,11 +14,11 @@ from sim2reason.generation.certified import CertifiedQuestion
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.random_scenes import sample
 from sim2reason.questions import MODES, Query, SimulatedScene, Target
+from sim2reason.questions.difficulty import ELEMENTARY
 from sim2reason.questions.kinds.comparison import ComparisonQuery
-from sim2reason.questions.kinds.parts.nested import stripped
+from sim2reason.questions.kinds.nested import stripped
 from sim2reason.questions.moments.times import AllAlong
 from sim2reason.questions.moments.turning_points import Stopped
-from sim2reason.questions.need import ELEMENTARY
 from sim2reason.scenes.bodies.sliders import Block
 from sim2reason.scenes.bodies.spring import NailedSpring
 from sim2reason.scenes.dsl.entity import Named

@@ -8,7 +8,7 @@ import pytest
 from joined_entities import pivot, scene
 from plain_scenes import row
 from sim2reason.questions import Query, StatedResult, Target
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.angles import Orbited
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.strings import WentTaut

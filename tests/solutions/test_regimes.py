@@ -7,7 +7,7 @@ import pytest
 
 from plain_scenes import row
 from sim2reason.questions import Query, StatedResult, Target
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.scenes.bodies.pendulums import Ball
 from sim2reason.scenes.bodies.planes import Plane

@@ -8,9 +8,8 @@ import numpy as np
 import pytest
 
 from sim2reason.questions import Query, StatedResult, Target
-from sim2reason.questions.moments.burned_out import BurnedOut
 from sim2reason.questions.moments.distances import Moved
-from sim2reason.questions.moments.times import AtTime
+from sim2reason.questions.moments.times import AtTime, BurnedOut
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.scenes.bodies.space import DeepSpace, LevelGround, Rocket, StartingPlace
 from sim2reason.scenes.dsl.entity import Named

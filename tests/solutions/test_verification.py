@@ -8,7 +8,7 @@ import pytest
 
 from plain_scenes import atwood
 from sim2reason.questions import Query, Target
-from sim2reason.questions.moments.burned_out import BurnedOut
+from sim2reason.questions.moments.times import BurnedOut
 from sim2reason.scenes.bodies.space import LevelGround, Rocket
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene

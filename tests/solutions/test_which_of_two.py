@@ -8,7 +8,7 @@ import pytest
 from sim2reason.datasets.items import item
 from sim2reason.generation.item import Item
 from sim2reason.questions import KINDS
-from sim2reason.questions.choice_prompts import parse_choice
+from sim2reason.questions.prompt_formats import parse_choice
 from sim2reason.solutions import Solution, solve
 from sim2reason.solutions.data import as_data
 from sim2reason.solutions.solve import setting_of

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from sim2reason.questions.shapes import SHAPES, Draft
-from sim2reason.questions.shapes.parts.units import is_table, units
+from sim2reason.questions.shapes.layout import is_table, units
 
 FORMAT = re.compile(r"(?:Give your|State the|Write the)[^.]*\\boxed\{\}\.$")
 VERBS = ("what", "how", "find", "determine", "calculate")

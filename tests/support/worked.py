@@ -13,9 +13,9 @@ from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.recipes import RECIPES, difficulty_named
 from sim2reason.questions import MODES, Formula, Query
-from sim2reason.questions.parse_prompt import ParsedPrompt, parse_prompt
-from sim2reason.questions.parse_question import parse_question
-from sim2reason.questions.part_prompts import parse_parts
+from sim2reason.questions.prompt import ParsedPrompt, parse_prompt
+from sim2reason.questions.prompt_formats import parse_parts
+from sim2reason.questions.sentences import parse_question
 from sim2reason.questions.words import spoken_of
 from sim2reason.scenes.dsl.entity import Entity, Named
 from sim2reason.scenes.dsl.scene import Scene

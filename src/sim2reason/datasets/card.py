@@ -13,7 +13,7 @@ from sim2reason.datasets.card_content import SHOWN, Example, of_example, of_hist
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest
 from sim2reason.datasets.plan import DATA, DISTANCE, LICENSE, TRAIN, Config
 from sim2reason.generation.request import SI
-from sim2reason.questions.tolerance import TOLERANCE
+from sim2reason.questions.accuracy import TOLERANCE
 
 SIZES = (
     *((10**3, "n<1K"), (10**4, "1K<n<10K"), (10**5, "10K<n<100K"), (10**6, "100K<n<1M"), (10**7, "1M<n<10M")),

@@ -14,8 +14,7 @@ from sim2reason.errors import FigureWarning, MissingExtraError, Sim2ReasonError
 from sim2reason.figures.plot import Histogram, png
 from sim2reason.generation.item import Item
 from sim2reason.generation.request import Request
-from sim2reason.questions.difficulty import DIFFICULTIES
-from sim2reason.questions.need import NEEDS
+from sim2reason.questions.difficulty import DIFFICULTIES, NEEDS
 
 WORDS, MOST_WORDS = 10, 500  # per bin, and from which on all are in the last bin
 Counted = dict[str, dict[str, int]]

@@ -30,8 +30,8 @@ from sim2reason.datasets.plan import (
 )
 from sim2reason.errors import DatasetError, DrawError, EvaluationError
 from sim2reason.generation.request import SI, nonnegative_integer
+from sim2reason.questions.accuracy import TOLERANCE
 from sim2reason.questions.spoken_units import system_named
-from sim2reason.questions.tolerance import TOLERANCE
 
 ITEMS = 1000
 AS_GIVEN = "seed", "shard", "maker", "solutions", "unfiltered", "weights", "split", "distance", "license", "tolerance"

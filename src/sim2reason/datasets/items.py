@@ -19,8 +19,8 @@ from sim2reason.generation.item import Item
 from sim2reason.generation.item_search import ItemSearch
 from sim2reason.generation.make import item_of, make
 from sim2reason.generation.request import SI, Request, check, nonnegative_integer
+from sim2reason.questions.accuracy import TOLERANCE
 from sim2reason.questions.spoken_units import system_named
-from sim2reason.questions.tolerance import TOLERANCE
 from sim2reason.scenes.dsl.scene import Scene
 
 

@@ -20,9 +20,8 @@ from sim2reason.generation.item import Record
 from sim2reason.generation.recipes import RECIPES, all_recipes, difficulty_named
 from sim2reason.generation.request import LARGEST, SI, Request, Weights
 from sim2reason.questions import MODES
-from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
-from sim2reason.questions.need import NEEDS, Need
-from sim2reason.questions.tolerance import TOLERANCE, out_of_range
+from sim2reason.questions.accuracy import TOLERANCE, out_of_range
+from sim2reason.questions.difficulty import DIFFICULTIES, NEEDS, Difficulty, Need
 
 __all__ = ["Chosen"]
 

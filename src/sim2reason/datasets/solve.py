@@ -16,11 +16,10 @@ from sim2reason.generation.request import Request
 from sim2reason.questions import MODES, StatedResult, Target, Words
 from sim2reason.questions.following import SimulatedAnswer, simulate_scene, simulate_until_answer, simulate_until_event
 from sim2reason.questions.moments.times import WholeMotion
-from sim2reason.questions.ordinary.nearest import suggestion
-from sim2reason.questions.ordinary.understanding import understood
-from sim2reason.questions.parse_question import parse_question
+from sim2reason.questions.ordinary.understanding import suggestion, understood
 from sim2reason.questions.posing import VALUE, PosedQuestion, pose_question
 from sim2reason.questions.query import targets
+from sim2reason.questions.sentences import parse_question
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.unknown import with_number

@@ -7,7 +7,7 @@ from sim2reason.generation.filters import Candidate
 from sim2reason.generation.item import Distractor, SolutionRecord, SolutionStep
 from sim2reason.generation.request import Request
 from sim2reason.questions import Question, SimulatedScene
-from sim2reason.questions.choice_prompts import LETTERS as LETTERS_OF_OPTIONS
+from sim2reason.questions.prompt_formats import LETTERS as LETTERS_OF_OPTIONS
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.simulation.certify import Certificate
 from sim2reason.solutions import ProblemContext, Solution, solve

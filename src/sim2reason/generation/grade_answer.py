@@ -3,7 +3,7 @@
 from sim2reason.generation.item import Answer
 from sim2reason.grading import Score, choice, formula, number, parts
 from sim2reason.grading.parts import Grader
-from sim2reason.questions.choice_prompts import LETTERS
+from sim2reason.questions.prompt_formats import LETTERS
 
 
 def grade_answer(answer: Answer, response: object, *, lenient: bool = False, partial: bool = False) -> Score:

@@ -19,7 +19,7 @@ from pydantic_core import from_json
 
 from sim2reason.base.record import abridged
 from sim2reason.grading.parts import LABELS
-from sim2reason.questions.choice_prompts import LETTERS
+from sim2reason.questions.prompt_formats import LETTERS
 from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.text.prose.symbol_names import formula_unit, stated_value
 

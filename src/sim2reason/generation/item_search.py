@@ -18,8 +18,7 @@ from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.recipes import RECIPES, difficulty_named
 from sim2reason.generation.request import Request, random_kind_order
 from sim2reason.questions import KINDS, MODES, QuestionMode
-from sim2reason.questions.difficulty import Difficulty
-from sim2reason.questions.need import ELEMENTARY, EVERY, NEEDS, Need
+from sim2reason.questions.difficulty import ELEMENTARY, EVERY, NEEDS, Difficulty, Need
 
 SHARE = 0.08
 """Of the requests that may be filled by items which need more than `ELEMENTARY`; not all of them are."""

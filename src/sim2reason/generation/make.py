@@ -25,12 +25,10 @@ from sim2reason.generation.item_search import ItemSearch
 from sim2reason.generation.options import distractors, idle_numbers, idle_parts, values
 from sim2reason.generation.request import Made, Request, versions
 from sim2reason.questions import KINDS, Formula
-from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt, amounts
-from sim2reason.questions.kinds.parts.which import WhichKind, WhichQuery
-from sim2reason.questions.need import most_advanced
-from sim2reason.questions.parse_prompt import without_form
-from sim2reason.questions.part_prompts import PartPrompt
-from sim2reason.questions.prompt import unit_in_words
+from sim2reason.questions.difficulty import most_advanced
+from sim2reason.questions.kinds.nested import WhichKind, WhichQuery
+from sim2reason.questions.prompt import unit_in_words, without_form
+from sim2reason.questions.prompt_formats import LETTERS, ChoicePrompt, PartPrompt, amounts
 from sim2reason.questions.spoken_units import SpokenUnits, spoken_in, system_named
 from sim2reason.scenes.files import Wording, dump
 from sim2reason.simulation.certify import Certificate

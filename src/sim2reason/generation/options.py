@@ -9,7 +9,7 @@ from sim2reason.generation.filters.parts.effects import Effect, effects, far_eff
 from sim2reason.generation.filters.parts.numbers import elasticities, matters
 from sim2reason.generation.grade_answer import grade_answer
 from sim2reason.generation.item import Answer, Distractor, Item
-from sim2reason.questions.choice_prompts import LETTERS, said
+from sim2reason.questions.prompt_formats import LETTERS, said
 from sim2reason.scenes.dsl.entity import Part
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.text.prose.description import Description

@@ -16,14 +16,14 @@ import numpy as np
 from sim2reason.generation.certified import CertifiedPart, CertifiedQuestion
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.questions import KINDS, Moment, Query, Question, QuestionMode, SimulatedScene, Target
+from sim2reason.questions.accuracy import TOLERANCE
 from sim2reason.questions.choices import is_constant, is_large_enough, is_worth_asking_at
 from sim2reason.questions.difficulty import Difficulty
-from sim2reason.questions.kinds.parts.stretch_kind import StretchKind
+from sim2reason.questions.kinds.stretches import StretchKind
 from sim2reason.questions.moments import Happening
 from sim2reason.questions.moments.times import AllAlong, AtStart
-from sim2reason.questions.part_prompts import together
+from sim2reason.questions.prompt_formats import together
 from sim2reason.questions.query import Targets, targets
-from sim2reason.questions.tolerance import TOLERANCE
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.solutions import ProblemContext, Solution, solve

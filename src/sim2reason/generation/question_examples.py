@@ -18,15 +18,14 @@ from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.kinds import moments_by_cause
 from sim2reason.questions.kinds.comparison import ComparisonQuery
 from sim2reason.questions.kinds.limit import LimitQuery
+from sim2reason.questions.kinds.nested import OR, NestedQuery, WhichQuery
 from sim2reason.questions.kinds.optimum import OptimumQuery
-from sim2reason.questions.kinds.parts.nested import NestedQuery
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.kinds.parts.which import OR, WhichQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments import Happening, Moment
 from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.outcomes import OUTCOMES
-from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import targets

@@ -12,12 +12,11 @@ from sim2reason.generation.certified import CertifiedQuestion
 from sim2reason.generation.filters import FILTERS, Candidate, Verdict, apply_filters, filter_scene
 from sim2reason.generation.filters.texts import is_followable
 from sim2reason.questions import KINDS, Query, Question, QuestionMode, SimulatedScene, StatedResult, Words
-from sim2reason.questions.difficulty import Difficulty
-from sim2reason.questions.need import EVERY, Need
+from sim2reason.questions.accuracy import TOLERANCE
+from sim2reason.questions.difficulty import EVERY, Difficulty, Need
 from sim2reason.questions.prompt import shaped, words_of
+from sim2reason.questions.sentences import irrelevant
 from sim2reason.questions.study import TIME_MARGIN
-from sim2reason.questions.tolerance import TOLERANCE
-from sim2reason.questions.topics import irrelevant
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.template import Topic

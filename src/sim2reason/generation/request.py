@@ -20,7 +20,7 @@ from sim2reason.errors import DatasetError, DrawError
 from sim2reason.generation.item import Item
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import KINDS, MODES
-from sim2reason.questions.tolerance import TOLERANCE, out_of_range
+from sim2reason.questions.accuracy import TOLERANCE, out_of_range
 
 LARGEST = 2**63 - 1
 """The largest seed and index: columns of a shard hold no more."""

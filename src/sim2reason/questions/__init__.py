@@ -11,7 +11,7 @@ from typing import ClassVar, TypeVar
 import numpy as np
 
 from sim2reason.base.registry import Registry
-from sim2reason.questions.given import StatedResult
+from sim2reason.questions.accuracy import StatedResult
 from sim2reason.questions.kinds import KINDS, Kind
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.query import Noun, Query, Target

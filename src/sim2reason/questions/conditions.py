@@ -4,8 +4,8 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from math import isfinite
 
+from sim2reason.questions.accuracy import StatedResult
 from sim2reason.questions.dependence import AnswerFunction, bisect_border
-from sim2reason.questions.given import StatedResult
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.query import Noun, Query
 from sim2reason.questions.unknown import Unknown

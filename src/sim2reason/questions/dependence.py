@@ -1,16 +1,17 @@
-"""The answer to a query as a function of one number of the scene, and the roots of that function."""
+"""The answer to a query as a function of one number of the scene, with its roots and extremes."""
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from itertools import pairwise
 from math import inf, isfinite
+from typing import NamedTuple
 
 import numpy as np
 
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions.kinds import KINDS
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.query import Query
 from sim2reason.questions.recurrence import has_known_continuation, subjects_escape
 from sim2reason.questions.study import COARSE_STEP_ERROR, SHORTEST, TIME_MARGIN, SimulatedScene, change_directions
@@ -25,7 +26,6 @@ BORDER = 12  # bisections towards the limit beyond which there is no answer
 EVENT_TIME_RTOL = 1e-6  # relative
 STEP = 1e-4  # relative step of numerical derivatives
 SECANTS, ROUNDS, ROOT_RTOL = 8, 60, 1e-10  # secant steps, bracketed steps, and relative accuracy of the root
-
 STRING_LENGTH_FACTOR = 100.0  # factor on the length of a string that is long enough
 GROUND = "limit"  # kind of the event that ends the motion of a falling body
 
@@ -138,13 +138,9 @@ class AnswerFunction:
         """
         moment, end = self._query.moment, study.trace.stable_until * (1.0 - EVENT_TIME_RTOL)
         lasts = isinstance(self._query, StretchQuery) or KINDS[self._query.kind].measured(self._query).unit == "m"
-        if (
-            study.trace.cut != GROUND
-            or moment is None
-            or not lasts
-            or moment.stated_time is None
-            or moment.kind == "start"
-        ):
+        if study.trace.cut != GROUND or moment is None or not lasts:
+            return None
+        if moment.stated_time is None or moment.kind == "start":
             return None
         return KINDS[self._query.kind].loose_answer(replace(self._query, moment=moment.having([end])), study)
 
@@ -176,20 +172,14 @@ class AnswerFunction:
             known = [time for time in self._times.values() if time < inf]
             if known and not any(known):  # the motion has no part in it
                 return [(SHORTEST * end,)]
-            return (
-                [(max(end, LATE_HORIZON_FACTOR * max(known)),)]
-                if known
-                else [(end, LATE_HORIZON_FACTOR * end, LAST_HORIZON_FACTOR * end, *later)]
-            )
+            if known:
+                return [(max(end, LATE_HORIZON_FACTOR * max(known)),)]
+            return [(end, LATE_HORIZON_FACTOR * end, LAST_HORIZON_FACTOR * end, *later)]
         if moment is not None and (known := moment.stated_time) is not None:
             return [(max(TIME_MARGIN * known, SHORTEST * end),)]
         near = self._times[min(self._times, key=lambda known: abs(known - value))] if self._times else 0.0
-        usual = (
-            end,
-            LATE_HORIZON_FACTOR * end,
-            *((LAST_HORIZON_FACTOR * end,) if self._later_counts or later else ()),
-            *later,
-        )
+        last = (LAST_HORIZON_FACTOR * end,) if self._later_counts or later else ()
+        usual = end, LATE_HORIZON_FACTOR * end, *last, *later
         if not near:
             return [usual]
         return [usual[1:], usual] if near == inf else [(min(1.2 * near, usual[-1]), *usual)]
@@ -281,3 +271,87 @@ def find_roots(dependence: AnswerFunction, values: Sequence[float], given: float
     pairs = [(low, high) for (low, a), (high, b) in pairwise(excess) if (a > 0.0) != (b > 0.0)]
     found = (dependence.between(given, low, high) for low, high in pairs)
     return [root for root in found if root is not None]
+
+
+FEW = 5  # values of the first pass; without a single reversal among them the search ends
+STRIDE = 2  # stride through the values of the second pass
+STENCIL_STEP = 0.01  # relative: step of finite differences
+NEWTON_STEPS = 6  # iterations of Newton's method
+FARTHEST = 0.2  # relative: largest total step
+CONVERGENCE_RTOL, KNOWN_EXTREME_RTOL = 1e-8, 5e-7  # relative: tolerance of convergence; tolerance for a known extreme
+
+
+class StationaryValue(NamedTuple):
+    """An extreme: the value of the number, the answer there, and whether it is a maximum."""
+
+    place: float
+    value: float
+    greatest: bool
+
+
+class ExtremeSearch:
+    """A search for the unique extreme of an answer as a function of a number."""
+
+    def __init__(self, dependence: AnswerFunction) -> None:
+        """Prepare the search, given the answer as a function of the number."""
+        self._answer = dependence
+
+    def among(self, values: Sequence[float]) -> StationaryValue | None:
+        """Return the only extreme among at least three values in ascending order.
+
+        None if there are several or none, or not all values have an answer.
+        """
+        coarse = [values[n * (len(values) - 1) // (FEW - 1)] for n in range(FEW)] if len(values) > FEW else values
+        for some in (coarse, sorted({*coarse, *values[::STRIDE]})):
+            turn = self._turn(some)
+            if turn is None:
+                return None
+        low, middle, high, greatest = turn
+        return self.near(_vertex([(at, self._answer(at) or 0.0) for at in (low, middle, high)]), greatest=greatest)
+
+    def _turn(self, values: Sequence[float]) -> tuple[float, float, float, bool] | None:
+        """Return three neighbouring values around the answer's only extreme, and whether it is a maximum; else None."""
+        found = list[float]()
+        for value in values:
+            answer = self._answer(value)
+            if answer is None or not isfinite(answer):
+                return None
+            found.append(answer)
+        rises = [after > before for before, after in pairwise(found)]
+        turns = [n for n, (one, other) in enumerate(pairwise(rises)) if one != other]
+        if len(turns) != 1:
+            return None
+        n = turns[0]
+        return values[n], values[n + 1], values[n + 2], rises[n]
+
+    def near(self, about: float, *, greatest: bool) -> StationaryValue | None:
+        """Return the extreme close to a value, by Newton's method; None if there is none."""
+        at = about
+        for turn in range(NEWTON_STEPS):
+            step = STENCIL_STEP * abs(at)
+            found = [self._answer(at + n * step) for n in (-2, -1, 0, 1, 2)]
+            plain = [answer for answer in found if answer is not None and isfinite(answer)]
+            if len(plain) < len(found):
+                return None
+            far_below, below, here, above, far_above = plain
+            slope = (far_below - 8.0 * below + 8.0 * above - far_above) / (12.0 * step)
+            bend = (16.0 * (below + above) - far_below - far_above - 30.0 * here) / (12.0 * step**2)
+            if not (bend < 0.0 if greatest else bend > 0.0):
+                return None
+            shift = -slope / bend
+            if abs(shift) > FARTHEST * abs(about):
+                return None
+            if turn == 0 and abs(shift) <= KNOWN_EXTREME_RTOL * abs(at):
+                return StationaryValue(at, here, greatest)
+            at += shift
+            if abs(shift) <= CONVERGENCE_RTOL * abs(at):
+                break
+        value = self._answer(at)
+        return StationaryValue(at, value, greatest) if value is not None else None
+
+
+def _vertex(points: Sequence[tuple[float, float]]) -> float:
+    """Return the position of the vertex of the parabola through three points."""
+    (low, a), (middle, b), (high, c) = points
+    left, right = (middle - low) * (b - c), (middle - high) * (b - a)
+    return middle - 0.5 * ((middle - low) * left - (middle - high) * right) / (left - right)

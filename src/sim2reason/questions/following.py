@@ -9,7 +9,7 @@ import numpy as np
 from sim2reason.errors import SimulationError
 from sim2reason.questions.dependence import with_long_strings
 from sim2reason.questions.kinds import KINDS
-from sim2reason.questions.kinds.parts.nested import NestedQuery, usable_answer
+from sim2reason.questions.kinds.nested import NestedQuery, usable_answer
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.questions.query import Query

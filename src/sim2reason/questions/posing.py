@@ -10,10 +10,10 @@ from sim2reason.questions.inversion import values_giving, why_not_one
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.kinds.comparison import compared
 from sim2reason.questions.kinds.limit import MASS, LimitQuery
+from sim2reason.questions.kinds.nested import stripped
 from sim2reason.questions.kinds.optimum import OptimumQuery
-from sim2reason.questions.kinds.parts.nested import stripped
 from sim2reason.questions.kinds.threshold import ThresholdQuery
-from sim2reason.questions.moments.parts.reached import stated
+from sim2reason.questions.moments.reached import stated
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.query import Query, quantities_named, targets
 from sim2reason.questions.structured import StructuredQuestion, measured, one_of, resolved

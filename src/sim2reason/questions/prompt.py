@@ -1,16 +1,28 @@
-"""Prompts: the text of a scene, one question, and a line on the form of the answer, in one of several shapes."""
+"""Prompts of a scene and a question in one of several shapes, and their parsing."""
 
 import re
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sim2reason.questions import KINDS, Formula, Question, Words
-from sim2reason.questions.shapes import SHAPES
+from sim2reason.errors import SimulationError, TextError
+from sim2reason.questions import KINDS, MODES, Formula, ParsedQuestion, Query, Question, SimulatedScene, Words
+from sim2reason.questions.following import FollowedMotion, simulate_scene, simulate_until_answer
+from sim2reason.questions.ordinary.understanding import suggestion, understood
+from sim2reason.questions.sentences import depends_on_start
+from sim2reason.questions.shapes import SHAPES, Draft, shapes_to_try
+from sim2reason.questions.spoken_units import in_si
+from sim2reason.questions.words import spoken_of
 from sim2reason.scenes.dsl.measures import show_unit
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.units import parse_unit
+from sim2reason.text.parsing import NONE_GIVEN, ParsedScene, parse_scene
+from sim2reason.text.parsing.assembly import unstated_error
 from sim2reason.text.prose.description import Description
 from sim2reason.text.prose.phrases import join, symbols
+from sim2reason.text.prose.symbol_names import without_names
 
 FORMATS = (
     "Give your answer in {unit}, to three significant figures, inside \\boxed{{}}.",
@@ -113,3 +125,223 @@ def _named(formula: Formula) -> Iterator[str]:
 def unit_in_words(unit: str) -> str:
     """Return a unit as it is written in a sentence: degrees as a word, all others as symbols."""
     return "degrees" if unit == "deg" else show_unit(unit)
+
+
+SAMPLES = 101
+SHARES = 1.0, 0.3, 0.1, 0.03  # of the horizon: durations to try
+
+_UNIT = r"(\S{1,12})"
+_SYMBOL = rf"\$[^$]+\$(?: \({IN_RADIANS}\))?"
+_SYMBOLS = rf"{_SYMBOL}(?:(?:, | and ){_SYMBOL})*(?:, {IN_RADIANS})?"
+_FORMS = [
+    *(re.compile(r"\s+" + re.escape(form.format(unit="UNIT")).replace("UNIT", _UNIT) + "$") for form in FORMATS),
+    *(re.compile(rf"\s+{re.escape(form)}()$") for form in (*WHOLE, *PLAIN_FORMATS)),  # in no unit
+    *(re.compile(rf"\s+{re.escape(form.format(symbols='LIST')).replace('LIST', _SYMBOLS)}()$") for form in SYMBOLIC),
+]
+
+
+@dataclass(frozen=True)
+class ParsedPrompt:
+    """The meaning of a prompt: its scene, its question, and the simulated motion.
+
+    Attributes:
+        reading: The scene with the names in the text.
+        study: The motion with the data derived from it.
+        asked: The question with its mode.
+        unit: Unit of the answer; empty for a pure number.
+        shape: Order in which the prompt gives the scene, the question and the form of the answer.
+        work: Why the event asked about never occurs, or not within a limit of work; empty if it occurs.
+        scene: The scene, with hidden numbers of its own.
+        query: The query that is asked, or stated as a condition.
+        words: Names and symbols of the text.
+        answer: The answer that follows from the text alone, in `unit`; None if there is none.
+        counted: The answer in the unit of the scene.
+        reason: Why there is no answer; empty if there is one.
+    """
+
+    reading: ParsedScene
+    study: SimulatedScene
+    asked: ParsedQuestion
+    unit: str
+    shape: str
+    work: str = ""
+
+    def __repr__(self) -> str:
+        """Return the mode, the quantity or the kind of question, its subjects and the unit of the answer."""
+        query = self.query
+        name = query.kind if query.target is None else query.target.quantity
+        of = f" of {subjects}" if (subjects := ", ".join(filter(None, query.subjects))) else ""
+        return f"<ParsedPrompt: {self.asked.mode}, {name}{of}{f' in {self.unit}' if self.unit else ''}>"
+
+    def __str__(self) -> str:
+        """Return the mode, quantity, subjects and unit of the question, followed by the lines of the scene."""
+        return f"{repr(self)[1:-1]}\n{self.reading}"
+
+    @property
+    def scene(self) -> Scene:
+        """Return the scene, with values of its own for numbers that the text does not state."""
+        return self.reading.scene
+
+    @property
+    def query(self) -> Query:
+        """Return the query of the question or, if a number is unknown, the query that has the stated result."""
+        return self.asked.query
+
+    @property
+    def words(self) -> Words:
+        """Return the names and symbols of the text."""
+        return _words(self.reading)
+
+    @property
+    def answer(self) -> float | None:
+        """Return the answer that follows from the text alone, in its unit; None if there is none."""
+        found = self.counted
+        return found * self._factor(_words(self.reading)) if found is not None else None
+
+    @property
+    def counted(self) -> float | None:
+        """Return the answer in the scene's own unit; None if there is none."""
+        return MODES[self.asked.mode].solution(self.asked, self.study, _words(self.reading))
+
+    @property
+    def reason(self) -> str:
+        """Return why there is no answer, as a clause; empty if there is an answer."""
+        if self.counted is not None:
+            return ""
+        return self.work or MODES[self.asked.mode].lacking(self.asked, self.study, _words(self.reading))
+
+    def _factor(self, words: Words) -> float:
+        """Return the factor from the unit of the scene and its motion to the unit that the text asks for."""
+        unknown = next((found for found in words.unknowns if found.path != self.query.hides), None)
+        if self.asked.given is not None and unknown is not None:
+            unit = unknown.unit
+        else:
+            unit = words.units.spell(KINDS[self.query.kind].measured(self.query).unit)
+        return parse_unit(unit).factor_to(parse_unit(self.unit)) or 1.0
+
+
+def parse_prompt(
+    text: str, rng: np.random.Generator | None = None, given: Mapping[str, str] = NONE_GIVEN
+) -> ParsedPrompt:
+    """Read a prompt, rebuild its scene from the words alone, and simulate it.
+
+    Args:
+        text: The prompt, whose last sentence says how to give the answer.
+        rng: Generator from which numbers are drawn that texts never state; by default one with the seed 0.
+        given: Number with its unit for each symbol, in LaTeX without dollars, of a prompt with symbols.
+
+    Returns:
+        The scene, the question, and the answer that follows from the text.
+
+    Raises:
+        TextError: The text describes no scene, or several, or asks no question that the library knows.
+
+    Examples:
+        >>> import sim2reason
+        >>> problem = sim2reason.item("pulley", "easy")
+        >>> parsed = sim2reason.parse_prompt(problem.prompt)
+        >>> abs(parsed.answer / problem.answer.value - 1.0) < 1e-6
+        True
+    """
+    body, unit = without_form(text)
+    refused: list[TextError] = []
+    for read in (_understood, _in_ordinary_english):
+        for told in in_si(body):
+            for shape, draft in _drafts(told):
+                try:
+                    return read(_stated(draft, given), unit, shape, rng, given)
+                except TextError as error:
+                    refused.append(error)
+    if not refused:
+        raise TextError("prompt", "there is no question after the scene", "ask one in a sentence of its own")
+    raise min(refused, key=lambda error: ("prompt", "text", error.place).index(error.place))  # what was read farthest
+
+
+def without_form(text: str) -> tuple[str, str]:
+    """Return a prompt without its last sentence, and the unit in that sentence; TextError if it is unknown."""
+    form = next((match for pattern in _FORMS if (match := pattern.search(text))), None)
+    if form is None:
+        raise TextError("prompt", "its last sentence does not say how to answer", "end it with one of the known forms")
+    return text[: form.start()], form[1]
+
+
+def _drafts(text: str) -> Iterator[tuple[str, Draft]]:
+    """Yield all possible partitions of a prompt into story and question, each with the name of its prompt shape."""
+    for shape in shapes_to_try():
+        for draft in shape.drafts(text):
+            yield shape.name, draft
+
+
+def _stated(draft: Draft, given: Mapping[str, str]) -> Draft:
+    """Return a draft whose story has numbers in place of symbols."""
+    told = {symbol: said for symbol, said in given.items() if f"${symbol}$" in draft.story}
+    return replace(draft, story=without_names(draft.story), given={**draft.given, **told})
+
+
+def _understood(
+    draft: Draft, unit: str, shape: str, rng: np.random.Generator | None, given: Mapping[str, str]
+) -> ParsedPrompt:
+    """Return the meaning of a draft; TextError if it has none."""
+    reading = parse_scene(draft.story, rng, draft.given, startless=True)
+    motion = _begun(reading)
+    study = motion.study
+    words = _in_symbols(_words(reading), draft, given) if given else _words(reading)
+    asked = (mode.parsed(draft.question, study, words) for mode in MODES.values())
+    found = next((each for each in asked if each is not None), None)
+    if found is None and len(reading.unknown) > 1:
+        raise unstated_error(reading.unknown.values())
+    if found is None:
+        raise TextError("prompt", f"no question is asked by {draft.question!r}", "ask in the words of the library")
+    if "start" in reading.without and depends_on_start(found.query, study):
+        raise TextError("prompt", "it does not say how the motion begins", "say where everything is at first")
+    if reading.unknown or KINDS[found.query.kind].time(found.query, study) is not None:
+        return ParsedPrompt(reading, study, found, unit, shape)
+    followed = simulate_until_answer(found.query, motion)
+    return ParsedPrompt(reading, followed.study, found, unit, shape, followed.reason)
+
+
+def _in_ordinary_english(
+    draft: Draft, unit: str, shape: str, rng: np.random.Generator | None, given: Mapping[str, str]
+) -> ParsedPrompt:
+    """Return the meaning of a draft with a question in ordinary English; TextError if a part has no meaning."""
+    reading = _told(draft, rng)
+    if len(reading.unknown) > 1:
+        raise unstated_error(reading.unknown.values())
+    if given or reading.unknown or "start" in reading.without:
+        raise TextError("prompt", f"no question is asked by {draft.question!r}", "ask in the words of the library")
+    motion, words = simulate_scene(reading.scene), _words(reading)
+    meant = understood(draft.question, motion, words)
+    if meant is None or meant.posed.unknown is not None:
+        near = suggestion(draft.question, motion, words)
+        raise TextError("prompt", f"no question is asked by {draft.question!r}", near)
+    asked = ParsedQuestion("numeric", meant.posed.query)
+    return ParsedPrompt(reading, meant.followed.study, asked, unit, shape, meant.followed.reason)
+
+
+def _told(draft: Draft, rng: np.random.Generator | None) -> ParsedScene:
+    """Return the scene of a draft, whose story may also be in ordinary English."""
+    try:
+        return parse_scene(draft.story, rng, draft.given, startless=True)
+    except TextError:
+        if draft.given:
+            raise
+        return parse_scene(draft.story, rng)
+
+
+def _begun(reading: ParsedScene) -> FollowedMotion:
+    """Return a first motion of a scene, with an unknown number at its drawn value."""
+    scene = reading.scene
+    for share in SHARES if reading.unknown else ():
+        with suppress(SimulationError):
+            return FollowedMotion(SimulatedScene.of(scene, np.linspace(0.0, share * scene.horizon, SAMPLES)))
+    return simulate_scene(scene)
+
+
+def _in_symbols(words: Words, draft: Draft, given: Mapping[str, str]) -> Words:
+    """Return the words of a text that refers to numbers by symbols, with the values of the question's own symbols."""
+    own = [spoken_of(symbol, said, words.units) for symbol, said in given.items() if symbol not in draft.given]
+    return replace(words, symbolic=True, own=dict(filter(None, own)))
+
+
+def _words(reading: ParsedScene) -> Words:
+    return Words.of(reading.scene, reading.mentions, reading.unknown)

@@ -8,11 +8,10 @@ from math import pi
 import numpy as np
 
 from sim2reason.questions.choices import REST_SPEED_RTOL, is_clear_of_events
-from sim2reason.questions.crossing import crossings
 from sim2reason.questions.moments import Moment
+from sim2reason.questions.moments.crossings import Threshold, crossings
 from sim2reason.questions.moments.distances import Moved
-from sim2reason.questions.moments.parts.passage import Threshold
-from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.questions.moments.reached import Reached
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.fields import Magnetic, Push
 from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism

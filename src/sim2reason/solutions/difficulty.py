@@ -9,8 +9,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from math import inf, isfinite
 
-from sim2reason.questions.difficulty import Difficulty
-from sim2reason.questions.need import Need, most_advanced
+from sim2reason.questions.difficulty import Difficulty, Need, most_advanced
 from sim2reason.simulation.trace import Trace, events_before
 from sim2reason.solutions.algebra.expressions import Expression, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root

@@ -7,9 +7,9 @@ from math import isclose
 from sim2reason.questions import Query
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.angles import Deflected, TurnedThrough
+from sim2reason.questions.moments.crossings import Threshold
 from sim2reason.questions.moments.distances import Away, Moved
-from sim2reason.questions.moments.parts.passage import Threshold
-from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.questions.moments.reached import Reached
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.query import Target
 from sim2reason.solutions.setting import ProblemContext

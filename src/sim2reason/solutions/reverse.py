@@ -6,7 +6,7 @@ from dataclasses import replace
 from sim2reason.questions import Query
 from sim2reason.questions.kinds.optimum import OptimumQuery
 from sim2reason.questions.kinds.threshold import ThresholdQuery
-from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.questions.moments.reached import Reached
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.solutions.algebra.evaluated import (
     Chain,

@@ -6,8 +6,8 @@ from typing import Self
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.questions import KINDS, Formula, Query, Question, SimulatedScene, StatedResult, Target, Words
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.need import Need
+from sim2reason.questions.difficulty import Need
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.regimes import Regime
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Mechanism
 from sim2reason.scenes.dsl.scene import Scene

@@ -6,7 +6,7 @@ Numerical integration is not used: if only that would lead to the answer, the so
 from collections.abc import Hashable
 
 from sim2reason.questions import Query, SimulatedScene, StatedResult, Words
-from sim2reason.questions.need import Need
+from sim2reason.questions.difficulty import Need
 from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.solution import Solution

@@ -8,8 +8,8 @@ from math import radians
 import numpy as np
 
 from sim2reason.questions import KINDS, SimulatedScene
-from sim2reason.questions.need import ELEMENTARY, Need
-from sim2reason.questions.parse_prompt import ParsedPrompt, parse_prompt
+from sim2reason.questions.difficulty import ELEMENTARY, Need
+from sim2reason.questions.prompt import ParsedPrompt, parse_prompt
 from sim2reason.questions.words import Words
 from sim2reason.solutions.algebra.evaluated import is_special, numeric_parts
 from sim2reason.solutions.algebra.expressions import Number, Symbol

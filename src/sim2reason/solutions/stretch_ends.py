@@ -11,13 +11,12 @@ import numpy as np
 from sim2reason.questions import KINDS, Query
 from sim2reason.questions.choices import only_falls
 from sim2reason.questions.functionals import FUNCTIONALS
-from sim2reason.questions.functionals.parts.extreme import Extreme
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.functionals.aggregates import Extreme
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.bounces import GROUND, Bounced, Landed, obstacle_phrase
-from sim2reason.questions.moments.burned_out import BurnedOut
-from sim2reason.questions.moments.parts.occurrence import VelocityJump
-from sim2reason.questions.moments.times import AtStart, WholeMotion
+from sim2reason.questions.moments.occurrence import VelocityJump
+from sim2reason.questions.moments.times import AtStart, BurnedOut, WholeMotion
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.query import Target
 from sim2reason.scenes.dsl.constancy import changing

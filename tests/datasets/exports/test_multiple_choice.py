@@ -14,7 +14,7 @@ from sim2reason.datasets.exports import EXPORTS, Place
 from sim2reason.generation.item import Answer, Distractor, Item
 from sim2reason.generation.options import OPTION_RTOL, REQUIRED_DISTRACTORS, options_of, values
 from sim2reason.grading import number
-from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt, said
+from sim2reason.questions.prompt_formats import LETTERS, ChoicePrompt, said
 
 CHOICE, HERE = EXPORTS["multiple-choice"], Place("train", 0)
 NUMBERS = st.floats(1e-8, 1e8).flatmap(lambda x: st.sampled_from((x, -x)))

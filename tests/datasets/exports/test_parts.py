@@ -15,7 +15,7 @@ from sim2reason.datasets.exports.parts.export import export
 from sim2reason.datasets.plan import Config
 from sim2reason.datasets.separate import split_parts
 from sim2reason.errors import DatasetError
-from sim2reason.questions.choice_prompts import MINUS
+from sim2reason.questions.prompt_formats import MINUS
 
 
 @pytest.fixture(scope="module")

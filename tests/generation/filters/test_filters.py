@@ -13,9 +13,9 @@ from sim2reason.generation.filters.parts.effects import effects, effects_of
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.questions import KINDS, MODES, Moment, Query, Question, SimulatedScene, Target
 from sim2reason.questions.difficulty import Difficulty
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.angles import TurnedThrough
-from sim2reason.questions.moments.collisions import Collided
+from sim2reason.questions.moments.contacts import Collided
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import Stopped

@@ -10,7 +10,7 @@ from sim2reason.generation.filters import FILTERS
 from sim2reason.generation.question_search import UNSUITED, QuestionSearch
 from sim2reason.generation.random_scenes import sample
 from sim2reason.questions import MODES
-from sim2reason.questions.need import EVERY, Need
+from sim2reason.questions.difficulty import EVERY, Need
 from sim2reason.solutions import Solution
 from sim2reason.solutions.shortest import shortest_solution
 

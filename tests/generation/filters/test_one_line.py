@@ -14,7 +14,7 @@ from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.strings import NaturalLength
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
-from sim2reason.questions.parse_prompt import parse_prompt
+from sim2reason.questions.prompt import parse_prompt
 from sim2reason.scenes.bodies.planes import Incline
 from sim2reason.scenes.bodies.round_bodies import Pipe, Sphere
 from sim2reason.scenes.dsl.entity import Named

@@ -17,13 +17,12 @@ from sim2reason.generation.request import Request
 from sim2reason.questions import KINDS, MODES, Query, Question, SimulatedScene, StatedResult, Target, Words
 from sim2reason.questions.conditions import UniquenessScan, asking_for
 from sim2reason.questions.dependence import AnswerFunction, find_roots
+from sim2reason.questions.difficulty import NEEDS
 from sim2reason.questions.moments.bounces import Landed
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtTime
-from sim2reason.questions.need import NEEDS
-from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.phrasing import sentence
-from sim2reason.questions.prompt import words_of
+from sim2reason.questions.prompt import parse_prompt, words_of
 from sim2reason.questions.query import targets
 from sim2reason.questions.unknown import range_of
 from sim2reason.scenes.bodies.pendulums import Ball

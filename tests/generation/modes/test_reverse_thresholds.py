@@ -16,8 +16,7 @@ from sim2reason.questions import MODES, Question
 from sim2reason.questions.dependence import AnswerFunction
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes import OUTCOMES
-from sim2reason.questions.parse_prompt import parse_prompt
-from sim2reason.questions.prompt import prompt
+from sim2reason.questions.prompt import parse_prompt, prompt
 from sim2reason.questions.study import COARSE_STEP_ERROR
 from sim2reason.scenes.bodies.pendulums import Ball, LightRod
 from sim2reason.scenes.dsl.entity import Named

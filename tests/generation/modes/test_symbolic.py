@@ -23,14 +23,13 @@ from sim2reason.generation.random_scenes import sample
 from sim2reason.generation.request import Request
 from sim2reason.grading import formula
 from sim2reason.questions import MODES, Query, Question, SimulatedScene, Target
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.angles import Deflected
-from sim2reason.questions.moments.collisions import Collided
+from sim2reason.questions.moments.contacts import Collided
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint, Stopped
-from sim2reason.questions.parse_prompt import parse_prompt
-from sim2reason.questions.prompt import prompt
+from sim2reason.questions.prompt import parse_prompt, prompt
 from sim2reason.questions.regimes.directions import MovesOneWay
 from sim2reason.scenes.bodies.pendulums import Ball, Cord, FixedBall
 from sim2reason.scenes.bodies.planes import RoughTrack, Track

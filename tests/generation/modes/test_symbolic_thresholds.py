@@ -12,12 +12,11 @@ from sim2reason.generation.random_scenes import sample
 from sim2reason.generation.request import Request
 from sim2reason.grading import formula
 from sim2reason.questions import MODES, Question, SimulatedScene
+from sim2reason.questions.inversion import ThresholdSearch
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes import OUTCOMES
-from sim2reason.questions.parse_prompt import parse_prompt
-from sim2reason.questions.prompt import prompt
+from sim2reason.questions.prompt import parse_prompt, prompt
 from sim2reason.questions.regimes.directions import SideOfCenterOfMass
-from sim2reason.questions.trial import ThresholdSearch
 from sim2reason.scenes.bodies.pendulums import Ball, Cord, FixedBall, LightRod
 from sim2reason.scenes.bodies.planes import Plane
 from sim2reason.scenes.bodies.sliders import Block

@@ -7,10 +7,10 @@ import pytest
 from sim2reason.questions import KINDS, SimulatedScene, Words
 from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.functionals import FUNCTIONALS
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.times import WholeMotion
-from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.prompt import words_of
+from sim2reason.questions.sentences import parse_question
 from sim2reason.scenes.bodies.charges import ChargedBead, Launched, Released
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene

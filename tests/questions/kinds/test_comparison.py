@@ -13,13 +13,13 @@ from plain_scenes import G, atwood, half_atwood, ramp
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.questions import KINDS, MODES, Query, SimulatedScene, Target, Words
 from sim2reason.questions.kinds.comparison import ComparisonQuery
-from sim2reason.questions.kinds.parts.nested import stripped
+from sim2reason.questions.kinds.nested import stripped
 from sim2reason.questions.moments.times import AllAlong, AtTime
 from sim2reason.questions.moments.turning_points import Stopped
-from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import targets
+from sim2reason.questions.sentences import parse_question
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.certify import certify_trace
 from sim2reason.simulation.scenes import simulate

@@ -15,10 +15,10 @@ from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import KINDS, Query, SimulatedScene, Target, Words
 from sim2reason.questions.kinds.equilibrium import EquilibriumQuery
-from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import targets
+from sim2reason.questions.sentences import parse_question
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.measures import Count
 from sim2reason.scenes.dsl.mechanism import GRAVITY, Mechanism, X, Z

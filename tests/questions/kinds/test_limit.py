@@ -14,10 +14,10 @@ from sim2reason.generation.random_scenes import sample
 from sim2reason.questions import KINDS, MODES, Query, SimulatedScene, Target, Words
 from sim2reason.questions.kinds.limit import LimitQuery
 from sim2reason.questions.moments.times import AllAlong
-from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import targets
+from sim2reason.questions.sentences import parse_question
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.certify import certify_trace
 from sim2reason.simulation.scenes import simulate

@@ -14,12 +14,10 @@ from sim2reason.questions import KINDS, MODES, Query, SimulatedScene, Target, Wo
 from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.kinds.optimum import OptimumQuery
 from sim2reason.questions.moments.bounces import Landed
-from sim2reason.questions.parse_prompt import parse_prompt
-from sim2reason.questions.parse_question import parse_question
-from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.questions.phrasing import sentence
-from sim2reason.questions.prompt import words_of
+from sim2reason.questions.phrasing import PeriodQuery, sentence
+from sim2reason.questions.prompt import parse_prompt, words_of
 from sim2reason.questions.query import targets
+from sim2reason.questions.sentences import parse_question
 from sim2reason.scenes.bodies.pendulums import Ball
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene

@@ -10,10 +10,9 @@ from plain_scenes import atwood
 from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import KINDS, SimulatedScene, Words
-from sim2reason.questions.parse_question import parse_question
-from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.questions.phrasing import sentence
+from sim2reason.questions.phrasing import PeriodQuery, sentence
 from sim2reason.questions.prompt import words_of
+from sim2reason.questions.sentences import parse_question
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.mechanism import Mechanism, X, Y, Z
 from sim2reason.simulation.engines.exact import simulate

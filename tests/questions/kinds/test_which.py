@@ -17,12 +17,11 @@ from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.random_scenes import sample
 from sim2reason.grading import Outcome
 from sim2reason.questions import KINDS, MODES
-from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt, parse_choice
 from sim2reason.questions.following import simulate_scene
-from sim2reason.questions.kinds.parts.which import CLEARLY, WhichKind, WhichQuery
-from sim2reason.questions.parse_prompt import parse_prompt
+from sim2reason.questions.kinds.nested import CLEARLY, WhichKind, WhichQuery
 from sim2reason.questions.posing import pose_question
-from sim2reason.questions.prompt import words_of
+from sim2reason.questions.prompt import parse_prompt, words_of
+from sim2reason.questions.prompt_formats import LETTERS, ChoicePrompt, parse_choice
 from sim2reason.questions.query import targets
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.scenes.dsl.scene import Scene

@@ -7,7 +7,7 @@ import pytest
 
 from sim2reason.errors import TextError
 from sim2reason.questions.following import simulate_scene
-from sim2reason.questions.ordinary.asides import without_asides
+from sim2reason.questions.ordinary.turns_of_order import without_asides
 from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.prompt import words_of
 from sim2reason.scenes.files import load

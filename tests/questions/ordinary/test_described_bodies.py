@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.questions.ordinary.described_bodies import with_letters
+from sim2reason.questions.ordinary.names import with_letters
 from sim2reason.questions.prompt import words_of
 from sim2reason.scenes.files import loads
 from sim2reason.text.prose.description import describe

@@ -4,7 +4,7 @@ import pytest
 
 from sim2reason.questions.ordinary.base_forms import paraphrased as plain_clauses
 from sim2reason.questions.ordinary.base_forms import with_base_forms
-from sim2reason.questions.ordinary.paraphrased_mains import paraphrased as plain_mains
+from sim2reason.questions.ordinary.paraphrases import paraphrased as plain_mains
 
 
 def test_words_are_in_base_forms_and_auxiliaries_left_out() -> None:

@@ -2,8 +2,8 @@
 
 import pytest
 
-from sim2reason.questions.ordinary.asides import without_leads
 from sim2reason.questions.ordinary.rewording import reworded
+from sim2reason.questions.ordinary.turns_of_order import without_leads
 
 
 @pytest.mark.parametrize(

@@ -13,9 +13,8 @@ from sim2reason.errors import TextError
 from sim2reason.questions import Words
 from sim2reason.questions.following import FollowedMotion, simulate_scene
 from sim2reason.questions.ordinary.hearing import tokenize
-from sim2reason.questions.ordinary.nearest import suggestion
 from sim2reason.questions.ordinary.reading import readings
-from sim2reason.questions.ordinary.understanding import understood
+from sim2reason.questions.ordinary.understanding import suggestion, understood
 from sim2reason.questions.prompt import words_of
 from sim2reason.scenes.dsl.units import parse_unit
 from sim2reason.scenes.files import load

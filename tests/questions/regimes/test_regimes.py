@@ -10,12 +10,11 @@ from plain_scenes import atwood, massive, ramp, squeezed
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import KINDS, MODES, Query, Question, SimulatedScene, Target
 from sim2reason.questions.moments.times import AtTime, WholeMotion
-from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.regimes import regimes
-from sim2reason.questions.regimes.contacts import CollideInTurn, SlidesThroughout
 from sim2reason.questions.regimes.directions import StartsAcute
-from sim2reason.questions.regimes.rockets import BurntOut
+from sim2reason.questions.regimes.events import BurntOut, CollideInTurn, SlidesThroughout
+from sim2reason.questions.sentences import parse_question
 from sim2reason.questions.words import OwnSymbol
 from sim2reason.scenes.bodies.planes import Incline, Plane, Track
 from sim2reason.scenes.bodies.round_bodies import Hoop

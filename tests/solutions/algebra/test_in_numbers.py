@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim2reason.questions.need import Need
+from sim2reason.questions.difficulty import Need
 from sim2reason.solutions.algebra.evaluated import Chain
 from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root

@@ -9,7 +9,7 @@ from importlib import import_module
 import pytest
 
 import sim2reason.solutions
-from sim2reason.questions.need import Need
+from sim2reason.questions.difficulty import Need
 from sim2reason.solutions.algebra.evaluated import (
     Chain,
     ClosedRoot,

@@ -7,7 +7,7 @@ import pytest
 from sim2reason.generation.make import make
 from sim2reason.generation.request import Request
 from sim2reason.questions import Query, Target
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.bounces import Bounced
 from sim2reason.questions.moments.distances import Away
 from sim2reason.scenes.bodies.pendulums import Ball

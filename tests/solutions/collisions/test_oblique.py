@@ -5,7 +5,7 @@ from math import sqrt
 import pytest
 
 from sim2reason.questions import Query, Target
-from sim2reason.questions.moments.collisions import Collided
+from sim2reason.questions.moments.contacts import Collided
 from sim2reason.scenes.bodies.sliders import Puck, Table
 from sim2reason.scenes.entities.two_d_collision_plane import TwoDCollisionPlane
 from worked import answer

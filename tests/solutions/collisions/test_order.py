@@ -6,8 +6,8 @@ from math import cos, hypot, radians, sin
 import pytest
 
 from sim2reason.questions import Query, StatedResult, Target
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.collisions import Collided, LastCollision
+from sim2reason.questions.kinds.stretches import StretchQuery
+from sim2reason.questions.moments.contacts import Collided, LastCollision
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint

@@ -4,7 +4,7 @@ from math import cos, radians, sin
 
 import pytest
 
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.bounces import Bounced, Landed
 from sim2reason.scenes.bodies.pendulums import Ball
 from sim2reason.scenes.dsl.entity import Named

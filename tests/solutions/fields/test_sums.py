@@ -6,10 +6,10 @@ from math import acos, cos, exp, pi, sin, sqrt
 import pytest
 
 from sim2reason.questions import Query, StatedResult, Target
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.distances import Away
-from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.questions.moments.reached import Reached
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.scenes.bodies.charges import ChargedBead, Launched
 from sim2reason.scenes.bodies.space import Planet, Star

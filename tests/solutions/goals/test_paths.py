@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.scenes.bodies.planes import Track
 from sim2reason.scenes.bodies.sliders import Glider

@@ -2,7 +2,7 @@
 
 import re
 
-from sim2reason.questions.part_prompts import parse_parts
+from sim2reason.questions.prompt_formats import parse_parts
 from sim2reason.solutions import solve, solve_prompt
 from sim2reason.solutions.multipart.in_sequence import sequential_solutions
 from sim2reason.solutions.solve import setting_of

@@ -6,7 +6,7 @@ import pytest
 
 from plain_scenes import row
 from sim2reason.questions import StatedResult
-from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.solutions import STRATEGIES, Solution, solve_with
 from sim2reason.testing.solutions.faults import faults
 from worked import asked

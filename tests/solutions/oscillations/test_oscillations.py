@@ -9,13 +9,13 @@ from joined_entities import string
 from plain_scenes import row
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.kinds.equilibrium import EquilibriumQuery
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.contacts import StoppedSlipping
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.strings import MostCompressed, MostStretched, NaturalLength
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import Stopped
-from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.bodies.planes import Plane
 from sim2reason.scenes.bodies.sliders import Block, Slab
 from sim2reason.scenes.bodies.spring import Spring

@@ -7,7 +7,7 @@ import pytest
 
 from plain_scenes import row
 from sim2reason.questions import Formula, Query, Target
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.strings import NaturalLength
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import Halted, Stopped

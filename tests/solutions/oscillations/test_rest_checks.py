@@ -7,7 +7,7 @@ import pytest
 
 from plain_scenes import row
 from sim2reason.questions import Query, Target
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.strings import NaturalLength
 from sim2reason.questions.moments.times import AtTime

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from sim2reason.questions import Query, StatedResult, Target
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.angles import Deflected
 from sim2reason.questions.moments.strings import WentTaut
 from sim2reason.questions.moments.times import AtTime, WholeMotion

@@ -5,11 +5,11 @@ from math import cos, radians, sin
 import pytest
 
 from sim2reason.questions import Query, Target
+from sim2reason.questions.difficulty import ELEMENTARY
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.contacts import StoppedSlipping
 from sim2reason.questions.moments.distances import Away
 from sim2reason.questions.moments.times import AtTime
-from sim2reason.questions.need import ELEMENTARY
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import loads
 from sim2reason.solutions import STRATEGIES, Solution, solve_with

@@ -5,7 +5,7 @@ from math import cos, hypot, radians, sin
 import pytest
 
 from sim2reason.questions import Query, Target
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.angles import Deflected, TurnedThrough
 from sim2reason.questions.moments.times import AtStart, WholeMotion

@@ -13,12 +13,12 @@ import numpy as np
 import pytest
 
 from joined_entities import pivot, scene, string
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.angles import Deflected, TurnedThrough
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtStart, WholeMotion
 from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint, Stopped
-from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.questions.query import Query, Target
 from sim2reason.scenes.bodies.pendulums import Ball, LightRod, UniformRod
 from sim2reason.scenes.bodies.round_bodies import Sphere

@@ -5,7 +5,7 @@ from math import acos, cos, degrees, radians, sin
 import pytest
 
 from sim2reason.questions import Query, Target
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
 from sim2reason.scenes.bodies.pendulums import FixedBall

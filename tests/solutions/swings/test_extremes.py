@@ -5,7 +5,7 @@ from math import cos, radians, sqrt
 
 import pytest
 
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.scenes.bodies.pendulums import Ball, LightRod
 from sim2reason.scenes.dsl.entity import Named

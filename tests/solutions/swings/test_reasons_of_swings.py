@@ -3,7 +3,7 @@
 import pytest
 
 from plain_scenes import arm
-from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions import solve_prompt
 from worked import derived, solution_text

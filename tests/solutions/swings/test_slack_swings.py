@@ -8,7 +8,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from sim2reason.questions import Query, Target
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.strings import WentTaut
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint, Stopped

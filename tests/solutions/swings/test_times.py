@@ -5,12 +5,12 @@ from math import acos, asin, cos, degrees, gamma, log, pi, radians, sin, sqrt
 import pytest
 
 from sim2reason.questions import Query, Target
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.angles import Deflected, TurnedThrough
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint, Stopped
-from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.bodies.pendulums import Ball, Cord, LightRod, UniformRod
 from sim2reason.scenes.bodies.space import DeepSpace, LevelGround, Rocket
 from sim2reason.scenes.dsl.entity import Named

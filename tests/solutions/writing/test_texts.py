@@ -16,7 +16,7 @@ from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.request import Request
 from sim2reason.questions import MODES, Query, Question, StatedResult, Target
 from sim2reason.questions.moments.distances import Moved
-from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.questions.spoken_units import CGS, SI
 from sim2reason.scenes.bodies.charges import ChargedBead, Launched
 from sim2reason.scenes.dsl.entity import Named

@@ -5,7 +5,7 @@ import pytest
 
 from sim2reason.generation.make import make
 from sim2reason.generation.request import Request
-from sim2reason.questions.parse_prompt import parse_prompt
+from sim2reason.questions.prompt import parse_prompt
 
 
 def test_a_table_of_symbols_leads_back_to_the_answer_at_every_binding() -> None:

@@ -5,8 +5,8 @@ from sim2reason.datasets.exports.parts.messages import asked, facts
 from sim2reason.datasets.ground_truth import Letter, ground_truth
 from sim2reason.generation.item import Item
 from sim2reason.generation.options import LACKS, options_of, values
-from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt
-from sim2reason.questions.parse_prompt import without_form
+from sim2reason.questions.prompt import without_form
+from sim2reason.questions.prompt_formats import LETTERS, ChoicePrompt
 
 
 @target

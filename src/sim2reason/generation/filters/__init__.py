@@ -9,10 +9,9 @@ from typing import ClassVar, Self
 from sim2reason.base.lazy import cached_property
 from sim2reason.base.registry import Registry
 from sim2reason.questions import KINDS, MODES, Kind, Query, Question, SimulatedScene, Words
-from sim2reason.questions.difficulty import Difficulty
-from sim2reason.questions.need import EVERY, Need
+from sim2reason.questions.accuracy import TOLERANCE
+from sim2reason.questions.difficulty import EVERY, Difficulty, Need
 from sim2reason.questions.study import TIME_MARGIN
-from sim2reason.questions.tolerance import TOLERANCE
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.solutions import Solution

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from sim2reason.generation.filters import FILTERS, Candidate, Filter
-from sim2reason.questions.need import EVERY
+from sim2reason.questions.difficulty import EVERY
 from sim2reason.solutions import STRATEGIES, ProblemContext, solve_with
 from sim2reason.solutions.difficulty import LABELS
 from sim2reason.solutions.reverse import forward

@@ -20,9 +20,9 @@ from sim2reason.questions import (
     mode,
 )
 from sim2reason.questions.kinds import kinds_by_share
-from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import chosen, sentence
 from sim2reason.questions.query import targets
+from sim2reason.questions.sentences import parse_question
 
 DRAWS = 3  # queries of one kind, at most, until one is suitable
 

@@ -26,10 +26,10 @@ from sim2reason.questions.conditions import UniquenessScan, asking_for
 from sim2reason.questions.dependence import STEP, AnswerFunction, with_long_strings
 from sim2reason.questions.inversion import values_giving, why_not_one
 from sim2reason.questions.kinds import kinds_by_share
-from sim2reason.questions.moments.parts.reached import Reached
-from sim2reason.questions.parse_question import plainly
+from sim2reason.questions.moments.reached import Reached
 from sim2reason.questions.phrasing import chosen, sentence
 from sim2reason.questions.query import Target, targets
+from sim2reason.questions.sentences import plainly
 from sim2reason.questions.study import COARSE_STEP_ERROR, EXACT_STEP_ERROR
 from sim2reason.questions.unknown import Unknown, draw_unknowns, far_from, range_of
 

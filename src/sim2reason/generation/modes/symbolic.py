@@ -22,10 +22,10 @@ from sim2reason.questions import (
     mode,
 )
 from sim2reason.questions.kinds import kinds_by_share
-from sim2reason.questions.kinds.parts.nested import NestedQuery
-from sim2reason.questions.parse_question import parse_question
+from sim2reason.questions.kinds.nested import NestedQuery
 from sim2reason.questions.phrasing import chosen, sentence
 from sim2reason.questions.query import targets
+from sim2reason.questions.sentences import parse_question
 from sim2reason.questions.words import OwnSymbol, symbol_for
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions import STRATEGIES, ProblemContext

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from sim2reason.questions.functionals import Functional, functional
-from sim2reason.questions.functionals.parts.integral import (
+from sim2reason.questions.functionals.aggregates import (
     BALANCE,
     EventCount,
     collision_phrases,
@@ -18,7 +18,7 @@ from sim2reason.questions.functionals.parts.integral import (
 )
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.bounces import WALLS, obstacle_phrase
-from sim2reason.questions.moments.collisions import LastCollision
+from sim2reason.questions.moments.contacts import LastCollision
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism

@@ -6,11 +6,10 @@ from math import isfinite
 import numpy as np
 
 from sim2reason.questions.functionals import Functional, functional
-from sim2reason.questions.functionals.parts.extreme import Extreme
-from sim2reason.questions.functionals.parts.integral import Integral, is_smooth
+from sim2reason.questions.functionals.aggregates import Extreme, Integral, is_smooth
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.parts.occurrence import slip_velocity
-from sim2reason.questions.moments.parts.reached import DistanceThreshold
+from sim2reason.questions.moments.occurrence import slip_velocity
+from sim2reason.questions.moments.reached import DistanceThreshold
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.fields import Push, Resistance
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Force, Inextensible, Mechanism

@@ -5,10 +5,10 @@ from typing import ClassVar
 import numpy as np
 
 from sim2reason.questions.functionals import functional
-from sim2reason.questions.functionals.parts.circles import circles
-from sim2reason.questions.functionals.parts.extreme import Extreme
+from sim2reason.questions.functionals.aggregates import Extreme
+from sim2reason.questions.functionals.paths import circles
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.parts.passage import acting_on
+from sim2reason.questions.moments.crossings import acting_on
 from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.questions.moments.turning_points import HighestPoint
 from sim2reason.questions.words import Words

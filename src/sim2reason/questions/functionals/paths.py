@@ -1,4 +1,4 @@
-"""Distances travelled, angles and areas swept, and reversals of the direction of motion."""
+"""Distances travelled, angles and areas swept, reversals of the direction of motion, and motion on circles."""
 
 from collections.abc import Sequence
 from math import degrees
@@ -6,16 +6,16 @@ from math import degrees
 import numpy as np
 
 from sim2reason.questions.choices import rest_speed
-from sim2reason.questions.crossing import crossings
 from sim2reason.questions.functionals import functional
-from sim2reason.questions.functionals.parts.circles import circles, is_given_by_geometry, leaves_circle
-from sim2reason.questions.functionals.parts.integral import EventCount, Integral
+from sim2reason.questions.functionals.aggregates import EventCount, Integral
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.angles import Orbited
-from sim2reason.questions.moments.parts.turning_points import Apsis
+from sim2reason.questions.moments.angles import Deflected, Orbited, TurnedThrough
+from sim2reason.questions.moments.crossings import crossings
+from sim2reason.questions.moments.extrema import Apsis
+from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
-from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities.kinematics import Displacement, Velocity
@@ -23,8 +23,34 @@ from sim2reason.simulation.quantities.relative import DistanceBetween
 from sim2reason.simulation.quantities.rotation import AngleTurned, AngularVelocity
 from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies, can_move
 from sim2reason.simulation.quantities.subjects.pairs import Pairs, members
-from sim2reason.simulation.quantities.subjects.paths import center_path, rides
+from sim2reason.simulation.quantities.subjects.paths import center_path, chain, rides
 from sim2reason.simulation.trace import Trace
+
+
+def circles(mechanism: Mechanism, name: str) -> bool:
+    """Return whether a body turns about a single fixed axle, or is held by a string to a fixed point."""
+    kinds = [c.kind for body in chain(mechanism, name) for c in body.coordinates]
+    return kinds == ["hinge"] or _hangs(mechanism, name)
+
+
+def _hangs(mechanism: Mechanism, name: str) -> bool:
+    """Return whether the only line is a string from a fixed point to the body."""
+    if len(mechanism.lines) != 1 or not isinstance(mechanism.lines[0].law, Inextensible):
+        return False
+    ends = [mechanism.site[site].body for site in mechanism.lines[0].through]
+    return len(ends) == 2 and set(ends) == {None, name}
+
+
+def leaves_circle(trace: Trace, end: float) -> bool:
+    """Return whether a string goes slack before a time, s, so that its body leaves the circle."""
+    return any(event.kind == "slack" and event.time <= end for event in trace.events)
+
+
+def is_given_by_geometry(moment: Moment, words: Words) -> bool:
+    """Return whether geometry alone gives a body's position on its circle at a moment, as at the end of a swing."""
+    known = isinstance(moment, Deflected | LowestPoint | TurnedThrough)
+    return known or (words.released and isinstance(moment, Stopped))
+
 
 DIFFERS = 0.02  # of the angle: least excess over the net angle that is worth asking for
 

@@ -9,10 +9,10 @@ from typing import ClassVar, TypeVar
 import numpy as np
 
 from sim2reason.base.registry import Registry
+from sim2reason.questions.accuracy import certification_gap
 from sim2reason.questions.choices import data_relevant_from, has_collided
-from sim2reason.questions.doubt import certification_gap
 from sim2reason.questions.moments import MOMENTS, Moment
-from sim2reason.questions.moments.parts.reached import moment_of
+from sim2reason.questions.moments.reached import moment_of
 from sim2reason.questions.phrasing import asking_then, naming_then, stating_then
 from sim2reason.questions.query import Noun, Query, Targets, quantities_named, target_named
 from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion

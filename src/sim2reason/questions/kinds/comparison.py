@@ -8,8 +8,9 @@ from math import log
 import numpy as np
 
 from sim2reason.errors import TextError
+from sim2reason.questions.accuracy import NEARLY, TOLERANCE
 from sim2reason.questions.kinds import KINDS, Measured, kind
-from sim2reason.questions.kinds.parts.nested import (
+from sim2reason.questions.kinds.nested import (
     NestedKind,
     NestedQuery,
     inner_of,
@@ -20,7 +21,6 @@ from sim2reason.questions.kinds.parts.nested import (
 from sim2reason.questions.query import Noun, Query, Targets, targets
 from sim2reason.questions.structured import CHANGE, StructuredQuestion, measured, one_of, resolved
 from sim2reason.questions.study import SimulatedScene, change_directions
-from sim2reason.questions.tolerance import NEARLY, TOLERANCE
 from sim2reason.questions.unknown import is_usual
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate

@@ -8,8 +8,7 @@ import numpy as np
 from sim2reason.errors import TextError
 from sim2reason.questions.choices import DISTINCT_RTOL, pick
 from sim2reason.questions.kinds import Kind, kind
-from sim2reason.questions.period_words import equilibrium_called
-from sim2reason.questions.phrasing import asking
+from sim2reason.questions.phrasing import asking, equilibrium_called
 from sim2reason.questions.query import Noun, Query, Target, Targets, quantities_named, target_named
 from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion
 from sim2reason.questions.study import SimulatedScene

@@ -7,7 +7,7 @@ from itertools import pairwise, product
 import numpy as np
 
 from sim2reason.questions.kinds import KINDS, Measured, kind
-from sim2reason.questions.kinds.parts.nested import (
+from sim2reason.questions.kinds.nested import (
     NestedKind,
     NestedQuery,
     inner_of,

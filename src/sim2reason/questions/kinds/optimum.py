@@ -6,9 +6,9 @@ from itertools import pairwise, product
 
 import numpy as np
 
-from sim2reason.questions.dependence import AnswerFunction
+from sim2reason.questions.dependence import FEW, AnswerFunction, ExtremeSearch, StationaryValue
 from sim2reason.questions.kinds import KINDS, Measured, kind
-from sim2reason.questions.kinds.parts.nested import (
+from sim2reason.questions.kinds.nested import (
     NestedKind,
     NestedQuery,
     inner_of,
@@ -18,7 +18,6 @@ from sim2reason.questions.kinds.parts.nested import (
     variant_certification_gap,
 )
 from sim2reason.questions.query import Noun, Query, Targets
-from sim2reason.questions.stationary import FEW, ExtremeSearch, StationaryValue
 from sim2reason.questions.study import COARSE_STEP_ERROR, SimulatedScene, change_directions
 from sim2reason.questions.unknown import Unknown, draw_unknowns, is_usual, range_of
 from sim2reason.questions.words import Words

@@ -8,7 +8,7 @@ from math import inf, pi
 import numpy as np
 
 from sim2reason.questions.kinds import Kind, Measured, kind
-from sim2reason.questions.period_words import COUNTS, PeriodQuery, attracted_by, movers, noun_of, sentences
+from sim2reason.questions.phrasing import COUNTS, PeriodQuery, attracted_by, movers, noun_of, sentences
 from sim2reason.questions.query import Noun, Query, Targets
 from sim2reason.questions.recurrence import Repetition
 from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion, resolved

@@ -8,13 +8,13 @@ from itertools import product
 import numpy as np
 
 from sim2reason.errors import TextError
+from sim2reason.questions.accuracy import NEARLY, TOLERANCE
+from sim2reason.questions.inversion import ThresholdSearch
 from sim2reason.questions.kinds import Kind, Measured, kind
 from sim2reason.questions.outcomes import OUTCOMES, PossibleOutcome
 from sim2reason.questions.query import Noun, Query, Targets
 from sim2reason.questions.structured import StructuredQuestion, resolved
 from sim2reason.questions.study import SimulatedScene
-from sim2reason.questions.tolerance import NEARLY, TOLERANCE
-from sim2reason.questions.trial import ThresholdSearch
 from sim2reason.questions.unknown import draw_unknowns, is_usual
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import WITNESS, Certificate

@@ -6,9 +6,9 @@ from itertools import combinations
 import numpy as np
 
 from sim2reason.questions.kinds import Measured, draw_moment, kind, moments_by_cause
-from sim2reason.questions.kinds.parts.which import OR, WhichKind, WhichQuery
+from sim2reason.questions.kinds.nested import OR, WhichKind, WhichQuery
 from sim2reason.questions.moments import Clause, Happening, Moment
-from sim2reason.questions.moments.parts.reached import moment_of
+from sim2reason.questions.moments.reached import moment_of
 from sim2reason.questions.query import Noun, Query, Targets
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.study import SimulatedScene

@@ -7,9 +7,8 @@ from itertools import combinations, groupby
 import numpy as np
 
 from sim2reason.questions.kinds import KINDS, Measured, kind
-from sim2reason.questions.kinds.parts.nested import AWKWARD
-from sim2reason.questions.kinds.parts.which import OR, WhichKind, WhichQuery
-from sim2reason.questions.moments.parts.reached import moment_of
+from sim2reason.questions.kinds.nested import AWKWARD, OR, WhichKind, WhichQuery
+from sim2reason.questions.moments.reached import moment_of
 from sim2reason.questions.query import Noun, Query, Target, Targets, quantities_named, target_named, targets
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.study import SimulatedScene

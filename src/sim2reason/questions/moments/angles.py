@@ -7,8 +7,8 @@ from typing import Self
 import numpy as np
 
 from sim2reason.questions.moments import MOMENTS, Clause
-from sim2reason.questions.moments.parts.occurrence import Verb, when_phrases
-from sim2reason.questions.moments.parts.passage import Passage, Threshold
+from sim2reason.questions.moments.crossings import Passage, Threshold
+from sim2reason.questions.moments.occurrence import Verb, when_phrases
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words, rounded_as_written
 from sim2reason.scenes.dsl.state import Array, State

@@ -7,10 +7,10 @@ from typing import Self
 
 import numpy as np
 
-from sim2reason.questions.crossing import crossings
 from sim2reason.questions.moments import MOMENTS, Clause
-from sim2reason.questions.moments.parts.occurrence import Occurrence, VelocityJump, Verb
-from sim2reason.questions.moments.parts.reached import DistanceThreshold
+from sim2reason.questions.moments.crossings import crossings
+from sim2reason.questions.moments.occurrence import Occurrence, VelocityJump, Verb
+from sim2reason.questions.moments.reached import DistanceThreshold
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words, ordinal, round_number
 from sim2reason.scenes.dsl.mechanism import CollisionPair

@@ -7,12 +7,11 @@ from typing import Self
 import numpy as np
 
 from sim2reason.questions.choices import only_falls
-from sim2reason.questions.crossing import crossings, first_crossing
 from sim2reason.questions.moments import MOMENTS, Clause
-from sim2reason.questions.moments.parts.occurrence import Verb, when_phrases
-from sim2reason.questions.moments.parts.passage import Passage, acting_on
-from sim2reason.questions.moments.parts.reached import DistanceThreshold
-from sim2reason.questions.moments.parts.turning_points import Apsis, goes_straight_up
+from sim2reason.questions.moments.crossings import Passage, acting_on, crossings, first_crossing
+from sim2reason.questions.moments.extrema import Apsis, goes_straight_up
+from sim2reason.questions.moments.occurrence import Verb, when_phrases
+from sim2reason.questions.moments.reached import DistanceThreshold
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.constancy import may_turn_back

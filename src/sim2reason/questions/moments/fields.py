@@ -8,14 +8,14 @@ from typing import ClassVar
 import numpy as np
 
 from sim2reason.questions.moments import MOMENTS, Clause
-from sim2reason.questions.moments.parts.occurrence import Occurrence, Verb, when_phrases
-from sim2reason.questions.moments.parts.passage import (
+from sim2reason.questions.moments.crossings import (
     COMPONENT_RTOL,
     ActingFields,
     FieldPassage,
     Threshold,
     initial_rates,
 )
+from sim2reason.questions.moments.occurrence import Occurrence, Verb, when_phrases
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.fields import Push
 from sim2reason.scenes.dsl.mechanism import Mechanism

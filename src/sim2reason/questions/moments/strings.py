@@ -6,11 +6,10 @@ from typing import ClassVar, Self
 
 import numpy as np
 
-from sim2reason.questions.crossing import first_crossing
 from sim2reason.questions.moments import MOMENTS
-from sim2reason.questions.moments.parts.occurrence import Occurrence, VelocityJump, Verb
-from sim2reason.questions.moments.parts.passage import Passage
-from sim2reason.questions.moments.parts.turning_points import SpringTurn
+from sim2reason.questions.moments.crossings import Passage, first_crossing
+from sim2reason.questions.moments.extrema import SpringTurn
+from sim2reason.questions.moments.occurrence import Occurrence, VelocityJump, Verb
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.frames import initial_frames

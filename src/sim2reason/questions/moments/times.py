@@ -1,4 +1,4 @@
-"""Moments at stated times and at the start, and intervals without an event at their end."""
+"""Moments at stated times, at the start and at burn-out, and intervals without an event at their end."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -9,9 +9,12 @@ import numpy as np
 
 from sim2reason.questions.choices import data_relevant_from, is_clear_of_events
 from sim2reason.questions.moments import MOMENTS, Moment
+from sim2reason.questions.moments.occurrence import Occurrence, Verb
 from sim2reason.questions.recurrence import drift_return, first_return, rest_for_good, uniform_from
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words, round_number, rounded_as_written
+from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
 from sim2reason.simulation.trace import Trace, ending
 
 
@@ -197,3 +200,35 @@ class WholeMotion(Moment):
         """Return the phrases for the moment, such as *in the motion that follows*."""
         del words
         return ("in the motion that follows", "during the motion that follows", "in the course of the motion")
+
+
+@MOMENTS.register("burned_out")
+@dataclass(frozen=True, slots=True)
+class BurnedOut(Occurrence):
+    """Burn-out: the instant at which all fuel is used up."""
+
+    label = "burn-out"
+    own = True
+    kinds = ("burn-out",)
+    of = Bodies()
+    most = 0
+    verb = Verb("runs out of fuel", "run out of fuel")
+
+    def phrases(self, words: Words) -> tuple[str, ...]:
+        """Return the phrases for the moment, such as *when the rocket runs out of fuel*."""
+        rocket = self.subject(words)
+        return (
+            f"when {rocket} has burnt all its fuel",
+            f"when {rocket} runs out of fuel",
+            f"at the moment when {rocket} has used up its fuel",
+        )
+
+    @property
+    def revealed_channels(self) -> tuple[Channel, ...]:
+        """Return the channel of the body's mass, which the text gives."""
+        return (Channel(self.name, "mass"),)
+
+    def is_plain(self, study: SimulatedScene) -> bool:
+        """Return True: the fuel mass divided by the burn rate is the time, which needs no physics."""
+        del study
+        return True

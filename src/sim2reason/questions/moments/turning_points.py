@@ -8,11 +8,10 @@ from typing import ClassVar
 import numpy as np
 
 from sim2reason.questions.choices import REST_SPEED_RTOL, rest_speed
-from sim2reason.questions.crossing import crossings
 from sim2reason.questions.moments import MOMENTS
-from sim2reason.questions.moments.parts.occurrence import Occurrence, Verb
-from sim2reason.questions.moments.parts.passage import Passage
-from sim2reason.questions.moments.parts.turning_points import TurningPoint, goes_straight_up
+from sim2reason.questions.moments.crossings import Passage, crossings
+from sim2reason.questions.moments.extrema import TurningPoint, goes_straight_up
+from sim2reason.questions.moments.occurrence import Occurrence, Verb
 from sim2reason.questions.recurrence import ends_at_rest, has_known_continuation
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words

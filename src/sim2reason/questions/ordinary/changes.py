@@ -1,19 +1,56 @@
-"""Questions about the interval between two moments: times, changes of a quantity, and heights after a bounce."""
+"""Questions about the interval between two moments: times, changes of a quantity, heights, energies lost."""
 
 import re
 from collections.abc import Iterator
 from itertools import product
 
-from sim2reason.questions.ordinary.change_readers import IMPULSE
 from sim2reason.questions.ordinary.clause_heads import HOME
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import ALL, TokenizedSentence
-from sim2reason.questions.ordinary.readers import CHANGE, JUMP, LOSS, Main
-from sim2reason.questions.ordinary.vocabulary import GAINED, GROUNDS, LOWEST, ONCE, pattern
-from sim2reason.questions.ordinary.whens import AFTER, DURING, THEN, When
-from sim2reason.questions.posing import MINUS
+from sim2reason.questions.ordinary.moment_phrases import AFTER, DURING, THEN, When
+from sim2reason.questions.ordinary.readers import CHANGE, GAIN, JUMP, LOSS, STRETCH, Main, each
+from sim2reason.questions.ordinary.vocabulary import GAINED, GROUNDS, LOWEST, ONCE, QUANTITIES, matching_entry, pattern
+from sim2reason.questions.posing import MINUS, PLUS
 from sim2reason.questions.structured import START
 from sim2reason.questions.words import ORDINALS
+
+CHANGING = {GAIN: "gain increase rise grow", LOSS: "lose decrease drop fall diminish", CHANGE: "change"}
+
+
+IMPULSE = "impulse of a collision"
+ENERGIES = "kinetic energy", "translational kinetic energy", "rotational kinetic energy", "spring energy"
+
+
+UNDIRECTED = {name: name for name in (*ENERGIES, "speed", "spring length", "extension", "fuel left")}
+
+
+def stored(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the energy stored in a spring, or in several springs together."""
+    yield Main("spring energy", PLUS.join(each(heard, found["s"])))
+
+
+def changed(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the gain, the loss or the change of a quantity that has no direction."""
+    name, verb = matching_entry(QUANTITIES, found["q"]), found["verb"]
+    needs = next((needs for needs, row in CHANGING.items() if verb in row.split()), GAIN)
+    who = heard.subject(found.groupdict().get("s"))
+    if name in UNDIRECTED and not (who.startswith(ALL) and needs != CHANGE):  # where one gains what the other loses
+        yield from (Main(UNDIRECTED[name], of, needs=needs) for of in each(heard, found.groupdict().get("s")))
+
+
+def exchanged(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the momentum that a body gains or loses in a collision with another body: the impulse of that collision."""
+    of = heard.subject(found["s"])
+    if not of.startswith(f"{ALL} "):  # the momenta of both change by nothing together
+        yield Main(IMPULSE, of, needs=JUMP)
+
+
+def lost_in_impact(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the kinetic energy that a body loses in an impact: all the mechanical energy that it loses there."""
+    for of in each(heard, found.groupdict().get("s")):
+        yield Main("kinetic energy", of, needs=JUMP)
+        yield Main("energy dissipated by friction", needs=STRETCH, ways=((f"{ALL} {of}", ALL),) if of else ())
+
 
 _LONG = "how (?:much time|long|many (?:seconds|years))"
 _BETWEEN = tuple(
@@ -202,7 +239,7 @@ def after_bounce(question: str, clause: str, side: str, heard: TokenizedSentence
         yield Main("height above the ground", who), When(f"{number} {who} top after bounce")
 
 
-def changed(main: Main, when: When, side: str) -> When | None:
+def moments_of_change(main: Main, when: When, side: str) -> When | None:
     """Return two moments, joined by *minus*, between which a quantity changes: about an event, or from the start on."""
     told = when.told.removesuffix(" before")
     jumps = told.endswith(("bounced", "collided", "edge landed")) and side in (THEN, DURING)

@@ -4,15 +4,14 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from sim2reason.questions.moments.parts.reached import AGAIN
+from sim2reason.questions.moments.reached import AGAIN
 from sim2reason.questions.ordinary import moment_readers as read
 from sim2reason.questions.ordinary import place_readers as place
 from sim2reason.questions.ordinary.base_forms import paraphrased
 from sim2reason.questions.ordinary.hearing import TokenizedSentence
+from sim2reason.questions.ordinary.moment_phrases import AFTER, PAST, THEN, When
 from sim2reason.questions.ordinary.moment_readers import Reader, is_time
-from sim2reason.questions.ordinary.multiples import PAST
 from sim2reason.questions.ordinary.vocabulary import GOES_DOWN, GOES_UP, pattern
-from sim2reason.questions.ordinary.whens import AFTER, THEN, When
 
 _ON_THE_WAY = re.compile(r" (?:(?:while|when) )?(?:on (?:its )?way|going|moving) (?P<way>up|down)(?:wards?)?$")
 

@@ -4,15 +4,21 @@ import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from sim2reason.questions.moments.parts.occurrence import can_roll
-from sim2reason.questions.ordinary.asides import without_asides, without_leads
+from sim2reason.questions.moments.occurrence import can_roll
 from sim2reason.questions.ordinary.base_forms import verb_forms
-from sim2reason.questions.ordinary.described_bodies import with_letters
-from sim2reason.questions.ordinary.named_lines import between, group, named_lines, swinging_lines, with_particles
+from sim2reason.questions.ordinary.moment_phrases import EVERYTHING
+from sim2reason.questions.ordinary.names import (
+    between,
+    group,
+    named_lines,
+    swinging_lines,
+    with_letters,
+    with_particles,
+)
 from sim2reason.questions.ordinary.rewording import reworded
+from sim2reason.questions.ordinary.turns_of_order import without_asides, without_leads
 from sim2reason.questions.ordinary.vocabulary import ANYTHING, NOUNS, QUANTITIES, WORDS, either
-from sim2reason.questions.ordinary.whens import EVERYTHING
-from sim2reason.questions.parse_question import plainly
+from sim2reason.questions.sentences import plainly
 from sim2reason.questions.words import DIGITS, Words
 from sim2reason.simulation.quantities import QUANTITIES as REGISTERED
 from sim2reason.simulation.quantities.subjects.bodies import Bodies

@@ -4,7 +4,6 @@ from sim2reason.questions.ordinary.clause_heads import HOME
 from sim2reason.questions.ordinary.vocabulary import GROUNDS
 from sim2reason.questions.ordinary.wanted_row import FORCE_ROWS, SHAPE_ROWS, WantedRow
 
-S = r"@\d+@"
 _FALL, _RISE, _ROLL = "(?:fall|drop|descend|sink|lower)", "(?:rise|climb|ascend|lift|raise)", "roll"
 _TURN = "(?:turn|rotate|spin|swing|revolve)(?: round| around)?"
 _GO = (

@@ -1,15 +1,13 @@
 """Main clauses of questions in ordinary English that ask for a value: a quantity, its subject and its axis."""
 
+import re
 from collections.abc import Iterator, Mapping
 from functools import cache
 
-from sim2reason.questions.ordinary import change_readers as change
-from sim2reason.questions.ordinary import force_readers as force
-from sim2reason.questions.ordinary import shape_readers as shape
+from sim2reason.questions.ordinary import changes, readers
 from sim2reason.questions.ordinary import value_readers as read
 from sim2reason.questions.ordinary.hearing import TokenizedSentence
-from sim2reason.questions.ordinary.loosely import plainly_ordered
-from sim2reason.questions.ordinary.paraphrased_mains import paraphrased
+from sim2reason.questions.ordinary.paraphrases import paraphrased
 from sim2reason.questions.ordinary.readers import (
     CLAUSED,
     FREE,
@@ -22,7 +20,45 @@ from sim2reason.questions.ordinary.readers import (
     of_pair,
 )
 from sim2reason.questions.ordinary.stretches import STRETCHES
-from sim2reason.questions.ordinary.vocabulary import LEVEL, SMOOTH, pattern
+from sim2reason.questions.ordinary.vocabulary import LEVEL, SMOOTH, WORDS, pattern
+
+FILLERS = {
+    *re.split(" ", WORDS["AUX"]),
+    *re.split(
+        " ", "what which find determine calculate compute give how large big great strong much value magnitude size"
+    ),
+    *re.split(" ", "of in on that for with at then have get reach reaches attain attains acquire acquires possess"),
+    *re.split(" ", "experience experiences undergo undergoes feel feels act acts acting exerted exert exerts"),
+}
+"""Words that say nothing beside a quantity and what has it."""
+ORDER = {"initial": "initial", "GREATEST": "greatest", "LEAST": "least", "final": "final"}
+PLAIN_CLAUSES: Mapping[str, str] = {
+    "": "what is {quantity}{of}",
+    "initial": "what is initial {quantity}{of}",
+    "final": "what is final {quantity}{of}",
+    "greatest": "what is greatest {quantity}{of}",
+    "least": "what is least {quantity}{of}",
+}
+"""By what qualifies a quantity, the plain order of words."""
+_QUANTITY, _SUBJECT, _ASKS = pattern("QUANTITY"), re.compile(r"@\d+@"), re.compile(r"\b(?:what|which|find|how)\b")
+
+
+def plainly_ordered(question: str) -> Iterator[str]:
+    """Yield the plain word order of a clause that has one quantity, at most one subject, and otherwise only fillers."""
+    quantities = re.findall(rf"(?<![\w-])(?:{_QUANTITY.pattern})(?![\w-])", question)
+    subjects = _SUBJECT.findall(question)
+    if len(quantities) != 1 or len(set(subjects)) > 1 or _ASKS.search(question) is None:
+        return
+    rest = _SUBJECT.sub(" ", question.replace(quantities[0], " ", 1)).replace("'s", " ").replace(",", " ")
+    found = ""
+    for told, name in ORDER.items():
+        rest, count = re.subn(rf"\b{pattern(told).pattern}\b", " ", rest)
+        if count and (found or count > 1):
+            return
+        found = name if count else found
+    if not set(rest.split()) - FILLERS:
+        of = f" of {subjects[0]}" if subjects else ""
+        yield PLAIN_CLAUSES[found].format(quantity=quantities[0], of=of)
 
 
 def mains(question: str, heard: TokenizedSentence) -> Iterator[Main]:
@@ -94,8 +130,8 @@ FRAMES: Mapping[str, Reader] = {
     "what friction of ground on {s}": read.of_ground("friction force"),
     "what normal force of ground on {s}": read.of_ground("normal force"),
     "what is moment of inertia of {s} about axle": of_one("moment of inertia about the axle"),
-    "how fast does {s} move[ {way=WAY}] relative to {t}": shape.relatively("speed"),
-    "how far does {s} move relative to {t}": shape.far_on,
+    "how fast does {s} move[ {way=WAY}] relative to {t}": readers.relatively("speed"),
+    "how far does {s} move relative to {t}": readers.far_on,
     "what angle {s} makes (?P<side>with|above|below) horizontal": read.steep,
     "what angle {s} is deflected through": of_one("angle of deflection"),
     "how much (?P<fuel>left|burnt) fuel[ {s}]": read.fuel,
@@ -107,7 +143,7 @@ FRAMES: Mapping[str, Reader] = {
         "spring energy"
     ),
     "how far does {s} move in one oscillation": of_one("distance travelled", needs=FREE),
-    "where is {s} on its line": shape.on_line,
+    "where is {s} on its line": readers.on_line,
     "(?:through|by) what angle ~{s} ~MOTION": of_one("angle rolled", "angle turned"),
     "ASK angle through which {s} ~MOTION": of_one("angle rolled", "angle turned"),
     "(?:ASK|what) GREATEST distance [that ]~{s} ~{motion=MOTION}[ {way=WAY}| ALONG_IT]": read.far,
@@ -139,16 +175,16 @@ FRAMES: Mapping[str, Reader] = {
     "how far ~{s}[ away] from {t}": of_pair("distance"),
     "how long ~{s}": of_one("spring length"),
     "how (?:large|strong|big|great) ~[SIZE ]{q=QUANTITY}[ (?:of|in|on|for|acting on|exerted on) {s}]": read.quantity,
-    "how much (?:energy ~stored|elastic energy ~stored|energy ~there) in {s}": change.stored,
+    "how much (?:energy ~stored|elastic energy ~stored|energy ~there) in {s}": changes.stored,
     "how much kinetic energy ~{s}[ have| has]": of_one("kinetic energy"),
-    "ASK energy stored in {s}": change.stored,
+    "ASK energy stored in {s}": changes.stored,
     "(?:by how much|how much|how far) ~{s} (?:stretched|extended|compressed)": of_one("extension"),
-    "how much {q=QUANTITY} ~[{s} ](?P<verb>gain|lose|change)": change.changed,
+    "how much {q=QUANTITY} ~[{s} ](?P<verb>gain|lose|change)": changes.changed,
     "how far (?P<side>up|down) is {s}": read.far_off,
     "what whole force of ground on {s}": read.of_ground("normal force", SMOOTH),
     "what force acts on {s}": read.of_fields,
     "how many times does {s} reverse": of_one("number of reversals", needs=CLAUSED),
-    "how much mechanical energy ~(?:lost|lose)": change.lost_in_impact,
+    "how much mechanical energy ~(?:lost|lose)": changes.lost_in_impact,
     "what angle {s} hits at": of_one("angle with the horizontal", needs=LANDING),
     "ASK moment of inertia about [its ]axle": read.all_about_axle,
     "what is power of hand": of_none("power of a hand"),
@@ -160,33 +196,33 @@ FRAMES: Mapping[str, Reader] = {
     "(?:ASK|what) {q=QUANTITY} (?:of|in) {s} ,? ?(?:taking|counting|reckoning|with|if) (?P<way>upwards?|right|to"
     " right) "
     "(?:direction )?~(?:counted |taken )?as positive": read.signed,
-    "how much mechanical energy ~{s} lose": change.lost_in_impact,
+    "how much mechanical energy ~{s} lose": changes.lost_in_impact,
     "what force of guide on[ {s}]": of_one("force of the guide"),
-    "what force of string on pulley {s} {t}": force.on_pulley,
-    "what force of its string on pulley {s}": force.on_that_pulley,
-    "what force of the one string on pulley {s}": force.on_free_pulley,
-    "what force bears axle[ {s}][ {t}]": force.on_axle,
+    "what force of string on pulley {s} {t}": read.on_pulley,
+    "what force of its string on pulley {s}": read.on_that_pulley,
+    "what force of the one string on pulley {s}": read.on_free_pulley,
+    "what force bears axle[ {s}][ {t}]": read.on_axle,
     "what greatest force bears axle[ {s}]": of_one("greatest axle force", needs=STRETCH),
-    "how near to far end does {s} get[ {t}]": shape.far_end("most compressed"),
-    "how far from far end does {s} get[ {t}]": shape.far_end("most stretched"),
-    "how far from far end is {s}[ {t}]": shape.far_end(),
-    "what force on hook[ {s}]": force.on_hook,
-    "how fast does mass centre move[ {s}]": shape.mass_center,
-    "what is amplitude[ of {s}]": shape.amplitude,
-    "what is inertia of {s} about its axis": shape.own_axis,
+    "how near to far end does {s} get[ {t}]": readers.far_end("most compressed"),
+    "how far from far end does {s} get[ {t}]": readers.far_end("most stretched"),
+    "how far from far end is {s}[ {t}]": readers.far_end(),
+    "what force on hook[ {s}]": read.on_hook,
+    "how fast does mass centre move[ {s}]": readers.mass_center,
+    "what is amplitude[ of {s}]": readers.amplitude,
+    "what is inertia of {s} about its axis": readers.own_axis,
     "what is centre of mass offset of {s}": of_one("centre of mass offset"),
     "how far is {s} from axle": of_one("distance from the axle"),
-    "how far is {s} from (?P<axis>x|y) axis": shape.from_axis,
-    "how far (?P<most>at most )?(?P<side>above|below|left|right) of (?P<axis>x|y) axis is {s}": shape.beside_axis,
-    "what is speed of {s} relative to {t}": shape.relatively("speed"),
-    "what is acceleration of {s} relative to {t}": shape.acceleration_on,
-    "how far does {s} move along {t}": shape.far_on,
-    "how fast does {s} go down": shape.down,
+    "how far is {s} from (?P<axis>x|y) axis": readers.from_axis,
+    "how far (?P<most>at most )?(?P<side>above|below|left|right) of (?P<axis>x|y) axis is {s}": readers.beside_axis,
+    "what is speed of {s} relative to {t}": readers.relatively("speed"),
+    "what is acceleration of {s} relative to {t}": readers.acceleration_on,
+    "how far does {s} move along {t}": readers.far_on,
+    "how fast does {s} go down": readers.down,
     "how much energy is lost to drag[ by {s}]": of_one("energy lost to drag", needs=STRETCH),
-    "how much work does spring {s} do on {t}": shape.work_of_spring,
-    "how long is {s} moving": shape.moving,
+    "how much work does spring {s} do on {t}": readers.work_of_spring,
+    "how long is {s} moving": readers.moving,
     "how far vertically is {s}": of_one(read.ABOVE, needs=STRETCH),
-    "how much momentum does {s} exchange": change.exchanged,
+    "how much momentum does {s} exchange": changes.exchanged,
     "what is power of gravity on {s}": of_one("power of gravity"),
     "how fast does length of {s} change": of_one("rate of change of length"),
     "how much does length of {s} change": of_one("length", needs=CLAUSED),

@@ -7,7 +7,7 @@ from math import tau
 
 from sim2reason.questions.ordinary.clause_heads import HOME
 from sim2reason.questions.ordinary.hearing import ALL, TokenizedSentence
-from sim2reason.questions.ordinary.multiples import LONG
+from sim2reason.questions.ordinary.moment_phrases import AFTER, BEFORE, DURING, LONG, ONLY_LINE, THEN, When, ways_of
 from sim2reason.questions.ordinary.vocabulary import (
     CARRIED_AT_REST,
     COMPRESSED,
@@ -20,7 +20,6 @@ from sim2reason.questions.ordinary.vocabulary import (
     WAYS,
     matching_entry,
 )
-from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, ONLY_LINE, THEN, When, ways_of
 
 LINES = "horizontal", "vertical", "x", "y"
 LIFT_OFF = re.compile(r"\b(?:lift(?:s|ing|ed)?|tak(?:e|es|ing))[ -]?off\b")

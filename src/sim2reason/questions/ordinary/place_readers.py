@@ -4,10 +4,10 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
-from sim2reason.questions.moments.parts.reached import AGAIN
+from sim2reason.questions.moments.reached import AGAIN
 from sim2reason.questions.ordinary.hearing import TokenizedSentence
+from sim2reason.questions.ordinary.moment_phrases import AT_BURNOUT, BEFORE, GREATEST, LONG, TIMES, When
 from sim2reason.questions.ordinary.moment_readers import LAST, LIFT_OFF, apsis, is_time, returned, subject_of
-from sim2reason.questions.ordinary.multiples import AT_BURNOUT, GREATEST, LONG, TIMES
 from sim2reason.questions.ordinary.vocabulary import (
     ACROSS,
     BALANCED,
@@ -33,7 +33,6 @@ from sim2reason.questions.ordinary.vocabulary import (
     UNMOVED,
     matching_entry,
 )
-from sim2reason.questions.ordinary.whens import BEFORE, When
 
 FACTORS = {"double": 2, "twice": 2, "treble": 3, "triple": 3, "three": 3, "quadruple": 4, "four": 4, "ten": 10}
 

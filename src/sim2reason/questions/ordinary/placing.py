@@ -7,15 +7,12 @@ from itertools import product
 
 from sim2reason.errors import TextError
 from sim2reason.questions.functionals import FUNCTIONALS
-from sim2reason.questions.ordinary.force_readers import ON_AXLE
-from sim2reason.questions.ordinary.multiples import LATE
-from sim2reason.questions.ordinary.reading import Reading
-from sim2reason.questions.ordinary.vocabulary import FIXED_END, FIXED_FACE, ON, RESTS
-from sim2reason.questions.ordinary.whens import (
+from sim2reason.questions.ordinary.moment_phrases import (
     AMPLITUDE,
     DEFLECTIONS,
     ENERGIES,
     EVERYTHING,
+    LATE,
     ONLY_LINE,
     ORBITAL,
     addresses,
@@ -28,7 +25,10 @@ from sim2reason.questions.ordinary.whens import (
     strained,
     velocities_equal,
 )
-from sim2reason.questions.period_words import movers
+from sim2reason.questions.ordinary.reading import Reading
+from sim2reason.questions.ordinary.value_readers import ON_AXLE
+from sim2reason.questions.ordinary.vocabulary import FIXED_END, FIXED_FACE, ON, RESTS
+from sim2reason.questions.phrasing import movers
 from sim2reason.questions.posing import AXLE, HEAT, MINUS, PLUS, SUMMED
 from sim2reason.questions.query import quantities_named
 from sim2reason.questions.structured import START, StructuredQuestion, resolved

@@ -7,6 +7,7 @@ import numpy as np
 from sim2reason.questions.following import SimulatedAnswer
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.ordinary.hearing import ALL
+from sim2reason.questions.ordinary.moment_phrases import AFTER
 from sim2reason.questions.ordinary.presumed_of_scenes import PRESUMED, borne, held
 from sim2reason.questions.ordinary.presumptions import EVEN, STEADY, Case, alone, named
 from sim2reason.questions.ordinary.reading import Reading
@@ -21,7 +22,6 @@ from sim2reason.questions.ordinary.vocabulary import (
     THEN_GOES,
     UNDER,
 )
-from sim2reason.questions.ordinary.whens import AFTER
 from sim2reason.questions.query import Query, Target
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words

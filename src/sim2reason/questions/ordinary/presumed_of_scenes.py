@@ -5,7 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.questions.moments.reached import Reached
+from sim2reason.questions.ordinary.moment_phrases import fixed_end
 from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, STEADY, Case, named, one_way, relaxed_at_rest
 from sim2reason.questions.ordinary.vocabulary import (
     ACROSS,
@@ -31,7 +32,6 @@ from sim2reason.questions.ordinary.vocabulary import (
     SPRUNG,
     STANDS,
 )
-from sim2reason.questions.ordinary.whens import fixed_end
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import ZERO, ConstantTension
 from sim2reason.simulation.quantities import QUANTITIES

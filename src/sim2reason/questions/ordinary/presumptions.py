@@ -9,8 +9,9 @@ import numpy as np
 from sim2reason.errors import TextError
 from sim2reason.questions.following import SimulatedAnswer
 from sim2reason.questions.functionals import FUNCTIONALS
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.parts.occurrence import can_roll, slip_velocity
+from sim2reason.questions.kinds.stretches import StretchQuery
+from sim2reason.questions.moments.occurrence import can_roll, slip_velocity
+from sim2reason.questions.ordinary.moment_phrases import addresses
 from sim2reason.questions.ordinary.vocabulary import (
     ALOFT,
     CARRIED_AT_REST,
@@ -37,7 +38,6 @@ from sim2reason.questions.ordinary.vocabulary import (
     STRETCHED,
     UNMOVED,
 )
-from sim2reason.questions.ordinary.whens import addresses
 from sim2reason.questions.query import Query
 from sim2reason.questions.recurrence import ends_at_rest
 from sim2reason.questions.structured import resolved

@@ -1,11 +1,32 @@
-"""Meanings of main clauses, and the simple readers that several tables of main clauses share."""
+"""Meanings of main clauses, and readers of those about shapes, springs, and sums over an interval."""
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sim2reason.questions.ordinary.hearing import ALL, TokenizedSentence
-from sim2reason.questions.ordinary.whens import When
+from sim2reason.questions.ordinary.moment_phrases import AFTER, AMPLITUDE, EVERYTHING, When, ways_of
+from sim2reason.questions.ordinary.vocabulary import (
+    BESIDE,
+    BORNE,
+    CENTERED,
+    CENTRAL,
+    DOWN,
+    DRAWN,
+    FARTHEST,
+    FIXED_END,
+    HELD,
+    LIES,
+    MOTIONS,
+    MUTUAL,
+    ON,
+    ONE_LINE,
+    ONLY,
+    OVER,
+    RESTS,
+    SIDEWAYS,
+    UP,
+)
 
 GAIN, LOSS, JUMP, CHANGE = CHANGES = "gain", "loss", "loss in an impact", "change"
 """What a clause beside a main clause ends: a quantity's change since the start, or over what happens then."""
@@ -89,3 +110,208 @@ def implied(find: str, *whens: str, needs: str = FREE) -> Reader:
             yield Main(find, "" if find == "time" else who, needs=needs, when=told, rank=rank)
 
     return read
+
+
+_UPRIGHT = re.compile(rf"\b(?:{'|'.join(f'{MOTIONS[DOWN]} {MOTIONS[UP]}'.split())}|up|down)\b")
+MASS_CENTER = "velocity of the centre of mass"
+
+
+def mass_center(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the velocity of the centre of mass of all bodies, if the sentence names all together, or none."""
+    who = heard.subject(found["s"])
+    if not who or who == EVERYTHING or who.startswith(f"{ALL} "):
+        yield Main(MASS_CENTER, ways=((who, ALL),) if who.startswith(f"{ALL} ") else ())
+
+
+def amplitude(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the amplitude of an oscillation: in metres for a body on a line, as an angle for a swinging one."""
+    for of in each(heard, found["s"]):
+        yield Main(AMPLITUDE, of, needs=FREE)
+        yield Main("greatest deflection", of, needs=FREE)
+
+
+def own_axis(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the moment of inertia of a body about its own axis, or about its centre of mass if that is on the axis."""
+    of = heard.subject(found["s"])
+    yield Main("moment of inertia about the axis", of)
+    yield Main("moment of inertia", of, ways=((of, CENTERED),))
+
+
+def from_axis(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the distance of a body from an axis of coordinates, which is its other coordinate."""
+    other = "y" if found["axis"] == "x" else "x"
+    for of in each(heard, found["s"]):
+        yield Main(f"{other} coordinate", of, needs=CLAUSED)
+
+
+def on_line(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the coordinate of a body on the only line on which the body moves, if that line is an axis of the text."""
+    yield from (Main("x coordinate", of, needs=CLAUSED, ways=((of, ONE_LINE),)) for of in each(heard, found["s"]))
+
+
+SIDES = {"above": ("x", "+"), "below": ("x", "-"), "right": ("y", "+"), "left": ("y", "-")}
+
+
+def beside_axis(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the distance of a body from an axis of coordinates on a named side, by default where it is farthest."""
+    axis, sign = SIDES[found["side"]]
+    other = "y" if axis == "x" else "x"
+    if found["axis"] != axis:
+        return
+    for of in each(heard, found["s"]):
+        beside = (of, f"{BESIDE}{sign}{other}")
+        if found["most"]:
+            turn = When(f"velocity of {of} along {other} = 0 m/s", ways=(beside, (of, f"{FARTHEST}{sign}{other}")))
+            yield Main(f"{other} coordinate", of, needs=FREE, when=turn)
+        else:
+            yield Main(f"{other} coordinate", of, needs=CLAUSED, ways=(beside,))
+
+
+def acceleration_on(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the acceleration of a body relative to the body that carries it."""
+    of, on = heard.subject(found["s"]), heard.subject(found["t"])
+    yield Main("acceleration relative to its carrier", of, needs=MOMENT, ways=((of, f"{ON}{on}"),))
+
+
+def relatively(name: str) -> Reader:
+    """Return a reader for a quantity of a body relative to the body that carries it."""
+
+    def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+        of, on = heard.subject(found["s"]), heard.subject(found["t"])
+        ways = ((of, f"{ON}{on}"), *ways_of(found, of))
+        yield Main(f"{name} relative to its carrier", of, needs=CLAUSED, ways=ways)
+        if on and on != of and not ways_of(found, of) and not _UPRIGHT.search(heard.text):
+            yield Main("relative speed", f"{of} & {on}", needs=CLAUSED, ways=((of, f"{BORNE}{on}"),))
+
+    return read
+
+
+def far_on(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the distance that a body slides on its carrier, up to a moment or until it stops slipping."""
+    of, on = heard.subject(found["s"]), heard.subject(found["t"])
+    along = ((of, LIES),) if re.search(r"\b(?:along|over|across)\b", heard.text) is not None else ()
+    main = Main("displacement relative to its carrier", of, needs=CLAUSED, ways=((of, f"{ON}{on}"), *along))
+    yield main
+    yield replace(main, needs=FREE, when=When(f"{of} stopped slipping", AFTER))
+
+
+def down(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the vertical velocity of a body that also moves sideways, presuming that it moves down."""
+    for of in each(heard, found["s"]):
+        yield Main("velocity", of, "vertical", needs=CLAUSED, ways=((of, "down"), (of, SIDEWAYS)))
+
+
+def moving(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the time for which a body moves, until it comes to rest for good."""
+    of = heard.subject(found["s"])
+    yield Main("time", needs=FREE, when=When(f"{of} halted"))
+    yield Main("time", needs=FREE, when=When(f"{of} stopped", ways=((of, RESTS),)), rank=1)
+
+
+def work_of_spring(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the work of a spring, as the first subject, on a body, as the second one."""
+    yield from spring_work(found["s"], found["t"], heard)
+
+
+def spring_work(spring: str, on: str, heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the work of a spring with one fixed end on the body at the other: the energy that the spring loses."""
+    of, other = heard.subject(spring), heard.subject(on)
+    yield Main("spring energy", of, needs=LOSS, ways=((other or of, f"{HELD}{of}"),))
+
+
+def far_end(turn: str = "") -> Reader:
+    """Return a reader for the distance of a body from the fixed end of its spring, which is the spring's length.
+
+    At a `turn`, its extreme length is the same each time if nothing but the spring acts.
+    """
+
+    def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+        said = [heard.subject(found[key]) for key in "st" if found[key]]
+        springs = [of for of in said if "spring" in of]
+        bodies = [of for of in said if of not in springs]
+        if len(bodies) == 1:
+            of = springs[0] if springs else FIXED_END
+            main = Main("spring length", of, ways=((bodies[0], f"{HELD}{of}"),))
+            alone = (*main.ways, ("", CENTRAL))
+            when = When(" ".join((*springs, turn)))
+            yield replace(main, needs=FREE, ways=alone, when=when) if turn else main
+
+    return read
+
+
+HEAT = "energy dissipated by friction"
+_CLAUSE = re.compile(r" (?:when|until|till|before|by time|by moment|after|once|as soon as|while|in first|during) ")
+EXTREMES = {"greatest compression": "most compressed", "greatest extension": "most stretched"}
+"""By the name of a spring's greatest strain, the moment at which the spring has it, where a motion never recurs."""
+
+
+def heat(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the energy dissipated by friction, up to a named moment or until nothing slips any more."""
+    del found
+    if "@" not in _CLAUSE.split(heard.text, maxsplit=1)[0]:
+        yield Main(HEAT, EVERYTHING, needs=STRETCH)
+    yield Main(HEAT, needs=STRETCH)
+    yield Main("energy lost in a collision", needs=JUMP)
+    yield Main("kinetic energy", needs=JUMP)
+    for rank, when in enumerate(("stopped slipping", "stopped"), start=1):
+        yield Main(HEAT, needs=FREE, ways=(("", OVER),), when=When(when, AFTER), rank=rank)
+
+
+def heat_between(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the energy dissipated by friction between a body and its carrier, named in either order."""
+    said = [heard.subject(found[key]) for key in "st"]
+    for of, on in (said, said[::-1]):
+        main = Main(HEAT, of, ways=((of, f"{ON}{on}"),))
+        yield replace(main, needs=STRETCH)
+        yield replace(main, needs=FREE, when=When(f"{of} stopped slipping", AFTER), rank=1)
+
+
+def in_collision(*finds: str) -> Reader:
+    """Return a reader for quantities of a named collision or, where none is named, of the motion's only collision."""
+
+    def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+        groups = found.groupdict()
+        both = " & ".join(heard.subject(groups[key]) for key in "st" if groups.get(key))
+        for find in finds:
+            if " & " in both and not both.startswith(ALL):
+                yield Main(find, needs=FREE, when=When(f"{both} collided", AFTER))
+            yield Main(find, needs=STRETCH)
+            yield Main(find, needs=FREE, ways=(("", ONLY),), when=When("collided", AFTER), rank=1)
+
+    return read
+
+
+def most(name: str) -> Reader:
+    """Return a reader for a spring's greatest extension or compression, over the whole motion or up to that extreme."""
+
+    def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+        for of in each(heard, found["s"]):
+            yield Main(name, of, needs=STRETCH)
+            yield Main(name, of, needs=FREE, when=When(f"{of} {EXTREMES[name]}", AFTER), rank=1)
+
+    return read
+
+
+def of_hand_on(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the work of the hand, presuming that it pulls a named body."""
+    for of in each(heard, found["s"]):
+        yield Main("work of a hand", needs=STRETCH, ways=((of, DRAWN),))
+
+
+def work_on(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the work of a string on the body that it pulls, or of a spring on the body at its free end."""
+    yield from (Main("work of a tension", of, needs=STRETCH) for of in each(heard, found["s"]))
+    yield from spring_work(found["t"], found["s"], heard)
+
+
+def count_between(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the number of all collisions, if the sentence names all bodies together and there is no wall."""
+    who = heard.subject(found["s"])
+    if who.startswith(f"{ALL} "):
+        yield from (replace(main, of="", ways=((who, ALL), ("", MUTUAL))) for main in count(found, heard))
+
+
+def count(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+    """Yield the number of all collisions, or of those up to a moment."""
+    yield from implied("number of collisions", "last collision")(found, heard)
+    yield Main("number of collisions", needs=CLAUSED)

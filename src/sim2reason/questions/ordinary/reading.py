@@ -7,14 +7,13 @@ from typing import NamedTuple
 
 from sim2reason.questions.following import FollowedMotion, SimulatedAnswer
 from sim2reason.questions.ordinary.base_forms import PLACES, with_base_forms
-from sim2reason.questions.ordinary.changes import above_lowest, after_bounce, changed, differences
+from sim2reason.questions.ordinary.changes import above_lowest, after_bounce, differences, moments_of_change
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import ALL, TokenizedSentence
 from sim2reason.questions.ordinary.mains import mains
-from sim2reason.questions.ordinary.multiples import LATE, LONG
+from sim2reason.questions.ordinary.moment_phrases import AFTER, BEFORE, DURING, LATE, LONG, THEN, When, split, ways_of
 from sim2reason.questions.ordinary.readers import CHANGES, CLAUSED, FREE, LANDING, MOMENT, STRETCH, Main
 from sim2reason.questions.ordinary.vocabulary import MOTIONS, RESTS, THEN_GOES, pattern
-from sim2reason.questions.ordinary.whens import AFTER, BEFORE, DURING, THEN, When, split, ways_of
 from sim2reason.questions.posing import MINUS, PosedQuestion
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.words import Words
@@ -172,7 +171,7 @@ def _of_parts(question: str, clause: str, side: str, heard: TokenizedSentence) -
                 if _not_meant(main, when, clause, side):
                     continue
                 if main.needs in CHANGES:
-                    both = changed(main, when, side)
+                    both = moments_of_change(main, when, side)
                     yield from (_with(replace(main, needs=MOMENT), told) for told in filter(None, (both,)))
                 elif main.needs != LANDING or _LANDED.search(when.told):
                     yield _with(main, when)

@@ -4,8 +4,9 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from sim2reason.questions.ordinary import sum_readers as sums
+from sim2reason.questions.ordinary import readers
 from sim2reason.questions.ordinary.hearing import TokenizedSentence
+from sim2reason.questions.ordinary.moment_phrases import AFTER, ONLY_LINE, When, ways_of
 from sim2reason.questions.ordinary.readers import (
     FREE,
     STRETCH,
@@ -26,7 +27,6 @@ from sim2reason.questions.ordinary.vocabulary import (
     matching_entry,
     pattern,
 )
-from sim2reason.questions.ordinary.whens import AFTER, ONLY_LINE, When, ways_of
 
 NAMES = {"velocity": "speed", "angular velocity": "angular speed", "force": "rod force"}
 """What functionals call a quantity otherwise."""
@@ -51,7 +51,7 @@ def _extreme(size: str) -> Reader:
             if name == "distance":
                 continue
             yield Main(f"{size} {name}", of, needs=STRETCH)
-            if turn := sums.EXTREMES.get(f"{size} {name}"):
+            if turn := readers.EXTREMES.get(f"{size} {name}"):
                 yield Main(f"{size} {name}", of, needs=FREE, when=When(f"{of} {turn}", AFTER), rank=1)
 
     return read
@@ -180,18 +180,18 @@ STRETCHES: Mapping[str, Reader] = {
     "ASK (?P<apsis>(?:NEAREST|FARTHEST)) distance[ of {s}|]": _apsis,
     "ASK {s} 's (?P<apsis>(?:NEAREST|FARTHEST)) distance": _apsis,
     # energy
-    "how much HEAT ~LOST[ by friction| to friction| through friction][ IN_ALL]": sums.heat,
-    "how much work ~{s} ~DONE against friction": sums.heat,
-    "ASK work DONE[ by {s}] against friction": sums.heat,
-    "how much work ~DONE against friction": sums.heat,
+    "how much HEAT ~LOST[ by friction| to friction| through friction][ IN_ALL]": readers.heat,
+    "how much work ~{s} ~DONE against friction": readers.heat,
+    "ASK work DONE[ by {s}] against friction": readers.heat,
+    "how much work ~DONE against friction": readers.heat,
     "how much HEAT ~{s} ~(?:lose|loses|lost|dissipate|dissipates) (?:to|by|through|because of|due to) friction": (
-        sums.heat
+        readers.heat
     ),
-    "how much HEAT ~friction (?:produced?|generated?|dissipated?|produces|develop)[ IN_ALL]": sums.heat,
-    "ASK HEAT LOST[ by friction| to friction| through friction]": sums.heat,
+    "how much HEAT ~friction (?:produced?|generated?|dissipated?|produces|develop)[ IN_ALL]": readers.heat,
+    "ASK HEAT LOST[ by friction| to friction| through friction]": readers.heat,
     "how much work ~(?:hand|pull|pulling force) ~DONE": of_none("work of a hand", needs=STRETCH),
-    "how much work ~(?:hand|pull|pulling force) ~DONE (?:on|upon) {s}": sums.of_hand_on,
-    "(?:ASK|what) work [that ]~(?:done by hand|of hand|hand ~DONE) (?:on|upon) {s}": sums.of_hand_on,
+    "how much work ~(?:hand|pull|pulling force) ~DONE (?:on|upon) {s}": readers.of_hand_on,
+    "(?:ASK|what) work [that ]~(?:done by hand|of hand|hand ~DONE) (?:on|upon) {s}": readers.of_hand_on,
     "(?:ASK|what) work (?:done by hand|done by pull|of hand)": of_none("work of a hand", needs=STRETCH),
     "how much work ~(?:field|electric field|electric force) ~DONE[ on {s}]": of_one(
         "work of an electric field", needs=STRETCH
@@ -202,30 +202,32 @@ STRETCHES: Mapping[str, Reader] = {
     "ASK work done by (?:field|electric field|electric force)[ on {s}]": of_one(
         "work of an electric field", needs=STRETCH
     ),
-    "how much work ~{t} ~DONE on {s}": sums.work_on,
-    "what impulse is exchanged": sums.in_collision("impulse of a collision"),
+    "how much work ~{t} ~DONE on {s}": readers.work_on,
+    "what impulse is exchanged": readers.in_collision("impulse of a collision"),
     "how much energy is lost in all collisions": implied("energy lost in collisions", "last collision"),
     # collisions
-    "how much [kinetic ]energy ~(?:lost|dissipated)": sums.in_collision("energy lost in a collision"),
-    "ASK (?:loss of kinetic energy|kinetic energy lost|energy lost)": sums.in_collision("energy lost in a collision"),
-    "(?:ASK|what) impulse ~{s} (?:give|gives|receive|receives|get|gets|exert|exerts)[ [to|on ]{t}]": sums.in_collision(
-        "impulse of a collision"
+    "how much [kinetic ]energy ~(?:lost|dissipated)": readers.in_collision("energy lost in a collision"),
+    "ASK (?:loss of kinetic energy|kinetic energy lost|energy lost)": readers.in_collision(
+        "energy lost in a collision"
     ),
-    "(?:ASK|what) [SIZE ]impulse [that ]~{s}[ and {t}] (?:exert|give|exchange)[ on| to] each other": sums.in_collision(
-        "impulse of a collision"
+    "(?:ASK|what) impulse ~{s} (?:give|gives|receive|receives|get|gets|exert|exerts)[ [to|on ]{t}]": (
+        readers.in_collision("impulse of a collision")
+    ),
+    "(?:ASK|what) [SIZE ]impulse [that ]~{s}[ and {t}] (?:exert|give|exchange)[ on| to] each other": (
+        readers.in_collision("impulse of a collision")
     ),
     "how much momentum ~(?:SURFACE|wall) (?:transfer|give|impart)[ to] {s}": of_one(
         "impulse of an impact", needs=STRETCH
     ),
-    "(?:ASK|what) [SIZE ]impulse (?:on|exerted on|given to) {s}": sums.in_collision("impulse of a collision"),
+    "(?:ASK|what) [SIZE ]impulse (?:on|exerted on|given to) {s}": readers.in_collision("impulse of a collision"),
     "(?:ASK|what) impulse ~(?:SURFACE|wall) (?:give|gives|exert|exerts)[ to| on] {s}": of_one(
         "impulse of an impact", needs=STRETCH
     ),
-    "how many collisions ~(?:there|take place|happen|occur)[ in total| in all| altogether]": sums.count,
-    "how much heat arises between {s} and {t}": sums.heat_between,
-    "how many collisions between {s}": sums.count_between,
-    "how much ~{s} compressed at most": sums.most("greatest compression"),
-    "how much ~{s} (?:stretched|extended) at most": sums.most("greatest extension"),
+    "how many collisions ~(?:there|take place|happen|occur)[ in total| in all| altogether]": readers.count,
+    "how much heat arises between {s} and {t}": readers.heat_between,
+    "how many collisions between {s}": readers.count_between,
+    "how much ~{s} compressed at most": readers.most("greatest compression"),
+    "how much ~{s} (?:stretched|extended) at most": readers.most("greatest extension"),
     "how close ~{s} (?:come|get|comes|gets) to {t}": _at_once("least distance"),
     "(?:ASK|what) GREATEST angle (?:between |of |[that ]~){s} (?:and|with|~makes? with) [downward ]vertical": of_one(
         "greatest deflection", needs=STRETCH

@@ -1,16 +1,21 @@
-"""Understanding of a question in ordinary English about a motion: all of its readings must agree in the answer."""
+"""Understanding of a question in ordinary English, in all its readings, and suggestions if there is none."""
 
 import re
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from math import isclose
 
+import numpy as np
+
 from sim2reason.errors import TextError
 from sim2reason.questions.following import FollowedMotion, SimulatedAnswer, simulate_until_event
+from sim2reason.questions.kinds import KINDS, moments_by_cause
 from sim2reason.questions.kinds.threshold import ThresholdQuery
-from sim2reason.questions.moments.times import WholeMotion
+from sim2reason.questions.moments import Happening, Moment
+from sim2reason.questions.moments.times import AtTime, WholeMotion
 from sim2reason.questions.moments.turning_points import Halted, Stopped
 from sim2reason.questions.ordinary.hearing import TokenizedSentence, tokenize
-from sim2reason.questions.ordinary.multiples import in_numbers
+from sim2reason.questions.ordinary.moment_phrases import DURING, addressed, in_numbers, seen_from
 from sim2reason.questions.ordinary.placing import placed
 from sim2reason.questions.ordinary.presumed import bounces_before, presumed, steady, two_sided
 from sim2reason.questions.ordinary.reading import Reader, Reading, Understood, readings
@@ -21,10 +26,13 @@ from sim2reason.questions.ordinary.whatif.blows import of_blow, of_small_oscilla
 from sim2reason.questions.ordinary.whatif.making_so import number_making_so
 from sim2reason.questions.ordinary.whatif.two_motions import after_removal_of_things, goes_on_otherwise
 from sim2reason.questions.ordinary.whatif.understanding import in_changed_scene
-from sim2reason.questions.ordinary.whens import DURING, addressed, seen_from
 from sim2reason.questions.posing import PosedQuestion, pose_question
+from sim2reason.questions.query import Query, targets
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.body import BODIES
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.text.prose.description import describe
 
 VECTOR = "velocity"  # the only word that distinguishes a vector from its magnitude
 SPEEDS = "speed", "speed relative to its carrier"  # quantities without a sign
@@ -186,3 +194,97 @@ def _agree(found: list[Understood], words: Words) -> None:
         return
     told = dict.fromkeys(each.posed.sentence(words) or each.asked.told for each in found)
     raise TextError("question", "it can be read in several ways", f"did you mean: {' or: '.join(told)}")
+
+
+SETTING = frozenset(
+    ["circle", "ground", "half-plane", "plane", "rectangle", "space", "start", "strip", "table", "track"]
+)
+"""Nouns that sentences about any scene may have."""
+
+
+def missing_object(sentence: str, scene: Scene) -> str:
+    """Return a clause that names an object of a sentence that the scene lacks; empty if there is none."""
+    asked, told = _singular_words(sentence), _singular_words(describe(scene).text)
+    present = {noun for body in scene.bodies.values() for noun in body.nouns}
+    nouns = {noun for body in BODIES.values() for noun in body.nouns} - SETTING - present
+    missing = sorted(noun for noun in nouns if noun in asked and noun not in told)
+    return f"the scene has no {missing[0]}" if missing else ""
+
+
+def _singular_words(text: str) -> set[str]:
+    """Return the words of a text, without the s of plurals."""
+    return {word.removesuffix("s") for word in re.findall(r"[a-z-]+", text.lower())}
+
+
+BEYOND: Mapping[str, str] = {
+    r"semi-?minor": "of the shape of an orbit only the semi-major axis and the eccentricity are quantities here",
+    r"radius of (?:the |its )?(?:circle|circular|orbit|path|curvature|motion|trajectory)|amplitude": "the size of a "
+    "path is a quantity here only in a magnetic field: ask for the greatest displacement, or for a distance",
+    r"magnetic force|electric force|gravitational force|weight of|centripetal force|drag force": "of the forces "
+    "that lie in no string, rod, spring or contact only the net one, and those of fields and of a medium, are here",
+    r"on (?:the |its )?(?:fixed |light )*pulley": "the force of strings on a pulley is a quantity here only where the "
+    "text tells the directions of their parts, which it does not of parts along separate planes",
+    r"average|mean (?:speed|velocity|force|power)": "averages are no quantities here: ask for what the motion adds up "
+    "to, and for the time",
+    r"\bpower\b|at what rate does .*(?:work|energy)": "of powers only those of a hand "
+    "and of gravity are asked in sentences: ask for others in parts, such as --find 'power of gravity'",
+    r"(?:what|which|find the|the) direction|angle (?:above|below|to|with) the horizontal": "of directions only the "
+    "angle of a projectile's velocity with the horizontal is a quantity here: ask for the components",
+    r"\d\s?(?:s|seconds?|yr|years?) (?:after|before) (?!t\b|the start|release|launch)|\d\s?s later|next \d|last "
+    r"(?:\d|second)": "a time is counted from the start: ask when that happens first, then at a time",
+    r"altogether|combined|total (?:momentum|mass) of the \w+s\b|centre of mass of the|of the system": (
+        "of sums over several bodies only those of energies of one kind are quantities here: ask for each"
+    ),
+    r"work (?:is |has |was |does )?(?:the )?(?:done )?(?:by )?(?:the )?(?:friction|gravity|weight|normal)": "of works "
+    "those of a hand, a tension and a field are quantities here, and what friction dissipates",
+    r"\bratio\b|what (?:fraction|percentage|share)|how many times (?:as|greater|larger|faster)": "a ratio of two "
+    "answers is asked for only where a number is changed (--change): ask for both",
+    r"\bif (?!the system is|it is released)|\bwere\b|\bwould .* (?:be )?(?:on the moon|on mars)": "what would be "
+    "otherwise is asked by a change of a number (--change)",
+    r"\b(?:second|third|fourth|next) time\b|\bagain\b": (
+        "what happens again has no moment here, but bounces and collisions"
+    ),
+}
+"""By what a sentence has that is not understood: the reason, with what to ask instead."""
+
+
+def reason(sentence: str) -> str:
+    """Return a clause that explains why the library cannot answer a sentence; empty if the reason is unknown."""
+    plain = " ".join(sentence.lower().split())
+    return next((told for like, told in BEYOND.items() if re.search(like, plain)), "")
+
+
+MAX_SUGGESTIONS = 3
+COMMON = frozenset(
+    re.split(" ", "the a an of is what how find when at in it to and does do for by with that determine")
+)
+
+
+def suggestion(sentence: str, motion: FollowedMotion, words: Words) -> str:
+    """Return a hint for a sentence that is not understood: the reason, if known, and similar questions."""
+    why = missing_object(sentence, motion.study.scene) or reason(sentence)
+    said = _content_words(sentence)
+    offered = dict.fromkeys(question.sentence(words) for question in _offered(motion, words))
+    ranked = sorted(
+        (told for told in offered if told),
+        key=lambda told: -len(said & _content_words(told)) / len(_content_words(told)),
+    )
+    near = [told for told in ranked if said & _content_words(told)][:MAX_SUGGESTIONS]
+    told = f"did you mean: {' or: '.join(near)}" if near else "see: sim2reason ask SCENE"
+    return f"{why}; {told}" if why else told
+
+
+def _content_words(sentence: str) -> set[str]:
+    return set(re.findall(r"[a-z]+", sentence.lower())) - COMMON
+
+
+def _offered(motion: FollowedMotion, words: Words) -> Iterator[PosedQuestion]:
+    """Yield questions for the time of each kind of event, and for every quantity at an event or a stated time."""
+    study = simulate_until_event(motion).study
+    rng = np.random.default_rng(0)
+    moments: list[Moment] = [moment for cls in moments_by_cause() for moment in list(cls.found(study, words, rng))[:1]]
+    for moment in moments:
+        if isinstance(moment, Happening) and moment.clause(words) is not None:
+            yield PosedQuestion(Query("time_to_event", None, moment))
+        if isinstance(moment, Happening | AtTime) and KINDS[moment.kind].finds(words):
+            yield from (PosedQuestion(Query(moment.kind, target, moment)) for target in targets(words))

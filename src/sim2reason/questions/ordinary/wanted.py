@@ -5,14 +5,14 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import product
 
-from sim2reason.questions.moments.parts.occurrence import can_roll
+from sim2reason.questions.moments.occurrence import can_roll
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import TokenizedSentence
-from sim2reason.questions.ordinary.paraphrased_limits import DecidingNumber, limits
+from sim2reason.questions.ordinary.moment_phrases import CONNECTORS, When, addresses
+from sim2reason.questions.ordinary.paraphrases import DecidingNumber, limits
 from sim2reason.questions.ordinary.readers import each
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.vocabulary import QUANTITIES, matching_entry, pattern
-from sim2reason.questions.ordinary.whens import CONNECTORS, When, addresses
 from sim2reason.questions.query import OWN_PATH
 from sim2reason.questions.structured import START, StructuredQuestion
 from sim2reason.questions.words import Words

@@ -5,7 +5,7 @@ from math import isfinite
 
 import numpy as np
 
-from sim2reason.questions.moments.parts.occurrence import can_roll, slip_velocity
+from sim2reason.questions.moments.occurrence import can_roll, slip_velocity
 from sim2reason.questions.outcomes import (
     OUTCOMES,
     Onset,

@@ -1,21 +1,80 @@
-"""Shapes that differ in the order of the parts of a problem."""
+"""Shapes that differ in the order of the parts of a problem, and the division of a prompt into sentences."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from sim2reason.questions.shapes import Draft, PromptShape, shape
-from sim2reason.questions.shapes.parts.units import (
-    assumptions,
-    is_table,
-    one_of,
-    splits,
-    text_of,
-    units,
-    without_assumptions,
-)
+from sim2reason.text.prose.closings import RESTS, TAUT, is_assumption, is_single_body
 from sim2reason.text.prose.description import Description
+from sim2reason.text.prose.phrases import paragraphs
+
+_END = re.compile(r"(?:(?<=[.?])|(?<=[.?]\)))\s+(?=[A-Z(])")
+QUESTION = 2  # greatest number of sentences of a question
+ASKS = re.compile(r"(?:What|How|By how much|Find|Determine|Calculate)\b")
+
+
+def units(text: str) -> list[str]:
+    """Return the parts of a text in order, each part a sentence or a table."""
+    found: list[str] = []
+    for block in re.split(r"\n\n+", text.strip()):
+        found.extend([f"\n\n{block}\n\n"] if is_table(block) else _END.split(block.strip()))
+    return [unit for unit in found if unit]
+
+
+def is_table(unit: str) -> bool:
+    """Return whether a unit is a table rather than a sentence."""
+    return unit.lstrip().startswith("|")
+
+
+def text_of(said: Sequence[str]) -> str:
+    """Return sentences and tables joined into one text."""
+    return paragraphs(said)
+
+
+def splits(said: Sequence[str]) -> Iterator[tuple[list[str], str]]:
+    """Yield splits of a prompt into the story and the question at its end, of one sentence or more."""
+    for count in range(1, min(QUESTION, len(said) - 1) + 1):
+        if not any(map(is_table, said[-count:])):
+            yield list(said[:-count]), text_of(said[-count:])
+
+
+def begins_plainly(question: str) -> bool:
+    """Return whether a question begins with an interrogative or imperative word, so that a clause can precede it."""
+    return ASKS.match(question) is not None
+
+
+def lowered(sentence: str) -> str:
+    """Return a sentence without its initial capital, for use after a clause; letters that name bodies stay."""
+    return sentence if re.match(r"[A-Z]\b(?! [a-z])", sentence) else sentence[0].lower() + sentence[1:]
+
+
+def raised(sentence: str) -> str:
+    """Return a sentence with an initial capital."""
+    return sentence[:1].upper() + sentence[1:]
+
+
+def one_of(options: Sequence[str], rng: np.random.Generator) -> str:
+    """Return one of several wordings, with exactly one random draw."""
+    return options[int(rng.random() * len(options))]
+
+
+def without_assumptions(said: Sequence[str]) -> tuple[list[str], list[str]]:
+    """Return a story without its closing general assumptions, and those assumptions."""
+    count = len(said)
+    while count and is_assumption(said[count - 1]):
+        count -= 1
+    return list(said[:count]), list(said[count:])
+
+
+def assumptions(description: Description) -> list[str]:
+    """Return the closing general assumptions of a text."""
+    said = list(description.sentences)
+    count = len(said)
+    while count and description.role(said[count - 1]) == "assumption":
+        count -= 1
+    return said[count:]
 
 
 @shape
@@ -161,3 +220,69 @@ class SceneFirst(PromptShape):
         """Yield one draft with the last sentence as its question, and one with the last two sentences."""
         for story, question in splits(units(text)):
             yield Draft(text_of(story), question)
+
+
+CLAUSES = (
+    "If the motion starts from rest{taut}, ",
+    "Assuming that the motion starts from rest{taut}, ",
+    "Given that the motion starts from rest{taut}, ",
+)
+ALL = "If everything is released from rest{taut}, "
+_TAUT = "|".join(re.escape(taut) for taut in sorted(TAUT, key=len, reverse=True))
+_CLAUSE = re.compile("|".join(re.escape(c).replace(r"\{taut\}", f"(?:{_TAUT})") for c in (ALL, *CLAUSES)))
+_ENDING = re.compile(f"({_TAUT}), $")
+
+
+@shape
+class ReleaseInQuestion(PromptShape):
+    """The release in the question: “If everything is released from rest with all strings taut, what is …?”."""
+
+    name = "release_in_question"
+    share = 1.5
+
+    def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
+        """Return the prompt for a text whose closing says that everything starts from rest; None for others."""
+        rests = [sentence for sentence in description.sentences if sentence in RESTS]
+        clause = one_of(CLAUSES if is_single_body(description.scene) else (ALL, *CLAUSES), rng)
+        again = f" {clause.partition(' ')[0].lower()} " in question  # one condition would hang on another
+        if len(rests) != 1 or again or not begins_plainly(question):
+            return None
+        rest = [sentence for sentence in description.sentences if sentence != rests[0]]
+        return text_of([*rest, clause.replace("{taut}", RESTS[rests[0]]) + lowered(question)])
+
+    def drafts(self, text: str) -> Iterator[Draft]:
+        """Yield drafts with the question's clause on the start as a sentence before the scene's closing assumptions."""
+        for story, question in splits(units(text)):
+            clause = _CLAUSE.match(question)
+            if clause is None:
+                continue
+            taut = ending[1] if (ending := _ENDING.search(clause.group())) else ""
+            facts, closings = without_assumptions(story)
+            said = [*facts, f"The motion starts from rest{taut}.", *closings]
+            yield Draft(text_of(said), raised(question[clause.end() :]))
+
+
+FRONT = "Suppose that "
+
+
+@shape
+class SupposedStart(PromptShape):
+    """The initial motion after the scene: “Suppose that cart B is struck and starts off to the left at 0.47 m/s. …”."""
+
+    name = "supposed_start"
+    share = 1.2
+
+    def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
+        """Return the prompt for a text whose last sentence before the assumptions states the start; None for others."""
+        del rng
+        facts, closings = without_assumptions(description.sentences)
+        if not facts or description.role(facts[-1]) != "start" or facts[-1] in RESTS:
+            return None
+        return text_of([*facts[:-1], *closings, FRONT + lowered(facts[-1]), question])
+
+    def drafts(self, text: str) -> Iterator[Draft]:
+        """Yield drafts with the sentence *Suppose that …* as a plain one before the scene's closing assumptions."""
+        for story, question in splits(units(text)):
+            if story and story[-1].startswith(FRONT):
+                facts, closings = without_assumptions(story[:-1])
+                yield Draft(text_of([*facts, raised(story[-1].removeprefix(FRONT)), *closings]), question)

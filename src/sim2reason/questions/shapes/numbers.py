@@ -6,7 +6,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from sim2reason.questions.shapes import Draft, PromptShape, shape
-from sim2reason.questions.shapes.parts.units import QUESTION, is_table, one_of, splits, text_of, units
+from sim2reason.questions.shapes.layout import QUESTION, is_table, one_of, splits, text_of, units
 from sim2reason.scenes.dsl.model import Parameter
 from sim2reason.text.prose.description import Description
 from sim2reason.text.prose.phrases import join

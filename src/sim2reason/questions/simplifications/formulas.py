@@ -9,9 +9,9 @@ import numpy as np
 
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, Misconception, MisinterpretedMotion, misconception
-from sim2reason.questions.simplifications.parts.asked import is_steady, with_formulas
-from sim2reason.questions.simplifications.parts.hanging import hanging
-from sim2reason.questions.simplifications.parts.orbits import Motion, PlanetOrbit, moving_as, orbits
+from sim2reason.questions.simplifications.events import is_steady, with_formulas
+from sim2reason.questions.simplifications.orbits import Motion, PlanetOrbit, moving_as, orbits
+from sim2reason.questions.simplifications.pulleys import hanging
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.scenes.dsl.ablation import weighs, with_lines
 from sim2reason.scenes.dsl.constancy import changing

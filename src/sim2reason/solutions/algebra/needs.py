@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping
 from functools import cache
 
-from sim2reason.questions.need import Need, most_advanced
+from sim2reason.questions.difficulty import Need, most_advanced
 from sim2reason.solutions.algebra.evaluated import (
     Chain,
     ClosedRoot,

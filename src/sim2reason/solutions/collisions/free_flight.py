@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 
 from sim2reason.questions import KINDS, Query
 from sim2reason.questions.functionals import FUNCTIONALS
-from sim2reason.questions.functionals.parts.extreme import Extreme
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.functionals.aggregates import Extreme
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.turning_points import HighestPoint
 from sim2reason.questions.query import Target
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added, multiplied, ratio

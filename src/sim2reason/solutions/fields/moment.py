@@ -3,7 +3,7 @@
 import numpy as np
 
 from sim2reason.base.lazy import cached_property
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.distances import Away
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import Stopped

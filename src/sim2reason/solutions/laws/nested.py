@@ -7,7 +7,7 @@ from math import radians
 from typing import Protocol
 
 from sim2reason.questions import SimulatedScene
-from sim2reason.questions.kinds.parts.nested import NestedQuery
+from sim2reason.questions.kinds.nested import NestedQuery
 from sim2reason.solutions.algebra.digits import simple_fraction
 from sim2reason.solutions.algebra.evaluated import NumericFormula
 from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Symbol, multiplied

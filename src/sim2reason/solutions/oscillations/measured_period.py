@@ -1,6 +1,6 @@
 """The final step of questions about a period, from the angular frequency."""
 
-from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI
 from sim2reason.solutions.writing.steps import SolutionBuilder

@@ -3,8 +3,8 @@
 import numpy as np
 
 from sim2reason.questions.functionals import FUNCTIONALS
-from sim2reason.questions.functionals.parts.extreme import Extreme
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.functionals.aggregates import Extreme
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.query import Target
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.quantities.kinematics import Velocity

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from sim2reason.questions import Target
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.simulation.quantities.positions import Height, HeightAboveStart, height_at_start

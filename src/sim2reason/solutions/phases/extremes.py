@@ -9,8 +9,8 @@ from math import radians
 import numpy as np
 
 from sim2reason.questions.functionals import FUNCTIONALS
-from sim2reason.questions.functionals.parts.extreme import Extreme
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.functionals.aggregates import Extreme
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments import Happening
 from sim2reason.scenes.dsl.mechanism import Elastic
 from sim2reason.simulation.engines.exact.motion import Motion, Segment

@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.questions.moments.times import AtStart
-from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol

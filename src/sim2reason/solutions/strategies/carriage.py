@@ -5,12 +5,12 @@ from typing import ClassVar
 
 import numpy as np
 
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.angles import Deflected, TurnedThrough
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint, Stopped
-from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root, sum_of_squares

@@ -10,7 +10,7 @@ from typing import ClassVar
 import numpy as np
 
 from sim2reason.base.lazy import cached_property
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.strings import MostCompressed, MostStretched, NaturalLength
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol

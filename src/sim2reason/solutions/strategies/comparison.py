@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from sim2reason.questions.kinds.comparison import ComparisonQuery
-from sim2reason.questions.kinds.parts.nested import INNER, usable_answer
+from sim2reason.questions.kinds.nested import INNER, usable_answer
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.laws.nested import (

@@ -6,12 +6,12 @@ from math import inf
 import numpy as np
 
 from sim2reason.base.lazy import cached_property
+from sim2reason.questions.difficulty import Need
 from sim2reason.questions.moments.bounces import Bounced, Landed
-from sim2reason.questions.moments.collisions import Collided, LastCollision
+from sim2reason.questions.moments.contacts import Collided, LastCollision
 from sim2reason.questions.moments.distances import Away, Moved
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint, Stopped
-from sim2reason.questions.need import Need
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, ratio
 from sim2reason.solutions.algebra.functions import Power, Root

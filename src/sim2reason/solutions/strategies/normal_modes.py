@@ -5,12 +5,12 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from sim2reason.base.lazy import cached_property
+from sim2reason.questions.difficulty import Need
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.strings import MostCompressed, MostStretched, NaturalLength
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import Stopped
-from sim2reason.questions.need import Need
-from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.quantities.subjects.pairs import members
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol

@@ -1,11 +1,11 @@
 """Orbit: a light body around a fixed one, by energy, angular momentum and Kepler's laws."""
 
 from sim2reason.base.lazy import cached_property
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.angles import Orbited
 from sim2reason.questions.moments.distances import Away, Closest, Farthest
 from sim2reason.questions.moments.times import AtTime
-from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.quantities.subjects.pairs import members
 from sim2reason.solutions.algebra.expressions import Expression, Symbol

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from math import atan2, pi, sin
 
 from sim2reason.base.lazy import cached_property
-from sim2reason.questions.need import Need
-from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.questions.difficulty import Need
+from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Elastic, Line, Mechanism
 from sim2reason.simulation.rest.equilibrium import equilibrium

@@ -8,7 +8,7 @@ from math import isclose, radians
 
 from sim2reason.questions import Query
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.questions.moments.reached import Reached
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.collisions.placing import SOLVE_KIND

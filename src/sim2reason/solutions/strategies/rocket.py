@@ -3,10 +3,9 @@
 import numpy as np
 
 from sim2reason.base.lazy import cached_property
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.burned_out import BurnedOut
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.distances import Moved
-from sim2reason.questions.moments.times import AtStart, AtTime
+from sim2reason.questions.moments.times import AtStart, AtTime, BurnedOut
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.vectors import Vector

@@ -5,7 +5,7 @@ from math import hypot, inf
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.questions.moments.times import AtStart
-from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.solids import Shape
 from sim2reason.scenes.dsl.vectors import applied, dot

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import ClassVar
 
 from sim2reason.base.lazy import cached_property
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.strings import WentTaut
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint, Stopped

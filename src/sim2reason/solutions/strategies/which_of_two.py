@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from sim2reason.questions import KINDS, Query
-from sim2reason.questions.kinds.parts.which import WhichKind, WhichQuery
+from sim2reason.questions.kinds.nested import WhichKind, WhichQuery
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.multipart.one_text import enter, merge_into_one_text

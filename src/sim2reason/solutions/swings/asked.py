@@ -2,7 +2,7 @@
 
 from collections.abc import Collection
 
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.angles import Deflected, TurnedThrough
 from sim2reason.questions.moments.strings import WentSlack
 from sim2reason.questions.moments.times import AtStart, AtTime

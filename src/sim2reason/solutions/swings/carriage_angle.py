@@ -3,7 +3,7 @@
 from math import pi
 
 from sim2reason.base.lazy import cached_property
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol

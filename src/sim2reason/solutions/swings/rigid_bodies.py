@@ -7,7 +7,7 @@ from math import ceil, pi
 import numpy as np
 
 from sim2reason.base.lazy import cached_property
-from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.quantities.subjects.axles import ACROSS
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol

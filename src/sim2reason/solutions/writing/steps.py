@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from math import degrees
 
-from sim2reason.questions.need import Need
+from sim2reason.questions.difficulty import Need
 from sim2reason.scenes.dsl.units import SI, UnitSystem
 from sim2reason.solutions.algebra.evaluated import NumericFormula
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol

@@ -6,8 +6,8 @@ from dataclasses import replace
 import numpy as np
 
 from sim2reason.questions import KINDS
-from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
+from sim2reason.questions.sentences import parse_question
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import Specimen, Specimens

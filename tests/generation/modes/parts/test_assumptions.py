@@ -11,7 +11,7 @@ from sim2reason.questions import SimulatedScene, Words
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.regimes import Regime, possible, regimes
 from sim2reason.questions.regimes.directions import MovesOneWay
-from sim2reason.questions.regimes.rockets import BurntOut, DelayedLiftoff
+from sim2reason.questions.regimes.events import BurntOut, DelayedLiftoff
 from sim2reason.scenes.bodies.space import LevelGround, Rocket
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene

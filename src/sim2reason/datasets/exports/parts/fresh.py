@@ -13,7 +13,7 @@ from sim2reason.datasets.lazy import INDEX_STRIDE, LazyProblems
 from sim2reason.datasets.plan import ALL, MAKER, TRAIN, Names
 from sim2reason.errors import DatasetError
 from sim2reason.generation.request import SI, nonnegative_integer
-from sim2reason.questions.tolerance import TOLERANCE
+from sim2reason.questions.accuracy import TOLERANCE
 
 __all__ = ["FreshRows", "iterable"]
 

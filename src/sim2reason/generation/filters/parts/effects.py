@@ -5,10 +5,10 @@ from dataclasses import dataclass, replace
 
 from sim2reason.generation.filters import Candidate
 from sim2reason.questions import SimulatedScene
+from sim2reason.questions.accuracy import NEARLY
 from sim2reason.questions.simplifications import MISCONCEPTIONS, Misconception, MisinterpretedMotion, in_order
-from sim2reason.questions.simplifications.omissions import GravityLeftOut
-from sim2reason.questions.simplifications.parts.which import solid
-from sim2reason.questions.tolerance import NEARLY
+from sim2reason.questions.simplifications.forces import GravityLeftOut
+from sim2reason.questions.simplifications.inertia import solid
 from sim2reason.scenes.dsl.ablation import with_bodies
 from sim2reason.scenes.dsl.mechanism import Mechanism, RigidBody
 

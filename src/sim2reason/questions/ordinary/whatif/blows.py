@@ -6,7 +6,7 @@ from sim2reason.questions.following import FollowedMotion
 from sim2reason.questions.kinds.period import PENDULUM
 from sim2reason.questions.ordinary.hearing import TokenizedSentence
 from sim2reason.questions.ordinary.reading import Reader, Reading, Understood
-from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.questions.structured import EQUILIBRIUM, START, StructuredQuestion
 from sim2reason.questions.words import Words
 from sim2reason.simulation.quantities.subjects.bodies import Bodies

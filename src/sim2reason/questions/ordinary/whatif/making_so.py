@@ -23,10 +23,9 @@ from sim2reason.questions.ordinary.whatif.outcomes import (
     on_the_other_side,
     slips_nevertheless,
 )
-from sim2reason.questions.ordinary.whatif.plainer import plainer
 from sim2reason.questions.ordinary.whatif.supposed_rows import MULTIPLES
-from sim2reason.questions.ordinary.whatif.told_direction import directed, told_direction, told_values
 from sim2reason.questions.ordinary.whatif.understanding import of_all
+from sim2reason.questions.ordinary.whatif.wording import directed, plainer, told_direction, told_values
 from sim2reason.questions.posing import GREATEST, LEAST, MINUS, RATIO, VALUE, PosedQuestion, pose_question
 from sim2reason.questions.structured import StructuredQuestion, measured
 from sim2reason.questions.study import COARSE_STEP_ERROR

@@ -7,8 +7,9 @@ import numpy as np
 
 from sim2reason.errors import TextError
 from sim2reason.questions.following import FollowedMotion, simulate_scene
-from sim2reason.questions.moments.parts.occurrence import can_roll
+from sim2reason.questions.moments.occurrence import can_roll
 from sim2reason.questions.ordinary.hearing import ALL
+from sim2reason.questions.ordinary.moment_phrases import AFTER, addresses
 from sim2reason.questions.ordinary.reading import Reading, Understood
 from sim2reason.questions.ordinary.wanted import rubs, without_acceleration
 from sim2reason.questions.ordinary.whatif.conditions import (
@@ -37,7 +38,6 @@ from sim2reason.questions.ordinary.whatif.conditions import (
 )
 from sim2reason.questions.ordinary.whatif.frames import WantedFrame
 from sim2reason.questions.ordinary.whatif.numbers import NamedNumber, paths_of
-from sim2reason.questions.ordinary.whens import AFTER, addresses
 from sim2reason.questions.outcomes.strings import Rises
 from sim2reason.questions.posing import GREATEST, LEAST, VALUE, pose_question
 from sim2reason.questions.query import OWN_AXLE, OWN_PATH

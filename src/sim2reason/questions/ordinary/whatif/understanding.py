@@ -8,11 +8,11 @@ from math import isclose
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
 from sim2reason.questions.following import FollowedMotion, SimulatedAnswer, simulate_scene
 from sim2reason.questions.ordinary.hearing import TokenizedSentence
+from sim2reason.questions.ordinary.moment_phrases import addresses
 from sim2reason.questions.ordinary.reading import Reader, Understood
 from sim2reason.questions.ordinary.whatif.numbers import NamedNumber, paths_of
 from sim2reason.questions.ordinary.whatif.supposed_rows import FIXED, MORE, NONE, SAME, SWAPPED, TIMES
 from sim2reason.questions.ordinary.whatif.suppositions import ChangedQuestion, Supposition, changed_questions
-from sim2reason.questions.ordinary.whens import addresses
 from sim2reason.questions.posing import RATIO
 from sim2reason.questions.posing import VALUE as ITSELF
 from sim2reason.questions.structured import measured
