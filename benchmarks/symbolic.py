@@ -26,7 +26,7 @@ from sim2reason.generation.recipes import RECIPES
 from sim2reason.generation.request import Request
 from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.questions.prompt import parse_prompt
-from sim2reason.text.prose.symbol_names import stated_value
+from sim2reason.text.prose.description import stated_value
 
 MUTANTS, FRESH = 20, 2
 WIDTH = 0.05  # of the numbers that are put in when a prompt is read back

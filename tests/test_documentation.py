@@ -20,7 +20,7 @@ from sim2reason.generation.recipes import RECIPES
 from sim2reason.scenes.dsl.builder import Frame
 from sim2reason.scenes.dsl.entity import ENTITIES, Entity, outer_ports
 from sim2reason.scenes.dsl.ports import Base, End, Mount, Pass, Port
-from sim2reason.scenes.files.tendons import directions
+from sim2reason.scenes.files.sections import directions
 
 ROOT = Path(__file__).parents[1]
 PAGES = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md"), ROOT / "experiments/README.md", ROOT / "llms.txt"]

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from sim2reason.datasets.verify import verify
     from sim2reason.errors import Sim2ReasonError
     from sim2reason.evaluation.reports.evaluation import evaluate
-    from sim2reason.figures.scenes import figure, plot
+    from sim2reason.figures.drawing import figure, plot
     from sim2reason.generation.item import Item
     from sim2reason.grading import Score
     from sim2reason.questions.prompt import parse_prompt
@@ -67,7 +67,7 @@ _HOMES = {
     "eval": "evaluation.reports.evaluation:evaluate",
     "export": "datasets.exports.parts.export",
     "explain": "datasets.explain",
-    "figure": "figures.scenes",
+    "figure": "figures.drawing",
     "generate": "datasets.generate",
     "grade": "datasets.grade",
     "item": "datasets.items",
@@ -77,7 +77,7 @@ _HOMES = {
     "open": "datasets.dataset:Dataset",
     "parse_prompt": "questions.prompt",
     "parse_scene": "text.parsing",
-    "plot": "figures.scenes",
+    "plot": "figures.drawing",
     "sample": "datasets.items",
     "sample_solutions": "training.sample_solutions",
     "schema": "scenes.files.schema",

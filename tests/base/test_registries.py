@@ -43,10 +43,9 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.units import parse_unit
 from sim2reason.scenes.files import dump, load
 from sim2reason.simulation.certify import RECORDED
-from sim2reason.simulation.channels import channels
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.scenes import simulate
-from sim2reason.simulation.trace import ENGINES
+from sim2reason.simulation.trace import ENGINES, channels
 from sim2reason.testing import CHECKS
 from sim2reason.text.prose.description import describe
 from sim2reason.training.corpora import CORPORA

@@ -8,7 +8,7 @@ from sim2reason.cli import main
 from sim2reason.datasets.items import item
 from sim2reason.generation.random_scenes import sample
 from sim2reason.questions.difficulty import Difficulty
-from sim2reason.scenes.bodies.pendulums import Ball, LightRod
+from sim2reason.scenes.bodies.oscillators import Ball, LightRod
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.pendulums import Pendulum

@@ -7,25 +7,23 @@ from typing import NamedTuple
 import pytest
 
 from sim2reason.errors import FigureWarning, MissingExtraError, UnsupportedError
-from sim2reason.figures.arrange import Arranger
 from sim2reason.figures.canvas import draw
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.hanging import PulleyPiece
-from sim2reason.figures.layout_cost import Layout
+from sim2reason.figures.layout import Arranger, Layout
+from sim2reason.figures.plane import common, depth, dot, unit_vector
 from sim2reason.figures.shapes import Area, Drawing
-from sim2reason.figures.vectors import common, depth, dot, unit
-from sim2reason.scenes.bodies.planes import Plane, Prism, Wedge
-from sim2reason.scenes.bodies.pulleys import FixedPulley
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.simple_machines import FixedPulley, Plane, Prism, Wedge
 from sim2reason.scenes.dsl.body import Body
 from sim2reason.scenes.dsl.builder import Frame
 from sim2reason.scenes.dsl.connection import CONNECTIONS, Link
 from sim2reason.scenes.dsl.entity import Entity, Named
 from sim2reason.scenes.dsl.mechanism import ConstantTension, X, Z
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.mass_systems import Hanging, OnPlane
 from sim2reason.scenes.entities.pulleys import MassWithFixedPulley
 from sim2reason.scenes.entities.slopes import MassPrismPlane, TwoSideMassPlane
+from sim2reason.scenes.entities.string_ends import Hanging, OnPlane
 from sim2reason.text.prose.description import describe
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -117,7 +115,7 @@ def test_strings_leave_pulleys_along_tangents(drawings: list[Drawn], layouts: li
     for layout in layouts:
         for strand, a, b in layout.strands:
             assert abs(b - a) > 0.1
-            way = unit(b - a)
+            way = unit_vector(b - a)
             for knot, end in ((strand.a, a), (strand.b, b)):
                 piece = layout.pieces[knot.piece]
                 if knot.rim and isinstance(piece, PulleyPiece):
@@ -132,7 +130,7 @@ def test_strings_run_as_the_mechanism_has_them_or_mirrored(layouts: list[Layout]
     for layout in layouts:
         for strand, a, b in layout.strands:
             if strand.way is not None:
-                way = unit(b - a)
+                way = unit_vector(b - a)
                 assert way.imag == pytest.approx(strand.way.imag, abs=1e-9)
                 assert abs(way.real) == pytest.approx(abs(strand.way.real), abs=1e-9)
 

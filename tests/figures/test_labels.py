@@ -6,8 +6,8 @@ from math import hypot
 import pytest
 
 from sim2reason.figures.drawing import drawing
+from sim2reason.figures.plane import inside, length_inside
 from sim2reason.figures.shapes import Arc, Area, Drawing, Label, LineShape, Shape, outline
-from sim2reason.figures.vectors import inside, length_inside
 from sim2reason.generation.random_scenes import sample
 from sim2reason.text.prose.description import describe
 

@@ -7,12 +7,12 @@ import pytest
 from sim2reason.figures.curves import describe_event, motion_curves
 from sim2reason.figures.plot import REASONS, Colors, plot
 from sim2reason.generation.random_scenes import sample
-from sim2reason.scenes.bodies.pendulums import Ball
-from sim2reason.scenes.bodies.planes import Plane
-from sim2reason.scenes.bodies.sliders import Block, Puck, Table
+from sim2reason.scenes.bodies.blocks import Block, Puck, Table
+from sim2reason.scenes.bodies.oscillators import Ball
+from sim2reason.scenes.bodies.simple_machines import Plane
 from sim2reason.scenes.dsl.entity import Entity, Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.projectile import Projectile
+from sim2reason.scenes.entities.particles import Projectile
 from sim2reason.scenes.entities.slopes import TwoSideMassPlane
 from sim2reason.scenes.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.simulation.scenes import simulate, simulate_full_duration

@@ -3,7 +3,7 @@
 import pytest
 
 from sim2reason.figures.paths import spring
-from sim2reason.figures.vectors import cross
+from sim2reason.figures.plane import cross
 from sim2reason.scenes.dsl.mechanism import Elastic, Inextensible, Line
 
 A, B = 1.0 + 2.0j, 4.0 + 6.0j

@@ -9,12 +9,12 @@ from sim2reason.figures.shapes import Label, LineShape
 from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
-from sim2reason.scenes.bodies.planes import Track
-from sim2reason.scenes.bodies.sliders import Glider
+from sim2reason.scenes.bodies.blocks import Glider
+from sim2reason.scenes.bodies.simple_machines import Track
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.complex_collision_plane import ComplexCollisionPlane
-from sim2reason.scenes.entities.spring_block import SpringBlock
+from sim2reason.scenes.entities.spring_blocks import SpringBlock
+from sim2reason.scenes.entities.track_collisions import ComplexCollisionPlane
 from sim2reason.scenes.files import loads
 from sim2reason.text.prose.description import describe
 

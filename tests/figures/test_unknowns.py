@@ -10,9 +10,8 @@ import pytest
 
 from sim2reason.datasets.items import made, requested
 from sim2reason.figures import canvas
-from sim2reason.figures.drawing import drawing
+from sim2reason.figures.drawing import drawing, figure
 from sim2reason.figures.labels import disguise_unknowns, unknowns
-from sim2reason.figures.scenes import figure
 from sim2reason.figures.shapes import Area, Drawing, LineShape
 from sim2reason.generation.random_scenes import sample
 from sim2reason.questions.unknown import unknowns as offered

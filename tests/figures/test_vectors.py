@@ -1,8 +1,8 @@
 import pytest
 
 from sim2reason.figures.labels import place_labels
+from sim2reason.figures.plane import common, crosses, depth, hull, length_inside, rectangle, ring
 from sim2reason.figures.shapes import LabelRequest, LineShape
-from sim2reason.figures.vectors import common, crosses, depth, hull, length_inside, rectangle, ring
 
 
 def test_a_hull_holds_no_inner_points() -> None:

@@ -14,7 +14,7 @@ from sim2reason.questions.study import EXACT_STEP_ERROR
 from sim2reason.scenes.bodies.space import LevelGround, Rocket
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.rocket_entity import RocketEntity
+from sim2reason.scenes.entities.space import RocketEntity
 from sim2reason.scenes.files import loads
 
 ROOT = 3.0

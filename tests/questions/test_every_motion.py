@@ -9,7 +9,7 @@ from sim2reason.questions import KINDS, MODES, Query, Question, SimulatedScene, 
 from sim2reason.questions.choices import has_formula_of_time
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.questions.query import targets
-from sim2reason.scenes.bodies.pendulums import Ball, Cord, LightRod
+from sim2reason.scenes.bodies.oscillators import Ball, Cord, LightRod
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.units import ASTRONOMICAL

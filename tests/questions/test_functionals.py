@@ -36,11 +36,11 @@ from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.fields import Resistance
 from sim2reason.scenes.dsl.mechanism import ZERO, X, Z
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.solar_system import SolarSystem
+from sim2reason.scenes.entities.space import SolarSystem
 from sim2reason.scenes.files import load
 from sim2reason.simulation.certify import certify
 from sim2reason.simulation.quantities.subjects.bodies import WHOLE_SCENE
-from sim2reason.simulation.quantities.subjects.pairs import Pairs, members
+from sim2reason.simulation.quantities.subjects.interactions import Pairs, members
 from sim2reason.text.prose.description import describe
 
 G = 9.8

@@ -20,17 +20,16 @@ from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
 from sim2reason.questions.prompt import parse_prompt, words_of
 from sim2reason.questions.query import targets
 from sim2reason.questions.words import format_number, numbers_in_text, round_number, rounded_as_written, two_digits
-from sim2reason.scenes.bodies.planes import Incline
 from sim2reason.scenes.bodies.round_bodies import Hoop
+from sim2reason.scenes.bodies.simple_machines import Incline
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.mechanism import ZERO, X
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.rolling import NoSlipping, Rolling, Rough, Sliding, Spinning
-from sim2reason.scenes.entities.rolling import RollingEntity
+from sim2reason.scenes.entities.rolling import NoSlipping, Rolling, RollingEntity, Rough, Sliding, Spinning
 from sim2reason.scenes.files import load
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
-from sim2reason.simulation.quantities.subjects.pairs import pair
+from sim2reason.simulation.quantities.subjects.interactions import pair
 from sim2reason.simulation.scenes import simulate
 from sim2reason.simulation.trace import ENGINES
 from sim2reason.text.prose.description import describe

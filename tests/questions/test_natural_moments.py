@@ -12,12 +12,12 @@ from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import Target, targets
 from sim2reason.questions.words import Words
-from sim2reason.scenes.bodies.pendulums import Ball
-from sim2reason.scenes.bodies.sliders import Puck, Table
+from sim2reason.scenes.bodies.blocks import Puck, Table
+from sim2reason.scenes.bodies.oscillators import Ball
 from sim2reason.scenes.bodies.space import DeepSpace, LevelGround, Rocket
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.projectile import Projectile
-from sim2reason.scenes.entities.rocket_entity import RocketEntity
+from sim2reason.scenes.entities.particles import Projectile
+from sim2reason.scenes.entities.space import RocketEntity
 from sim2reason.scenes.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.text.prose.description import describe
 

@@ -23,8 +23,8 @@ from sim2reason.questions.query import targets
 from sim2reason.questions.sentences import parse_question
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.certify import certify_trace
-from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities import QUANTITIES
+from sim2reason.simulation.trace import Channel
 
 QUANTITY = '''
 import numpy as np
@@ -144,7 +144,7 @@ import numpy as np
 from sim2reason.simulation.quantities import Quantity, quantity
 from sim2reason.simulation.quantities.kinematics import Displacement
 from sim2reason.simulation.quantities.subjects import Sense, Subject
-from sim2reason.simulation.quantities.subjects.pairs import pair
+from sim2reason.simulation.quantities.subjects.interactions import pair
 
 
 @dataclass(frozen=True)

@@ -11,13 +11,13 @@ from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.phrasing import again
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import Target, targets
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.oscillators import NailedSpring
 from sim2reason.scenes.bodies.space import AirlessPlanet, DeepSpace, LevelGround, Rocket
-from sim2reason.scenes.bodies.spring import NailedSpring
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.rocket_entity import RocketEntity
-from sim2reason.scenes.entities.spring_block import SpringBlock
+from sim2reason.scenes.entities.space import RocketEntity
+from sim2reason.scenes.entities.spring_blocks import SpringBlock
 from sim2reason.text.prose.description import describe
 
 BEFORE = "from t = 0 until {} first "

@@ -17,11 +17,11 @@ from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, parse_prompt, sh
 from sim2reason.questions.shapes import SHAPES
 from sim2reason.questions.shapes.layout import is_table, text_of, units
 from sim2reason.questions.shapes.numbers import FEWEST
-from sim2reason.scenes.bodies.sliders import Block
-from sim2reason.scenes.bodies.spring import NailedSpring
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.oscillators import NailedSpring
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.spring_block import SpringBlock
+from sim2reason.scenes.entities.spring_blocks import SpringBlock
 from sim2reason.text.prose import describe
 from sim2reason.text.prose.description import Description
 from sim2reason.text.prose.voices import hiding, symbolic_but_zero

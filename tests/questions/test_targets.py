@@ -14,16 +14,15 @@ from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.phrasing import QUOTA, asking, chosen
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import Target, targets
-from sim2reason.scenes.bodies.pendulums import FixedBall
-from sim2reason.scenes.bodies.planes import Box, Incline
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.oscillators import FixedBall
 from sim2reason.scenes.bodies.round_bodies import Sphere
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.simple_machines import Box, Incline
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.pieces import BallPiece, RoundPiece
-from sim2reason.scenes.entities.parts.rolling import Rolling, Rough, Sliding, Spinning
 from sim2reason.scenes.entities.pendulums import RotationEntity
-from sim2reason.scenes.entities.rolling import RollingEntity
+from sim2reason.scenes.entities.pieces import BallPiece, RoundPiece
+from sim2reason.scenes.entities.rolling import Rolling, RollingEntity, Rough, Sliding, Spinning
 from sim2reason.scenes.entities.slopes import MassBoxPlane
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.quantities.subjects import Sense

@@ -19,19 +19,17 @@ from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import parse_prompt, prompt, words_of
 from sim2reason.questions.simplifications import MISCONCEPTIONS
 from sim2reason.questions.structured import StructuredQuestion
-from sim2reason.scenes.bodies.pendulums import Ball, Cord, LightRod
-from sim2reason.scenes.bodies.planes import Incline, Plane
-from sim2reason.scenes.bodies.pulleys import FixedPulley
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.oscillators import Ball, Cord, LightRod
 from sim2reason.scenes.bodies.round_bodies import Hoop
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.simple_machines import FixedPulley, Incline, Plane
 from sim2reason.scenes.dsl.connection import CONNECTIONS, Link
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.mass_systems import Hanging, OnPlane
-from sim2reason.scenes.entities.parts.rolling import Rough
 from sim2reason.scenes.entities.pendulums import Pendulum
 from sim2reason.scenes.entities.pulleys import MassWithFixedPulley
-from sim2reason.scenes.entities.rolling import RollingEntity
+from sim2reason.scenes.entities.rolling import RollingEntity, Rough
+from sim2reason.scenes.entities.string_ends import Hanging, OnPlane
 from sim2reason.scenes.files import loads
 from sim2reason.simulation.scenes import simulate
 from sim2reason.simulation.trace import Trace

@@ -20,19 +20,17 @@ from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.prompt import parse_prompt, words_of
 from sim2reason.questions.regimes.directions import StaysTaut
 from sim2reason.questions.sentences import irrelevant
-from sim2reason.scenes.bodies.pendulums import Ball, Cord, FixedBall
-from sim2reason.scenes.bodies.planes import RoughTrack
+from sim2reason.scenes.bodies.blocks import Block, Cart
+from sim2reason.scenes.bodies.oscillators import Ball, Coil, Cord, FixedBall, NailedSpring
 from sim2reason.scenes.bodies.round_bodies import Sphere
-from sim2reason.scenes.bodies.sliders import Block, Cart
-from sim2reason.scenes.bodies.spring import Coil, NailedSpring
+from sim2reason.scenes.bodies.simple_machines import RoughTrack
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.pieces import BallPiece, RoundPiece
-from sim2reason.scenes.entities.parts.springs import Blow, Strained
+from sim2reason.scenes.entities.particles import Projectile
 from sim2reason.scenes.entities.pendulums import Pendulum, RotationEntity
-from sim2reason.scenes.entities.projectile import Projectile
-from sim2reason.scenes.entities.spring_block import SpringBlock
-from sim2reason.scenes.entities.spring_chains import SpringMassChain
+from sim2reason.scenes.entities.pieces import BallPiece, RoundPiece
+from sim2reason.scenes.entities.spring_blocks import SpringBlock
+from sim2reason.scenes.entities.spring_chains import Blow, SpringMassChain, Strained
 from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.simulation.scenes import simulate
 from sim2reason.text.parsing import parse_scene

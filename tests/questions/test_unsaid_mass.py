@@ -9,7 +9,7 @@ from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.questions import MODES
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.query import targets
-from sim2reason.scenes.bodies.planes import Plane
+from sim2reason.scenes.bodies.simple_machines import Plane
 from sim2reason.scenes.dsl.body import Body
 from sim2reason.scenes.dsl.builder import Frame
 from sim2reason.scenes.dsl.entity import Entity, Named

@@ -14,9 +14,8 @@ from sim2reason.scenes.dsl.mechanism import Mechanism, X
 from sim2reason.scenes.dsl.state import State
 from sim2reason.simulation import certify as module
 from sim2reason.simulation.certify import EVENTFUL, SMOOTH, Certificate, certify, compare, truncated
-from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities import QUANTITIES
-from sim2reason.simulation.trace import ENGINES, Event, Trace
+from sim2reason.simulation.trace import ENGINES, Channel, Event, Trace
 from states import altered
 
 TIMES = np.linspace(0.0, 2.0, 201)

@@ -12,8 +12,7 @@ import pytest
 import machines
 from sim2reason.errors import SceneError
 from sim2reason.simulation import trace_files
-from sim2reason.simulation.channels import Channel, channels
-from sim2reason.simulation.trace import ENGINES
+from sim2reason.simulation.trace import ENGINES, Channel, channels
 
 TIMES = np.linspace(0.0, 2.0, 41)
 

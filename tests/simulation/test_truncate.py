@@ -11,8 +11,8 @@ import motions
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.mechanism import Z
 from sim2reason.scenes.dsl.state import State
+from sim2reason.simulation.scenes import alarms, truncate_trace
 from sim2reason.simulation.trace import ENGINES, Event, Trace
-from sim2reason.simulation.truncate import alarms, truncate
 from states import altered
 
 TIMES = np.linspace(0.0, 2.0, 201)
@@ -37,7 +37,7 @@ def jump(times: np.ndarray) -> np.ndarray:
 
 
 def test_a_jump_cuts_just_before() -> None:
-    cut = truncate(falling(jump))
+    cut = truncate_trace(falling(jump))
     assert cut.stable_until == pytest.approx(1.19)
     assert cut.cut == "statistics"
 
@@ -56,31 +56,31 @@ def test_a_jump_cuts_just_before() -> None:
 )
 def test_smooth_columns_are_left_alone(column: Column) -> None:
     trace = falling(column)
-    assert truncate(trace) is trace
+    assert truncate_trace(trace) is trace
     assert alarms(trace) == ()
 
 
 @pytest.mark.parametrize("samples", [2, 25, 49])
 def test_a_short_trace_is_not_judged(samples: int) -> None:
     trace = falling(lambda t: np.where(t < 0.1, 0.0, 1.0), np.linspace(0.0, 0.2, samples))
-    assert truncate(trace) is trace
+    assert truncate_trace(trace) is trace
 
 
 @pytest.mark.parametrize("window", [0, 25, 49])
 def test_a_window_that_can_not_fire_is_refused(window: int) -> None:
     with pytest.raises(ValueError, match="too short"):
-        truncate(falling(jump), window)
+        truncate_trace(falling(jump), window)
 
 
 def test_what_lies_after_the_end_is_not_looked_at() -> None:
     trace = replace(falling(jump), stable_until=1.0, cut="limit")
-    assert truncate(trace) is trace
+    assert truncate_trace(trace) is trace
 
 
 def test_on_a_whole_trace_the_rule_cuts_at_a_collision() -> None:
     trace = ENGINES["exact"](machines.discs(), TIMES)
     hit = next(event.time for event in trace.events if event.kind == "collision")
-    assert truncate(trace).stable_until == pytest.approx(hit, abs=0.01)
+    assert truncate_trace(trace).stable_until == pytest.approx(hit, abs=0.01)
 
 
 def test_a_transition_without_an_event_is_an_alarm() -> None:
@@ -124,7 +124,7 @@ def test_a_smooth_orbit_is_left_alone_however_long_it_is(eccentricity: float, sa
     """At e = 0.9 the acceleration at perihelion is 361 times that at aphelion: samples there stand out by 5σ."""
     motion = motions.orbit(eccentricity)
     trace = ENGINES["exact"](motion.mechanism, np.linspace(0.0, motion.duration, samples))
-    assert truncate(trace) is trace
+    assert truncate_trace(trace) is trace
     assert alarms(trace) == ()
 
 
@@ -165,4 +165,4 @@ def test_a_trace_from_a_file_is_judged_by_its_samples_alone() -> None:
     def unknown(times: np.ndarray) -> State:
         raise ValueError(times)
 
-    assert truncate(replace(trace, sample=unknown)).stable_until == 0.0
+    assert truncate_trace(replace(trace, sample=unknown)).stable_until == 0.0

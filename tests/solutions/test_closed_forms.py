@@ -10,11 +10,11 @@ from plain_scenes import G, atwood, ramp
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.contacts import Collided
 from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint
-from sim2reason.scenes.bodies.pendulums import Ball
-from sim2reason.scenes.bodies.sliders import Puck, Table
+from sim2reason.scenes.bodies.blocks import Puck, Table
+from sim2reason.scenes.bodies.oscillators import Ball
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.projectile import Projectile
+from sim2reason.scenes.entities.particles import Projectile
 from sim2reason.scenes.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.solutions import Solution, solve, solve_prompt
 from sim2reason.testing.solutions.faults import faults

@@ -16,27 +16,31 @@ from sim2reason.questions.moments.strings import MostCompressed, MostStretched, 
 from sim2reason.questions.moments.times import AtStart, AtTime, WholeMotion
 from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
 from sim2reason.questions.phrasing import PeriodQuery
+from sim2reason.scenes.bodies.blocks import Block
 from sim2reason.scenes.bodies.charges import ChargedBead, Launched, Released
-from sim2reason.scenes.bodies.holed_bodies import BoredCylinder
-from sim2reason.scenes.bodies.pendulums import UniformRod
-from sim2reason.scenes.bodies.planes import Incline
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.eccentric_bodies import BoredCylinder
+from sim2reason.scenes.bodies.oscillators import NailedSpring, UniformRod
+from sim2reason.scenes.bodies.simple_machines import Incline
 from sim2reason.scenes.bodies.space import Planet, Star
-from sim2reason.scenes.bodies.spring import NailedSpring
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.em_entity import EmEntity
-from sim2reason.scenes.entities.parts.fields import ElectricField, Medium, Trend
-from sim2reason.scenes.entities.parts.fields.drag import LinearDrag, QuadraticDrag
-from sim2reason.scenes.entities.parts.fields.linear import LinearElectric
-from sim2reason.scenes.entities.parts.fields.time_dependent import OscillatingElectric
-from sim2reason.scenes.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
-from sim2reason.scenes.entities.parts.pieces import AxialPiece
-from sim2reason.scenes.entities.parts.rolling import Hole, NoSlipping
+from sim2reason.scenes.entities.fields import (
+    ElectricField,
+    LinearDrag,
+    LinearElectric,
+    Medium,
+    QuadraticDrag,
+    Trend,
+    UniformElectric,
+    UniformMagnetic,
+)
+from sim2reason.scenes.entities.particles import EmEntity
 from sim2reason.scenes.entities.pendulums import RotationEntity
-from sim2reason.scenes.entities.rolling import RollingEntity
-from sim2reason.scenes.entities.solar_system import SolarSystem
-from sim2reason.scenes.entities.spring_block import Launch, SpringBlock
+from sim2reason.scenes.entities.pieces import AxialPiece
+from sim2reason.scenes.entities.rolling import Hole, NoSlipping, RollingEntity
+from sim2reason.scenes.entities.space import SolarSystem
+from sim2reason.scenes.entities.spring_blocks import Launch, SpringBlock
+from sim2reason.scenes.entities.varying_fields import OscillatingElectric
 from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.solutions import solve
 from sim2reason.testing.solutions.faults import faults

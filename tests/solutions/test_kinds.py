@@ -18,10 +18,10 @@ from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.distances import Away
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.outcomes.sliding import Slides
-from sim2reason.scenes.bodies.pendulums import Ball
+from sim2reason.scenes.bodies.oscillators import Ball
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.projectile import Projectile
+from sim2reason.scenes.entities.particles import Projectile
 from sim2reason.solutions import STRATEGIES, ProblemContext, Solution, solve, solve_with
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data

@@ -19,11 +19,11 @@ from sim2reason.questions.kinds.comparison import ComparisonQuery
 from sim2reason.questions.kinds.nested import stripped
 from sim2reason.questions.moments.times import AllAlong
 from sim2reason.questions.moments.turning_points import Stopped
-from sim2reason.scenes.bodies.sliders import Block
-from sim2reason.scenes.bodies.spring import NailedSpring
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.oscillators import NailedSpring
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.spring_block import SpringBlock
+from sim2reason.scenes.entities.spring_blocks import SpringBlock
 from sim2reason.solutions import Solution, solve
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.closed_forms import closed_form

@@ -14,17 +14,16 @@ from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.strings import WentTaut
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import Stopped
-from sim2reason.scenes.bodies.pendulums import Ball, Cord, LightRod
-from sim2reason.scenes.bodies.planes import Incline
+from sim2reason.scenes.bodies.blocks import Carriage
+from sim2reason.scenes.bodies.oscillators import Ball, Cord, LightRod
 from sim2reason.scenes.bodies.round_bodies import Hoop
-from sim2reason.scenes.bodies.sliders import Carriage
+from sim2reason.scenes.bodies.simple_machines import Incline
 from sim2reason.scenes.bodies.space import Planet, Star
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.rolling import Rough, Spinning
 from sim2reason.scenes.entities.pendulums import LightRodPendulum, Pendulum, SliderMass
-from sim2reason.scenes.entities.rolling import RollingEntity
-from sim2reason.scenes.entities.solar_system import SolarSystem
+from sim2reason.scenes.entities.rolling import RollingEntity, Rough, Spinning
+from sim2reason.scenes.entities.space import SolarSystem
 from sim2reason.solutions import ProblemContext, Solution, solve, solve_prompt
 from sim2reason.testing.solutions.faults import faults
 from worked import asked, derived

@@ -9,14 +9,14 @@ from plain_scenes import row
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.times import AtTime
-from sim2reason.scenes.bodies.pendulums import Ball
-from sim2reason.scenes.bodies.planes import Plane
-from sim2reason.scenes.bodies.sliders import Slab
+from sim2reason.scenes.bodies.blocks import Slab
+from sim2reason.scenes.bodies.oscillators import Ball
+from sim2reason.scenes.bodies.simple_machines import Plane
 from sim2reason.scenes.bodies.space import LevelGround, Rocket
 from sim2reason.scenes.dsl.entity import Entity, Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.projectile import Projectile
-from sim2reason.scenes.entities.rocket_entity import RocketEntity
+from sim2reason.scenes.entities.particles import Projectile
+from sim2reason.scenes.entities.space import RocketEntity
 from sim2reason.scenes.entities.stacked_mass_plane import StackedMassPlane
 from sim2reason.solutions import ProblemContext, Solution, solve
 from sim2reason.solutions.algebra.expressions import Number, Symbol

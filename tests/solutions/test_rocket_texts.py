@@ -14,7 +14,7 @@ from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.scenes.bodies.space import DeepSpace, LevelGround, Rocket, StartingPlace
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.rocket_entity import RocketEntity
+from sim2reason.scenes.entities.space import RocketEntity
 from sim2reason.solutions import Solution, solve
 from sim2reason.solutions.solve import solve_prompt
 from sim2reason.testing.solutions.faults import faults

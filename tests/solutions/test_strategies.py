@@ -10,14 +10,13 @@ from sim2reason.generation.random_scenes import sample
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import MODES, SimulatedScene
 from sim2reason.questions.prompt import words_of
-from sim2reason.scenes.bodies.planes import Incline
 from sim2reason.scenes.bodies.round_bodies import Pipe
+from sim2reason.scenes.bodies.simple_machines import Incline
 from sim2reason.scenes.bodies.space import HeavyPlanet, Star
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.rolling import Rough
-from sim2reason.scenes.entities.rolling import RollingEntity
-from sim2reason.scenes.entities.solar_system import SolarSystem
+from sim2reason.scenes.entities.rolling import RollingEntity, Rough
+from sim2reason.scenes.entities.space import SolarSystem
 from sim2reason.simulation.engines.exact.engine import motion
 from sim2reason.solutions import STRATEGIES, ProblemContext, solve, solve_with
 from sim2reason.solutions.strategies import varying_acceleration

@@ -12,7 +12,7 @@ from sim2reason.questions.moments.times import BurnedOut
 from sim2reason.scenes.bodies.space import LevelGround, Rocket
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.rocket_entity import RocketEntity
+from sim2reason.scenes.entities.space import RocketEntity
 from sim2reason.solutions import Relation, Solution, Step, solve
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.checking import recompute

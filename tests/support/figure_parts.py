@@ -2,8 +2,8 @@
 
 from math import cos, radians, sin
 
-from sim2reason.scenes.bodies.pendulums import Ball, LightRod
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.oscillators import Ball, LightRod
 from sim2reason.scenes.dsl.builder import Frame
 from sim2reason.scenes.dsl.connection import Connection
 from sim2reason.scenes.dsl.entity import Entity, Named

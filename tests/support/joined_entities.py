@@ -4,8 +4,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from sim2reason.scenes.connections.joints import Pivot
 from sim2reason.scenes.connections.string import String
+from sim2reason.scenes.connections.two_ended import Pivot
 from sim2reason.scenes.dsl.connection import Connection, Link
 from sim2reason.scenes.dsl.entity import ENTITIES, Entity, Named, outer_ports
 from sim2reason.scenes.dsl.model import Choice, draw

@@ -2,27 +2,22 @@
 
 from collections.abc import Sequence
 
-from sim2reason.scenes.bodies.pendulums import Ball, Cord
-from sim2reason.scenes.bodies.planes import Incline, Plane, RoughTrack, Track
-from sim2reason.scenes.bodies.pulleys import FixedPulley, MovablePulley
+from sim2reason.scenes.bodies.blocks import Block, Cart, Glider, Puck, Table
+from sim2reason.scenes.bodies.oscillators import Ball, Coil, Cord
 from sim2reason.scenes.bodies.round_bodies import Sphere, SphericalShell
-from sim2reason.scenes.bodies.sliders import Block, Cart, Glider, Puck, Table
-from sim2reason.scenes.bodies.spring import Coil
+from sim2reason.scenes.bodies.simple_machines import FixedPulley, Incline, MovablePulley, Plane, RoughTrack, Track
 from sim2reason.scenes.connections.string import String
 from sim2reason.scenes.dsl.connection import FREE_LENGTH, Link
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.complex_collision_plane import ComplexCollisionPlane
-from sim2reason.scenes.entities.parts.mass_systems import Hanging
-from sim2reason.scenes.entities.parts.pieces import RoundPiece
-from sim2reason.scenes.entities.parts.rolling import NoSlipping
-from sim2reason.scenes.entities.parts.springs import Blow, Strained
 from sim2reason.scenes.entities.pendulums import Pendulum, RotationEntity
+from sim2reason.scenes.entities.pieces import RoundPiece
 from sim2reason.scenes.entities.pulleys import MassWithFixedPulley, MassWithMovablePulley, MassWithReverseMovablePulley
-from sim2reason.scenes.entities.rolling import RollingEntity
+from sim2reason.scenes.entities.rolling import NoSlipping, RollingEntity
 from sim2reason.scenes.entities.slopes import TwoSideMassPlane
-from sim2reason.scenes.entities.spring_chains import SpringMassChain
-from sim2reason.scenes.entities.string_ends import FixedSupport
+from sim2reason.scenes.entities.spring_chains import Blow, SpringMassChain, Strained
+from sim2reason.scenes.entities.string_ends import FixedSupport, Hanging
+from sim2reason.scenes.entities.track_collisions import ComplexCollisionPlane
 from sim2reason.scenes.entities.two_d_collision_plane import TwoDCollisionPlane
 
 G = 9.8

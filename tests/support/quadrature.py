@@ -6,10 +6,16 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.scenes.bodies.caps import Bowl, Hemisphere, SphericalCap
-from sim2reason.scenes.bodies.holed_bodies import BoredCylinder, HollowSphereWithHole, SphereWithHole
-from sim2reason.scenes.bodies.pendulums import Bar, UniformRod
-from sim2reason.scenes.bodies.polygonal_prism import LongPrism, PolygonalPrism
+from sim2reason.scenes.bodies.blocks import LongPrism, PolygonalPrism
+from sim2reason.scenes.bodies.eccentric_bodies import (
+    BoredCylinder,
+    Bowl,
+    Hemisphere,
+    HollowSphereWithHole,
+    SphereWithHole,
+    SphericalCap,
+)
+from sim2reason.scenes.bodies.oscillators import Bar, UniformRod
 from sim2reason.scenes.bodies.round_bodies import (
     Cylinder,
     Disc,

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from sim2reason.errors import SceneError
 from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.recipes import RECIPES
-from sim2reason.simulation.rest.equilibrium import Rest, equilibrium
+from sim2reason.simulation.equilibrium import Rest, equilibrium
 
 RESTFUL = ("chain", "mixed", "rolling", "rotation", "springs")
 """The recipes that have such scenes."""

@@ -15,7 +15,7 @@ from sim2reason.scenes.dsl.entity import ENTITIES
 from sim2reason.scenes.dsl.model import draw
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import dump, to_plain
-from sim2reason.scenes.files.tendons import directions
+from sim2reason.scenes.files.sections import directions
 
 Rng = np.random.Generator
 REQUIRED = ("tail", "top")

@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar
 
 from annotated_types import Len
 
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.blocks import Block
 from sim2reason.scenes.dsl.body import Body
 from sim2reason.scenes.dsl.builder import Frame
 from sim2reason.scenes.dsl.entity import ENTITIES, Entity

@@ -12,7 +12,7 @@ from sim2reason.scenes.files import dump, load
 from sim2reason.simulation.scenes import certify
 from sim2reason.text.parsing import parse_scene
 from sim2reason.text.parsing.equivalence import Signature, signature
-from sim2reason.text.parsing.tokens import pieces
+from sim2reason.text.parsing.sentences import pieces
 from sim2reason.text.prose.description import Description, describe
 
 

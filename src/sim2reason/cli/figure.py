@@ -24,7 +24,7 @@ are drawn with other values. Needs: pip install matplotlib
 def command(scene: Path, out: Path, numbers: bool, seed: int | None) -> None:
     """Draw the initial state of the scene in the file SCENE (- is standard input) as a line drawing."""
     from sim2reason.figures.canvas import check
-    from sim2reason.figures.scenes import figure
+    from sim2reason.figures.drawing import figure
     from sim2reason.scenes.files import wording_of
 
     check(out)

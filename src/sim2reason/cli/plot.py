@@ -29,7 +29,7 @@ Events are marked, and what is cut off is shaded. Needs: pip install matplotlib
 def command(scene: Path, out: Path, duration: float | None, engine: str, seed: int | None) -> None:
     """Plot the motion of the scene in the file SCENE (- is standard input)."""
     from sim2reason.figures.canvas import check
-    from sim2reason.figures.scenes import plot
+    from sim2reason.figures.drawing import plot
     from sim2reason.scenes.files import wording_of
 
     check(out)

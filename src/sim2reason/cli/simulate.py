@@ -83,15 +83,15 @@ def run(
     """Simulate the scene of a text, in a worker process; write the trace to `out`."""
     from sim2reason.scenes.files import loads
     from sim2reason.simulation import scenes, trace_files
+    from sim2reason.simulation.scenes import truncate_trace
     from sim2reason.simulation.trace import ending
-    from sim2reason.simulation.truncate import truncate as truncated
 
     scene, certificate = loads(content), None
     with catch_warnings():
         simplefilter("ignore", MotionEndsWarning)  # it is told below
         if engine == scenes.BOTH:
             trace, certificate = scenes.certify(scene, duration, samples)
-            trace = truncated(trace) if truncate else trace
+            trace = truncate_trace(trace) if truncate else trace
             trace = trace.until(trace.stable_until)
         else:
             trace = scenes.simulate(scene, duration, engine, samples, truncate=truncate)
@@ -125,7 +125,7 @@ def _final(trace: "Trace") -> list[Summary]:
     """Return every channel at the last valid time; null where a value is not determined."""
     import numpy as np
 
-    from sim2reason.simulation.channels import channels
+    from sim2reason.simulation.trace import channels
 
     state = trace.sample(np.array([trace.stable_until]))
     found: list[Summary] = []

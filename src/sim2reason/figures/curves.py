@@ -12,7 +12,7 @@ from sim2reason.scenes.dsl.units import UnitSystem
 from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.simulation.quantities import QUANTITIES, Quantity, ordered
 from sim2reason.simulation.quantities.subjects.bodies import AXES, Bodies
-from sim2reason.simulation.quantities.subjects.lines import strings
+from sim2reason.simulation.quantities.subjects.interactions import strings
 from sim2reason.simulation.trace import Event, Trace
 from sim2reason.text.prose.description import Description
 

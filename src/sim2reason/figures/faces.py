@@ -11,6 +11,20 @@ from sim2reason.figures import shapes
 from sim2reason.figures.hanging import block_labels, wrapped
 from sim2reason.figures.paths import PathKnot, flat, is_plane, owner_of
 from sim2reason.figures.pieces import Bend, DrawingPlan, Piece, draws
+from sim2reason.figures.plane import (
+    NOISE,
+    RIGHT,
+    Polygon,
+    box,
+    cross,
+    dot,
+    drawn_direction,
+    hull,
+    mirrored,
+    rectangle,
+    ring,
+    unit_vector,
+)
 from sim2reason.figures.shapes import (
     SIZE,
     SMALL,
@@ -23,20 +37,6 @@ from sim2reason.figures.shapes import (
     hatched,
     rough,
     width,
-)
-from sim2reason.figures.vectors import (
-    NOISE,
-    RIGHT,
-    Polygon,
-    box,
-    cross,
-    dot,
-    drawn_direction,
-    hull,
-    mirrored,
-    rectangle,
-    ring,
-    unit,
 )
 from sim2reason.scenes.dsl.body import FixedPlane, MovingSlope
 
@@ -146,7 +146,7 @@ class FacePiece(Piece):
         heights = [self._lift(f, bend) for f in self.faces if site in (f.foot, f.top)]
         if len(heights) == 2:  # over the apex: at the right height above both faces
             one, other = self.faces
-            middle = unit(one.normal + other.normal)
+            middle = unit_vector(one.normal + other.normal)
             return middle * heights[0] / dot(middle, one.normal)
         return (face.at(face.length - 0.3) if site == face.foot else 0j) + heights[0] * face.normal
 
@@ -261,7 +261,7 @@ class FacePiece(Piece):
         found.shapes.append(Arc(foot, radius, start, stop, weight="thin"))
         if foot.imag > self.base + 0.05:
             found.shapes.append(LineShape((foot, foot + side * RIGHT * 1.3), "hair", dashed=True))
-        middle = unit(face.uphill + side * RIGHT)
+        middle = unit_vector(face.uphill + side * RIGHT)
         reach = radius + 0.5 * wide * abs(middle.real) + 0.5 * SMALL * abs(middle.imag) + 0.1
         inside = tuple(foot + middle * (reach + 0.1 * step) for step in range(8))
         outside = tuple(foot + complex(-side * (0.5 * wide + 0.1 + 0.2 * n), 0.25 + 0.1 * n) for n in range(4))

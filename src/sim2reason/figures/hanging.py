@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 from sim2reason.figures.paths import PathKnot, has_faces, is_pulley, owner_of
 from sim2reason.figures.pieces import DrawingPlan, Piece, around, draws
+from sim2reason.figures.plane import UP, Polygon, degrees, dot, rectangle, ring, unit_vector
 from sim2reason.figures.shapes import (
     LETTER,
     SIZE,
@@ -19,7 +20,6 @@ from sim2reason.figures.shapes import (
     hatched,
     width,
 )
-from sim2reason.figures.vectors import UP, Polygon, degrees, dot, rectangle, ring, unit
 from sim2reason.scenes.dsl.body import PulleyWheel
 from sim2reason.scenes.dsl.body import Small as SmallBody
 from sim2reason.scenes.dsl.mechanism import ConstantTension
@@ -148,7 +148,7 @@ class PulleyPiece(Piece):
         if self.mounted:
             shapes += plate(self.support, far=self.bracket)
         shapes += [dot_at(0j), *self._string()]
-        start = -self.bend.support_direction if self.bend is not None and not self.fixed else unit(1 + 1j)
+        start = -self.bend.support_direction if self.bend is not None and not self.fixed else unit_vector(1 + 1j)
         text = self.plan.caption(self.address)
         size = SIZE if text == self.plan.name(self.address) else SMALL
         places = around(0j, radius + 0.1, width(text, size), start=start)
@@ -233,6 +233,6 @@ def pull_text(plan: DrawingPlan, hand: str) -> str:
     drawing = plan.scene.builder.drawing
     law = drawing[hand]
     alone = sum(type(other) is type(law) for other in drawing.values()) == 1
-    letter, unit, value = ("F", "N", law.force) if isinstance(law, ConstantTension) else ("v", "m/s", law.reel)
-    text = plan.stated(owner_of(hand), unit, value)
+    letter, unit_vector, value = ("F", "N", law.force) if isinstance(law, ConstantTension) else ("v", "m/s", law.reel)
+    text = plan.stated(owner_of(hand), unit_vector, value)
     return plan.equated(letter, text) if alone else text

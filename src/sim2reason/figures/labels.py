@@ -9,8 +9,8 @@ from math import copysign
 from typing import NamedTuple
 
 from sim2reason.errors import SceneError
+from sim2reason.figures.plane import Box, Polygon, common, crosses, depth, hull, inside, length_inside, unit_vector
 from sim2reason.figures.shapes import Arc, Area, Drawing, Label, LabelRequest, LineShape, Shape, outline
-from sim2reason.figures.vectors import Box, Polygon, common, crosses, depth, hull, inside, length_inside, unit
 from sim2reason.questions.unknown import limits_of
 from sim2reason.scenes.dsl.model import Parameter
 from sim2reason.scenes.dsl.scene import Scene
@@ -41,8 +41,8 @@ def unknowns(scene: Scene, description: Description) -> tuple[str, ...]:
 
 
 def _is_drawn_to_scale(parameter: Parameter) -> bool:
-    unit = parameter.measure.unit
-    return bool(unit) and parse_unit(unit).dimension in SCALES
+    unit_vector = parameter.measure.unit
+    return bool(unit_vector) and parse_unit(unit_vector).dimension in SCALES
 
 
 def disguise_unknowns(scene: Scene, description: Description, draw: Draw) -> tuple[Scene, Drawing]:
@@ -282,6 +282,6 @@ def _strokes(shapes: Sequence[Shape]) -> list[Stroke]:
             points = (*points, points[0]) if isinstance(shape, Area) or shape.whole else points
         found += [Stroke(a, b, weight, order) for a, b in pairwise(points)]
         if isinstance(shape, LineShape) and shape.arrow:
-            tip, way = points[-1], unit(points[-1] - points[-2])
+            tip, way = points[-1], unit_vector(points[-1] - points[-2])
             found.append(Stroke(tip - HEAD * way, tip, HEADED, order))
     return found

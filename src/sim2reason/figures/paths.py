@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from sim2reason.base.lazy import cached_property
-from sim2reason.figures.vectors import Polygon, unit
+from sim2reason.figures.plane import Polygon, unit_vector
 from sim2reason.scenes.dsl.body import Body, FixedPlane, MovingSlope, PulleyWheel
 from sim2reason.scenes.dsl.mechanism import Elastic, Line, Mechanism
 from sim2reason.scenes.dsl.scene import Scene
@@ -21,7 +21,7 @@ def spring(a: complex, b: complex, line: Line | None) -> Iterator[Polygon]:
     if not (line is not None and isinstance(line.law, Elastic) and line.law.damping):
         yield _zigzag(a, b)
         return
-    way = unit(b - a)
+    way = unit_vector(b - a)
     out, lead = ASIDE * way * 1j, min(0.5 * LEAD, 0.08 * abs(b - a)) * way
     yield (a, a + lead)
     yield (b - lead, b)
@@ -33,7 +33,7 @@ def spring(a: complex, b: complex, line: Line | None) -> Iterator[Polygon]:
 
 def _dashpot(a: complex, b: complex) -> Iterator[Polygon]:
     """Yield the outline of a cup that opens towards `b`, and of a piston in it."""
-    way, long = unit(b - a), abs(b - a)
+    way, long = unit_vector(b - a), abs(b - a)
     across, middle, deep = way * 1j, 0.5 * (a + b), min(0.12 * long, DEEP) * way
     bottom, top, piston = middle - deep, middle + deep, middle + 0.2 * deep
     yield (a, bottom)
@@ -43,7 +43,7 @@ def _dashpot(a: complex, b: complex) -> Iterator[Polygon]:
 
 
 def _zigzag(a: complex, b: complex) -> Polygon:
-    way, long = unit(b - a), abs(b - a)
+    way, long = unit_vector(b - a), abs(b - a)
     lead = min(LEAD, 0.15 * long)
     count = max(4, min(14, round((long - 2.0 * lead) / LOOPS)))
     step = (long - 2.0 * lead) / count
@@ -195,7 +195,7 @@ class Paths:
         if not near_by and builder.faces[a.leaves] is None and builder.faces[b.arrives] is None:
             return None
         apart = flat(builder.position(b.arrives)) - flat(builder.position(a.leaves))
-        return unit(apart) if abs(apart) > 1e-9 else None
+        return unit_vector(apart) if abs(apart) > 1e-9 else None
 
 
 def _sites(mechanism: Mechanism, owners: frozenset[str]) -> dict[str, list[str]]:

@@ -10,8 +10,8 @@ from math import isclose
 from typing import TypeVar
 
 from sim2reason.figures.paths import PathKnot, Paths
+from sim2reason.figures.plane import RIGHT, Polygon, cross, dot, unit_vector
 from sim2reason.figures.shapes import Sketch
-from sim2reason.figures.vectors import RIGHT, Polygon, cross, dot, unit
 from sim2reason.scenes.dsl.body import BodyLook
 from sim2reason.scenes.dsl.mechanism import SurfaceContact
 from sim2reason.scenes.dsl.model import Parameter
@@ -45,7 +45,7 @@ class Bend:
         first = abs(way - self.ways[0]) <= abs(way - self.ways[1])
         other = self.ways[1] if first else self.ways[0]
         if abs(cross(way, other)) > 1e-6:
-            return -unit(other - dot(way, other) * way)
+            return -unit_vector(other - dot(way, other) * way)
         across = way * 1j if (way * 1j).real > 0.0 or (way * 1j).imag > 1.0 - 1e-9 else way * -1j
         return across if dot(way, other) < 0.0 else across * self.side
 
@@ -61,7 +61,7 @@ class Bend:
     def support_direction(self) -> complex:
         """Return the direction in which the axle is supported."""
         push = -(self.ways[0] + self.ways[1])
-        return unit(push) if abs(push) > 1e-6 else self.rim() * -1.0
+        return unit_vector(push) if abs(push) > 1e-6 else self.rim() * -1.0
 
 
 @dataclass(frozen=True)
@@ -99,9 +99,9 @@ class DrawingPlan:
         shown = parameter.value and float(f"{parameter.value:.{DIGITS}g}")
         return self.description.voice(replace(parameter, value=shown), symbol)
 
-    def stated(self, owner: str, unit: str, value: float) -> str:
+    def stated(self, owner: str, unit_vector: str, value: float) -> str:
         """Return the text of an entity's number with this unit and value; empty if the text states no such number."""
-        said = self._numbers(owner, unit)
+        said = self._numbers(owner, unit_vector)
         return next(
             (
                 self.number_text(p)
@@ -124,14 +124,14 @@ class DrawingPlan:
         both = zip((r"$\mu_s$", r"$\mu_k$"), (held, said), strict=True)
         return ", ".join(self.equated(symbol, text) for symbol, text in both if text)
 
-    def leaves_open(self, owner: str, unit: str) -> bool:
+    def leaves_open(self, owner: str, unit_vector: str) -> bool:
         """Return whether the text leaves a number unknown, so that the drawing must not show it to scale."""
-        return any(self.number_text(p).startswith("$") for p in self._numbers(owner, unit))
+        return any(self.number_text(p).startswith("$") for p in self._numbers(owner, unit_vector))
 
-    def _numbers(self, owner: str, unit: str) -> Iterator[Parameter]:
+    def _numbers(self, owner: str, unit_vector: str) -> Iterator[Parameter]:
         for parameter in self.scene.parameters:
             inside = parameter.path.startswith(f"{owner}.") and not parameter.hidden
-            if inside and parameter.value is not None and parameter.measure.unit == unit:
+            if inside and parameter.value is not None and parameter.measure.unit == unit_vector:
                 yield parameter
 
     def caption(self, address: str) -> str:

@@ -1,11 +1,13 @@
-"""Shapes of a drawing as frozen values, and labels with candidate positions."""
+"""Shapes of a drawing as frozen values, labels with candidate positions, and angles at corners."""
 
 import re
+from cmath import rect
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
+from math import radians, tan
 from typing import Literal
 
-from sim2reason.figures.vectors import Box, Polygon, box, rectangle, ring
+from sim2reason.figures.plane import Box, Polygon, box, rectangle, ring
 
 Weight = Literal["hair", "thin", "edge", "string", "rod", "dots"]
 Fill = Literal["", "block", "wedge", "fixed", "disc", "ink", "table", "ball", "star", "field"]
@@ -167,3 +169,19 @@ def rough(a: complex, b: complex, normal: complex) -> Shape:
 def dot_at(center: complex, radius: float = 0.06) -> Shape:
     """Return a small filled circle, which marks an axle."""
     return Arc(center, radius, fill="ink", weight="hair")
+
+
+ANGLE_ARC = 0.75  # units, the least radius of an arc
+
+
+def corner_angle(at: complex, turn: tuple[float, float], text: str, subject: str) -> Sketch:
+    """Draw an arc between two directions, given in degrees, with a label; small angles get larger arcs."""
+    middle, half = rect(1.0, radians(0.5 * sum(turn))), radians(0.5 * abs(turn[1] - turn[0]))
+    wide = 0.5 * width(text, SMALL)
+    room = (0.5 * SMALL + 0.09) / tan(half) - 0.1  # where a text of this height fits in
+    near = max(ANGLE_ARC, room)
+    beyond = wide * abs(middle.real) + 0.5 * SMALL * abs(middle.imag) + 0.1
+    places = tuple(at + middle * (near + beyond + 0.1 * n) for n in range(8))
+    return Sketch(
+        [Arc(at, near, *sorted(turn), weight="thin")], [LabelRequest(text, places, subject, SMALL, name=False)]
+    )

@@ -21,7 +21,7 @@ from sim2reason.base.record import abridged
 from sim2reason.grading.parts import LABELS
 from sim2reason.questions.prompt_formats import LETTERS
 from sim2reason.scenes.dsl.measures import join_unit
-from sim2reason.text.prose.symbol_names import formula_unit, stated_value
+from sim2reason.text.prose.description import formula_unit, stated_value
 
 WIDTH = 88  # characters in a line of a printed prompt
 

@@ -33,8 +33,7 @@ from sim2reason.questions.spoken_units import SpokenUnits, spoken_in, system_nam
 from sim2reason.scenes.files import Wording, dump
 from sim2reason.simulation.certify import Certificate
 from sim2reason.solutions.difficulty import SolutionDifficulty
-from sim2reason.text.prose.description import Description
-from sim2reason.text.prose.symbol_names import formula_unit
+from sim2reason.text.prose.description import Description, formula_unit
 
 
 def in_units(system: SpokenUnits, item: Item) -> Item:

@@ -24,8 +24,8 @@ from sim2reason.questions.moments import Happening
 from sim2reason.questions.moments.times import AllAlong, AtStart
 from sim2reason.questions.prompt_formats import together
 from sim2reason.questions.query import Targets, targets
-from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities import QUANTITIES
+from sim2reason.simulation.trace import Channel
 from sim2reason.solutions import ProblemContext, Solution, solve
 from sim2reason.solutions.algebra.expressions import Symbol
 

@@ -15,7 +15,7 @@ from sim2reason.scenes.dsl.mechanism import Coordinate
 from sim2reason.scenes.files import dump
 from sim2reason.scenes.files.schema import summary
 from sim2reason.simulation.quantities import QUANTITIES
-from sim2reason.text.parsing.ordinary.textbook_scenes import TEXTBOOK_SCENES
+from sim2reason.text.parsing.ordinary.textbook import TEXTBOOK_SCENES
 
 RECORDED = "*recorded in traces, not asked*"
 COMMAND = "sim2reason schema --reference -o docs/questions.md"

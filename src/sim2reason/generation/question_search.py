@@ -17,8 +17,8 @@ from sim2reason.questions.difficulty import EVERY, Difficulty, Need
 from sim2reason.questions.prompt import shaped, words_of
 from sim2reason.questions.sentences import irrelevant
 from sim2reason.questions.study import TIME_MARGIN
-from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.structure import changing
 from sim2reason.scenes.dsl.template import Topic
 from sim2reason.simulation.certify import Certificate, certify_trace
 from sim2reason.solutions.shortest import may_have_solution, shortest_solution

@@ -19,8 +19,7 @@ from sim2reason.questions.regimes import Regime
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism
-from sim2reason.text.prose.description import Description
-from sim2reason.text.prose.symbol_names import with_names
+from sim2reason.text.prose.description import Description, with_names
 from sim2reason.text.prose.voices import hiding
 
 

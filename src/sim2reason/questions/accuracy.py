@@ -10,7 +10,7 @@ from typing import Self
 from sim2reason.questions.moments import Moment
 from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.simulation.certify import Certificate
-from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.trace import Channel
 
 TOLERANCE = 0.05
 """The relative error that an answer may have, by default: that of the paper."""

@@ -8,10 +8,10 @@ import numpy as np
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.query import Target
 from sim2reason.questions.study import SimulatedScene
-from sim2reason.scenes.dsl.constancy import bending, changing
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array
+from sim2reason.scenes.dsl.structure import bending, changing
 from sim2reason.simulation.quantities import QUANTITIES, Quantity
 from sim2reason.simulation.trace import EVENT_TIME_RTOL, Event, Trace
 

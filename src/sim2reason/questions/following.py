@@ -15,8 +15,8 @@ from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.questions.query import Query
 from sim2reason.questions.recurrence import has_known_continuation, why_never
 from sim2reason.questions.study import TIME_MARGIN, SimulatedScene
-from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.structure import changing
 
 SAMPLES = 41
 DURATION_GROWTH = 2.0  # factor on the duration of a motion that has not yet led to an answer

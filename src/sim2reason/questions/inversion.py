@@ -12,8 +12,8 @@ from sim2reason.questions.outcomes import PossibleOutcome
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import COARSE_STEP_ERROR, EXACT_STEP_ERROR, SimulatedScene
 from sim2reason.questions.unknown import Unknown, beyond_range, range_of, usual_range, with_number
-from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.structure import changing
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST
 

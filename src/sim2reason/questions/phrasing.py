@@ -11,9 +11,8 @@ from sim2reason.questions.query import Noun, Query, Target
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.fields import Magnetic
 from sim2reason.scenes.dsl.mechanism import Mechanism
-from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies
-from sim2reason.simulation.quantities.subjects.pairs import pair
-from sim2reason.simulation.quantities.subjects.paths import center_path
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies, center_path
+from sim2reason.simulation.quantities.subjects.interactions import pair
 
 QUOTA = {"what": 0.35, "find": 0.3, "how": 0.3, "determine": 0.12, "calculate": 0.08}
 """How often a verb asks, where it can; *how* can ask for little, and makes up for it there."""

@@ -19,10 +19,9 @@ from sim2reason.scenes.dsl.measures import show_unit
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.units import parse_unit
 from sim2reason.text.parsing import NONE_GIVEN, ParsedScene, parse_scene
-from sim2reason.text.parsing.assembly import unstated_error
-from sim2reason.text.prose.description import Description
+from sim2reason.text.parsing.parse_state import unstated_error
+from sim2reason.text.prose.description import Description, without_names
 from sim2reason.text.prose.phrases import join, symbols
-from sim2reason.text.prose.symbol_names import without_names
 
 FORMATS = (
     "Give your answer in {unit}, to three significant figures, inside \\boxed{{}}.",

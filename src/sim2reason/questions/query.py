@@ -18,8 +18,7 @@ from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.simulation.quantities import QUANTITIES, Quantity, ordered
 from sim2reason.simulation.quantities.subjects import Sense
-from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies
-from sim2reason.simulation.quantities.subjects.paths import center_path, chain, turning_axes
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies, center_path, chain, turning_axes
 
 OWN_PATH, OWN_AXLE = "its path", "its axle"
 """Directions that the text need not name: of the line along which a body moves, of the axle about which it turns."""

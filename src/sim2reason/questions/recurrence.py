@@ -12,13 +12,13 @@ from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.crossings import Threshold, crossings
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.reached import Reached
-from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.fields import Magnetic, Push
 from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.structure import changing
 from sim2reason.scenes.dsl.vectors import inner
-from sim2reason.simulation.quantities.subjects.pairs import members
-from sim2reason.simulation.quantities.subjects.paths import center_path, chain
+from sim2reason.simulation.quantities.subjects.bodies import center_path, chain
+from sim2reason.simulation.quantities.subjects.interactions import members
 from sim2reason.simulation.trace import Trace, ending
 
 RECURRENCE_RTOL, ERRS = (

@@ -13,9 +13,8 @@ from sim2reason.questions.moments import MOMENTS, Clause, Happening, Moment
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import DIGITS, ORDINALS, Words
 from sim2reason.scenes.dsl.units import UnitError, parse_unit
-from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities.subjects import Sense
-from sim2reason.simulation.trace import Trace
+from sim2reason.simulation.trace import Channel, Trace
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,15 +11,14 @@ from sim2reason.errors import TextError, UnsupportedError
 from sim2reason.questions.structured import CHANGE, REMOVAL, measured, resolved
 from sim2reason.questions.unknown import derived_numbers, number_at, with_numbers
 from sim2reason.questions.words import Words
-from sim2reason.scenes.dsl.displaced import displaced
 from sim2reason.scenes.dsl.fields import Magnetic, Push
 from sim2reason.scenes.dsl.mechanism import Force, Inextensible, Mechanism
 from sim2reason.scenes.dsl.model import replace_validated
 from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.state import displaced
 from sim2reason.simulation.certify import RECORDED
-from sim2reason.simulation.quantities.subjects.contacts import Hands
-from sim2reason.simulation.quantities.subjects.lines import Springs, Strings
-from sim2reason.simulation.quantities.subjects.rods import Rods, SwingingLines
+from sim2reason.simulation.quantities.subjects.interactions import Hands, Springs, Strings
+from sim2reason.simulation.quantities.subjects.rotating_parts import Rods, SwingingLines
 from sim2reason.simulation.trace import ENGINES
 
 SAMPLES = 41

@@ -13,11 +13,11 @@ import numpy as np
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.questions.unknown import Unknown, unknowns
-from sim2reason.scenes.dsl.constancy import may_turn_back
 from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.model import Parameter
 from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.structure import may_turn_back
 from sim2reason.scenes.dsl.units import UnitSystem
 from sim2reason.simulation.quantities.subjects import Subject
 

@@ -17,9 +17,8 @@ from sim2reason.base.record import counted
 from sim2reason.errors import SimulationError, UnsupportedError
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array, Dynamics, State
-from sim2reason.simulation.channels import Channel, channels
 from sim2reason.simulation.quantities import Quantity
-from sim2reason.simulation.trace import ENDINGS, ENGINES, Event, Trace
+from sim2reason.simulation.trace import ENDINGS, ENGINES, Channel, Event, Trace, channels
 
 Flags = NDArray[np.bool_]
 

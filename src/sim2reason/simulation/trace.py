@@ -1,16 +1,18 @@
-"""The record of a simulated motion, common to all engines."""
+"""The record of a simulated motion, common to all engines: its channels and events, and limits for engines."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.base.record import counted
 from sim2reason.base.registry import Registry
+from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.simulation.quantities import QUANTITIES, Quantity
 
 SHOWN = 10  # largest number of events in the text of a trace
 EVENT_TIME_RTOL = 1e-9  # relative: events with a smaller difference of time are simultaneous
@@ -254,3 +256,38 @@ class Engine(Protocol):
 
 
 ENGINES: Registry[Engine] = Registry("simulation.engines")
+
+
+class Channel(NamedTuple):
+    """A quantity, by its registered name, of one subject, such as a body or a part of a string."""
+
+    subject: str
+    quantity: str
+
+
+def channels(mechanism: Mechanism) -> Iterator[tuple[Channel, Quantity]]:
+    """Yield each channel of a mechanism with its quantity, in the order of the registry of quantities."""
+    for name, quantity in QUANTITIES.items():
+        for subject in quantity.subjects(mechanism):
+            yield Channel(subject, name), quantity
+
+
+OPERATIONS = 40_000_000  # arithmetic operations for one motion, each about 30 ns of Python on a machine of 2024
+
+
+class Budget:
+    """The arithmetic operations that remain for one engine and one motion."""
+
+    __slots__ = ("all", "left")
+
+    def __init__(self, operations: int = OPERATIONS) -> None:
+        """Start with the full number of operations."""
+        self.all = self.left = operations
+
+    def spend(self, operations: int) -> None:
+        """Subtract operations from the budget; raise SimulationError if none remain."""
+        self.left -= operations
+        if self.left < 0:
+            raise SimulationError(
+                f"it takes more than {self.all // 1_000_000} million operations; simulate a shorter time"
+            )

@@ -11,9 +11,7 @@ import numpy as np
 
 from sim2reason.errors import SceneError, UnsupportedError
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.simulation import channels
-from sim2reason.simulation.channels import Channel
-from sim2reason.simulation.trace import Event, Trace
+from sim2reason.simulation.trace import Channel, Event, Trace, channels
 
 FORMAT = "sim2reason trace 1"
 AXES = ("x", "y", "z")
@@ -49,7 +47,7 @@ def write_trace(trace: Trace, path: str | Path) -> None:
         [_field(arrow, "time", {"quantity": "time", "unit": trace.mechanism.units.time})],
         [trace.state.times],
     )
-    for channel, quantity in channels.channels(trace.mechanism):
+    for channel, quantity in channels(trace.mechanism):
         values = quantity.evaluate(trace.state, channel.subject)
         meaning = {
             "subject": channel.subject,

@@ -14,7 +14,7 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.simulation.engines.exact.engine import motion
 from sim2reason.simulation.engines.exact.motion import Motion
-from sim2reason.simulation.quantities.subjects.lines import line_phrases, pulleys, springs
+from sim2reason.simulation.quantities.subjects.interactions import line_phrases, pulleys, springs
 from sim2reason.simulation.trace import events_before
 from sim2reason.solutions.writing.lexicon import Lexicon, StatedNumber
 from sim2reason.solutions.writing.unit_latex import latex

@@ -19,8 +19,8 @@ from sim2reason.questions.moments.occurrence import VelocityJump
 from sim2reason.questions.moments.times import AtStart, BurnedOut, WholeMotion
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.query import Target
-from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.structure import changing
 from sim2reason.simulation.trace import IMPACTS
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.writing.steps import SolutionBuilder

@@ -6,9 +6,9 @@ import pytest
 
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.labels import HEAD
+from sim2reason.figures.plane import length_inside, unit_vector
 from sim2reason.figures.scaled.arrows import ARROW_GAP, SHORTEST
 from sim2reason.figures.shapes import LineShape
-from sim2reason.figures.vectors import length_inside, unit
 from sim2reason.generation.random_scenes import sample
 from sim2reason.text.prose.description import describe
 
@@ -22,6 +22,6 @@ def test_heads_are_free(seed: int, index: int, numbers: bool) -> None:
     assert arrows
     for tail, tip in arrows:
         assert abs(tip - tail) > SHORTEST - 1e-9 > 2.0 * HEAD
-        head = tip - HEAD * unit(tip - tail)
+        head = tip - HEAD * unit_vector(tip - tail)
         assert not any(length_inside(head, tip, label.box) for label in drawn.labels)
     assert all(abs(one[1] - other[1]) > ARROW_GAP for one, other in combinations(arrows, 2))

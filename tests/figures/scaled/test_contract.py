@@ -12,11 +12,11 @@ from figure_parts import RodPendulum, Slider, scene_of
 from sim2reason.errors import SceneError
 from sim2reason.figures import canvas
 from sim2reason.figures.drawing import drawing
+from sim2reason.figures.plane import common
 from sim2reason.figures.scaled.lines import PIVOT
 from sim2reason.figures.shapes import Arc, Area, Drawing, LineShape, Shape, outline
-from sim2reason.figures.vectors import common
-from sim2reason.scenes.bodies.pendulums import Ball, LightRod
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.oscillators import Ball, LightRod
 from sim2reason.scenes.dsl.body import BODIES, BodyLook
 from sim2reason.scenes.dsl.choices import choices, close_ports
 from sim2reason.scenes.dsl.connection import CONNECTIONS, Connection, Link

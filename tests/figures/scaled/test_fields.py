@@ -6,8 +6,8 @@ import pytest
 
 from figure_parts import scene_of
 from sim2reason.figures.drawing import drawing
+from sim2reason.figures.plane import cross, degrees
 from sim2reason.figures.shapes import Arc, Area, Drawing, LineShape
-from sim2reason.figures.vectors import cross, degrees
 from sim2reason.scenes.dsl.body import Body, Small
 from sim2reason.scenes.dsl.builder import Frame
 from sim2reason.scenes.dsl.entity import Entity

@@ -10,11 +10,11 @@ from sim2reason.datasets.ask import ask
 from sim2reason.datasets.solve import solve
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.shapes import LineShape
-from sim2reason.scenes.bodies.planes import Plane
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.simple_machines import Plane
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.mass_systems import FRICTION_ON_PLANE
+from sim2reason.scenes.entities.string_ends import FRICTION_ON_PLANE
 from sim2reason.testing import check_entity
 from sim2reason.text.prose import describe
 from spoiled import registered

@@ -6,28 +6,25 @@ import pytest
 
 from figure_parts import LEANING, RodPendulum, Slider, scene_of
 from sim2reason.figures.drawing import drawing
+from sim2reason.figures.plane import Polygon, cross, degrees
 from sim2reason.figures.shapes import Arc, Area, Drawing, LineShape
-from sim2reason.figures.vectors import Polygon, cross, degrees
-from sim2reason.scenes.bodies.pendulums import Ball, Cord, LightRod
-from sim2reason.scenes.bodies.planes import Incline, Plane, Track
-from sim2reason.scenes.bodies.polygonal_prism import LongPrism
-from sim2reason.scenes.bodies.pulleys import FixedPulley
-from sim2reason.scenes.bodies.sliders import Block, Puck, Slab, SlidingBall, Table
+from sim2reason.scenes.bodies.blocks import Block, LongPrism, Puck, Slab, SlidingBall, Table
+from sim2reason.scenes.bodies.oscillators import Ball, Cord, LightRod
+from sim2reason.scenes.bodies.simple_machines import FixedPulley, Incline, Plane, Track
 from sim2reason.scenes.dsl.body import Axial, Body, BodyLook, Capped, Rectangular, Silhouette, Spherical
 from sim2reason.scenes.dsl.builder import Axes, Frame
 from sim2reason.scenes.dsl.connection import CONNECTIONS, Link
 from sim2reason.scenes.dsl.entity import Entity, Named
 from sim2reason.scenes.dsl.mechanism import X, Y, Z
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.complex_collision_plane import ComplexCollisionPlane
-from sim2reason.scenes.entities.parts.mass_systems import Hanging
+from sim2reason.scenes.entities.particles import Projectile
 from sim2reason.scenes.entities.pendulums import Pendulum
-from sim2reason.scenes.entities.projectile import Projectile
 from sim2reason.scenes.entities.pulleys import MassWithFixedPulley
 from sim2reason.scenes.entities.rolling import TumblingPrism
 from sim2reason.scenes.entities.slopes import TwoSideMassPlane
 from sim2reason.scenes.entities.stacked_mass_plane import StackedMassPlane
-from sim2reason.scenes.entities.string_ends import FixedSupport
+from sim2reason.scenes.entities.string_ends import FixedSupport, Hanging
+from sim2reason.scenes.entities.track_collisions import ComplexCollisionPlane
 from sim2reason.scenes.entities.two_d_collision_plane import TwoDCollisionPlane
 
 

@@ -9,14 +9,13 @@ from sim2reason.generation.filters import FILTERS, Candidate
 from sim2reason.generation.filters.parts.effects import TURNS
 from sim2reason.questions import KINDS, Question, StatedResult
 from sim2reason.questions.difficulty import DIFFICULTIES
-from sim2reason.scenes.bodies.pendulums import Ball
-from sim2reason.scenes.bodies.planes import Incline
+from sim2reason.scenes.bodies.oscillators import Ball
 from sim2reason.scenes.bodies.round_bodies import Pipe
+from sim2reason.scenes.bodies.simple_machines import Incline
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.rolling import NoSlipping, Rolling
-from sim2reason.scenes.entities.projectile import Projectile
-from sim2reason.scenes.entities.rolling import RollingEntity
+from sim2reason.scenes.entities.particles import Projectile
+from sim2reason.scenes.entities.rolling import NoSlipping, Rolling, RollingEntity
 from worked import asked
 
 FILTER = FILTERS["few laws"]

@@ -20,23 +20,20 @@ from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.simplifications import MISCONCEPTIONS
-from sim2reason.scenes.bodies.holed_bodies import BoredCylinder
-from sim2reason.scenes.bodies.planes import Incline, Plane, RoughTrack, Track
+from sim2reason.scenes.bodies.blocks import Block, Cart, Glider
+from sim2reason.scenes.bodies.eccentric_bodies import BoredCylinder
+from sim2reason.scenes.bodies.oscillators import Coil
 from sim2reason.scenes.bodies.round_bodies import Sphere
-from sim2reason.scenes.bodies.sliders import Block, Cart, Glider
-from sim2reason.scenes.bodies.spring import Coil
+from sim2reason.scenes.bodies.simple_machines import Incline, Plane, RoughTrack, Track
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.complex_collision_plane import ComplexCollisionPlane
-from sim2reason.scenes.entities.parts.neighbours import OwnRestitution
-from sim2reason.scenes.entities.parts.rolling import Hole, NoSlipping, Rolling
-from sim2reason.scenes.entities.parts.springs import Strained
-from sim2reason.scenes.entities.rolling import RollingEntity
+from sim2reason.scenes.entities.rolling import Hole, NoSlipping, Rolling, RollingEntity
 from sim2reason.scenes.entities.slopes import TwoSideMassPlane
-from sim2reason.scenes.entities.spring_chains import SpringMassChain
+from sim2reason.scenes.entities.spring_chains import SpringMassChain, Strained
+from sim2reason.scenes.entities.track_collisions import ComplexCollisionPlane, OwnRestitution
 from sim2reason.scenes.entities.two_d_collision_plane import PairRestitution
 from sim2reason.simulation.certify import certify_trace
-from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.trace import Channel
 
 BLOCK, OTHER = "one.system.blocks.0", "other.system.blocks.0"
 LEFT, RIGHT = "table.pucks.0", "table.pucks.1"

@@ -5,7 +5,7 @@ import pytest
 from sim2reason.generation.filters import FILTERS, Candidate
 from sim2reason.questions import Query, Question, SimulatedScene, Target
 from sim2reason.questions.moments.times import AtTime
-from sim2reason.scenes.bodies.pendulums import Ball, Cord
+from sim2reason.scenes.bodies.oscillators import Ball, Cord
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.pendulums import Pendulum

@@ -9,11 +9,11 @@ from plain_scenes import atwood, ramp
 from sim2reason.generation.filters import FILTERS, Candidate, SceneFilter, apply_filters
 from sim2reason.questions import KINDS, Moment, Query, Question, SimulatedScene, StatedResult, Target
 from sim2reason.questions.moments.times import AtTime
-from sim2reason.scenes.bodies.sliders import Block
-from sim2reason.scenes.bodies.spring import Spring
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.oscillators import Spring
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.springs_on_planes import AnchoredSpring
+from sim2reason.scenes.entities.spring_blocks import AnchoredSpring
 
 BLOCK = "one.system.blocks.0"
 

@@ -15,12 +15,11 @@ from sim2reason.questions.moments.strings import NaturalLength
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
 from sim2reason.questions.prompt import parse_prompt
-from sim2reason.scenes.bodies.planes import Incline
 from sim2reason.scenes.bodies.round_bodies import Pipe, Sphere
+from sim2reason.scenes.bodies.simple_machines import Incline
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.rolling import NoSlipping, Rolling
-from sim2reason.scenes.entities.rolling import RollingEntity
+from sim2reason.scenes.entities.rolling import NoSlipping, Rolling, RollingEntity
 
 BLOCK, HANGING, BOB = "ramp.blocks.0", "one.system.blocks.0", "swing.bob"
 

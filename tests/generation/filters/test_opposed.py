@@ -7,8 +7,8 @@ from sim2reason.generation.filters import FILTERS, Candidate
 from sim2reason.generation.random_scenes import sample
 from sim2reason.questions import Query, Question, SimulatedScene, Target
 from sim2reason.questions.moments.times import AtTime
-from sim2reason.scenes.bodies.planes import Plane
-from sim2reason.scenes.bodies.sliders import Slab
+from sim2reason.scenes.bodies.blocks import Slab
+from sim2reason.scenes.bodies.simple_machines import Plane
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.slopes import TwoSideMassPlane

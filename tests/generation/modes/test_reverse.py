@@ -25,11 +25,11 @@ from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import parse_prompt, words_of
 from sim2reason.questions.query import targets
 from sim2reason.questions.unknown import range_of
-from sim2reason.scenes.bodies.pendulums import Ball
+from sim2reason.scenes.bodies.oscillators import Ball
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.projectile import Projectile
+from sim2reason.scenes.entities.particles import Projectile
 from sim2reason.simulation.scenes import simulate
 from sim2reason.text.prose.description import describe
 from sim2reason.text.prose.voices import hiding

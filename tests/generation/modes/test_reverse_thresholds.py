@@ -18,7 +18,7 @@ from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes import OUTCOMES
 from sim2reason.questions.prompt import parse_prompt, prompt
 from sim2reason.questions.study import COARSE_STEP_ERROR
-from sim2reason.scenes.bodies.pendulums import Ball, LightRod
+from sim2reason.scenes.bodies.oscillators import Ball, LightRod
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.pendulums import Pendulum

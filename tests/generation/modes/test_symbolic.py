@@ -31,25 +31,22 @@ from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint, Stopped
 from sim2reason.questions.prompt import parse_prompt, prompt
 from sim2reason.questions.regimes.directions import MovesOneWay
-from sim2reason.scenes.bodies.pendulums import Ball, Cord, FixedBall
-from sim2reason.scenes.bodies.planes import RoughTrack, Track
-from sim2reason.scenes.bodies.sliders import Cart, Glider
+from sim2reason.scenes.bodies.blocks import Cart, Glider
+from sim2reason.scenes.bodies.oscillators import Ball, Coil, Cord, FixedBall
+from sim2reason.scenes.bodies.simple_machines import RoughTrack, Track
 from sim2reason.scenes.bodies.space import HeavyPlanet, LevelGround, Rocket, Star
-from sim2reason.scenes.bodies.spring import Coil
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.complex_collision_plane import ComplexCollisionPlane
-from sim2reason.scenes.entities.parts.pieces import FIRST, OTHER, BallPiece
-from sim2reason.scenes.entities.parts.springs import Blow, Strained
+from sim2reason.scenes.entities.particles import Projectile
 from sim2reason.scenes.entities.pendulums import Pendulum, RotationEntity
-from sim2reason.scenes.entities.projectile import Projectile
-from sim2reason.scenes.entities.rocket_entity import RocketEntity
-from sim2reason.scenes.entities.solar_system import SolarSystem
-from sim2reason.scenes.entities.spring_chains import SpringMassChain
+from sim2reason.scenes.entities.pieces import FIRST, OTHER, BallPiece
+from sim2reason.scenes.entities.space import RocketEntity, SolarSystem
+from sim2reason.scenes.entities.spring_chains import Blow, SpringMassChain, Strained
+from sim2reason.scenes.entities.track_collisions import ComplexCollisionPlane
 from sim2reason.scenes.files import loads
-from sim2reason.simulation.quantities.subjects.rods import SwingingLines
+from sim2reason.simulation.quantities.subjects.rotating_parts import SwingingLines
 from sim2reason.solutions.algebra.expressions import Symbol
-from sim2reason.text.prose.symbol_names import formula_unit, stated_value
+from sim2reason.text.prose.description import formula_unit, stated_value
 
 SYMBOLIC = MODES["symbolic"]
 BLOCK = "ramp.blocks.0"

@@ -17,17 +17,17 @@ from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes import OUTCOMES
 from sim2reason.questions.prompt import parse_prompt, prompt
 from sim2reason.questions.regimes.directions import SideOfCenterOfMass
-from sim2reason.scenes.bodies.pendulums import Ball, Cord, FixedBall, LightRod
-from sim2reason.scenes.bodies.planes import Plane
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.oscillators import Ball, Cord, FixedBall, LightRod
+from sim2reason.scenes.bodies.simple_machines import Plane
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.pieces import FIRST, OTHER, BallPiece
 from sim2reason.scenes.entities.pendulums import Pendulum, RotationEntity
+from sim2reason.scenes.entities.pieces import FIRST, OTHER, BallPiece
 from sim2reason.scenes.entities.slopes import TwoSideMassPlane
 from sim2reason.simulation.scenes import simulate
 from sim2reason.solutions import ProblemContext, solve
-from sim2reason.text.prose.symbol_names import stated_value
+from sim2reason.text.prose.description import stated_value
 
 SYMBOLIC = MODES["symbolic"]
 

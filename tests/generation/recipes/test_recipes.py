@@ -9,9 +9,9 @@ from sim2reason.generation.random_scenes import sample
 from sim2reason.generation.recipes import RECIPES, all_recipes, box, hybrid, incline, mixed, pulley
 from sim2reason.generation.recipes.parts.grow import LONGEST_SENTENCE, Tier, grow
 from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
-from sim2reason.scenes.dsl.ablation import is_weightless, stuck_bodies
 from sim2reason.scenes.dsl.entity import outer_ports
 from sim2reason.scenes.dsl.measures import Count, Range
+from sim2reason.scenes.dsl.structure import is_weightless, stuck_bodies
 from sim2reason.scenes.files import dump, load
 from sim2reason.text.prose.description import describe
 

@@ -7,9 +7,9 @@ import pytest
 from sim2reason.generation.random_scenes import sample
 from sim2reason.generation.recipes.rotation import is_clear
 from sim2reason.questions.difficulty import Difficulty
-from sim2reason.scenes.bodies.pendulums import FixedBall, UniformRod
-from sim2reason.scenes.entities.parts.assembly import WeldedArm
-from sim2reason.scenes.entities.parts.pieces import OTHER, AxialPiece, BallPiece, Side
+from sim2reason.scenes.bodies.oscillators import FixedBall, UniformRod
+from sim2reason.scenes.entities.pendulums import WeldedArm
+from sim2reason.scenes.entities.pieces import OTHER, AxialPiece, BallPiece, Side
 
 
 def rod(length: float, distance: float) -> AxialPiece:

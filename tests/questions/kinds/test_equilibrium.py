@@ -23,9 +23,9 @@ from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.measures import Count
 from sim2reason.scenes.dsl.mechanism import GRAVITY, Mechanism, X, Z
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.spring_block import SpringBlock
+from sim2reason.scenes.entities.spring_blocks import SpringBlock
 from sim2reason.simulation.engines.exact import simulate
-from sim2reason.simulation.rest.equilibrium import equilibrium
+from sim2reason.simulation.equilibrium import equilibrium
 from sim2reason.simulation.scenes import simulate as simulate_scene
 from sim2reason.text.prose.description import describe
 

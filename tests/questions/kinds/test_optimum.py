@@ -18,10 +18,10 @@ from sim2reason.questions.phrasing import PeriodQuery, sentence
 from sim2reason.questions.prompt import parse_prompt, words_of
 from sim2reason.questions.query import targets
 from sim2reason.questions.sentences import parse_question
-from sim2reason.scenes.bodies.pendulums import Ball
+from sim2reason.scenes.bodies.oscillators import Ball
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.projectile import Projectile
+from sim2reason.scenes.entities.particles import Projectile
 from sim2reason.solutions import solve
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read

@@ -10,10 +10,10 @@ from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
-from sim2reason.scenes.bodies.pendulums import Ball
+from sim2reason.scenes.bodies.oscillators import Ball
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.projectile import Projectile
+from sim2reason.scenes.entities.particles import Projectile
 from sim2reason.text.prose.description import describe
 
 FLIGHT = Scene(

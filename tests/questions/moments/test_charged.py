@@ -14,9 +14,8 @@ from sim2reason.questions.prompt import words_of
 from sim2reason.scenes.bodies.charges import ChargedBead, Launched, Released
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.em_entity import EmEntity
-from sim2reason.scenes.entities.parts.fields.drag import LinearDrag
-from sim2reason.scenes.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
+from sim2reason.scenes.entities.fields import LinearDrag, UniformElectric, UniformMagnetic
+from sim2reason.scenes.entities.particles import EmEntity
 from sim2reason.text.prose.description import describe
 
 BEAD = "fields.particle"

@@ -6,8 +6,8 @@ import pytest
 from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.moments.contacts import StoppedSlipping
 from sim2reason.questions.prompt import words_of
-from sim2reason.scenes.bodies.planes import Plane
-from sim2reason.scenes.bodies.sliders import Slab
+from sim2reason.scenes.bodies.blocks import Slab
+from sim2reason.scenes.bodies.simple_machines import Plane
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.stacked_mass_plane import StackedMassPlane

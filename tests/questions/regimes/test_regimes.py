@@ -16,18 +16,17 @@ from sim2reason.questions.regimes.directions import StartsAcute
 from sim2reason.questions.regimes.events import BurntOut, CollideInTurn, SlidesThroughout
 from sim2reason.questions.sentences import parse_question
 from sim2reason.questions.words import OwnSymbol
-from sim2reason.scenes.bodies.planes import Incline, Plane, Track
+from sim2reason.scenes.bodies.blocks import Block, Glider
+from sim2reason.scenes.bodies.oscillators import Spring
 from sim2reason.scenes.bodies.round_bodies import Hoop
-from sim2reason.scenes.bodies.sliders import Block, Glider
+from sim2reason.scenes.bodies.simple_machines import Incline, Plane, Track
 from sim2reason.scenes.bodies.space import DeepSpace, LevelGround, Rocket
-from sim2reason.scenes.bodies.spring import Spring
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.complex_collision_plane import ComplexCollisionPlane
-from sim2reason.scenes.entities.parts.rolling import Rough, Sliding, Spinning
-from sim2reason.scenes.entities.rocket_entity import RocketEntity
-from sim2reason.scenes.entities.rolling import RollingEntity
-from sim2reason.scenes.entities.springs_on_planes import SpringMassIncline
+from sim2reason.scenes.entities.rolling import RollingEntity, Rough, Sliding, Spinning
+from sim2reason.scenes.entities.space import RocketEntity
+from sim2reason.scenes.entities.spring_blocks import SpringMassIncline
+from sim2reason.scenes.entities.track_collisions import ComplexCollisionPlane
 from sim2reason.scenes.files import loads
 from sim2reason.text.prose.description import describe
 

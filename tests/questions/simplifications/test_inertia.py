@@ -8,19 +8,17 @@ import pytest
 from plain_scenes import G, arm, massive, ramp
 from sim2reason.questions import Query, SimulatedScene, Target
 from sim2reason.questions.simplifications import MISCONCEPTIONS
-from sim2reason.scenes.bodies.caps import Hemisphere
-from sim2reason.scenes.bodies.holed_bodies import BoredCylinder, SphereWithHole
-from sim2reason.scenes.bodies.pendulums import Bar
-from sim2reason.scenes.bodies.planes import Incline, Plane
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.eccentric_bodies import BoredCylinder, Hemisphere, SphereWithHole
+from sim2reason.scenes.bodies.oscillators import Bar
 from sim2reason.scenes.bodies.round_bodies import Cylinder, HollowSphere, Sphere, ThickPipe
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.simple_machines import Incline, Plane
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.solids import Shape
-from sim2reason.scenes.entities.parts.pieces import AxialPiece, BarPiece, CappedPiece, RoundPiece, WeldedPiece
-from sim2reason.scenes.entities.parts.rolling import Hole, NoSlipping
 from sim2reason.scenes.entities.pendulums import RotationEntity
-from sim2reason.scenes.entities.rolling import RollingEntity
+from sim2reason.scenes.entities.pieces import AxialPiece, BarPiece, CappedPiece, RoundPiece, WeldedPiece
+from sim2reason.scenes.entities.rolling import Hole, NoSlipping, RollingEntity
 from sim2reason.scenes.entities.slopes import TwoSideMassPlane
 
 ROLLER = "roller.body"

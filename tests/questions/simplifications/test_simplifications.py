@@ -19,7 +19,7 @@ from sim2reason.questions.simplifications import MISCONCEPTIONS
 from sim2reason.scenes.bodies.space import HeavyPlanet, Star
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.solar_system import SolarSystem
+from sim2reason.scenes.entities.space import SolarSystem
 
 BLOCK, OTHER = "one.system.blocks.0", "other.system.blocks.0"
 ASKED = Query("state", Target("acceleration", BLOCK))  # at no moment: of all the motion

@@ -9,14 +9,14 @@ from motions import Motion, orbit
 from plain_scenes import G, atwood, bight, half_atwood, ramp
 from sim2reason.questions import Query, SimulatedScene, Target
 from sim2reason.questions.simplifications import MISCONCEPTIONS
-from sim2reason.scenes.bodies.pulleys import FixedPulley, MovablePulley
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.simple_machines import FixedPulley, MovablePulley
 from sim2reason.scenes.connections.string import String
 from sim2reason.scenes.dsl.connection import Link
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.mass_systems import Hanging
 from sim2reason.scenes.entities.pulleys import MassWithFixedPulley, MassWithMovablePulley
+from sim2reason.scenes.entities.string_ends import Hanging
 from sim2reason.simulation.trace import Trace
 
 BLOCK, OTHER = "one.system.blocks.0", "other.system.blocks.0"

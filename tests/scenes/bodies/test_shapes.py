@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from quadrature import CLOUDS, moments
-from sim2reason.scenes.bodies.caps import Hemisphere, SphericalCap
-from sim2reason.scenes.bodies.pendulums import Bar, FixedBall, UniformRod
-from sim2reason.scenes.bodies.polygonal_prism import PolygonalPrism
+from sim2reason.scenes.bodies.blocks import PolygonalPrism
+from sim2reason.scenes.bodies.eccentric_bodies import Hemisphere, SphericalCap
+from sim2reason.scenes.bodies.oscillators import Bar, FixedBall, UniformRod
 from sim2reason.scenes.bodies.round_bodies import Cylinder, Disc, HollowSphere, Hoop, Sphere, SphericalShell
 from sim2reason.scenes.dsl.body import BODIES
 from sim2reason.scenes.dsl.model import draw

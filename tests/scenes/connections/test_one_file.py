@@ -12,7 +12,7 @@ from joined_entities import Followed, close, scene, string
 from sim2reason.base.registry import Registry, further_members
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.shapes import LineShape
-from sim2reason.scenes.bodies.sliders import Carriage
+from sim2reason.scenes.bodies.blocks import Carriage
 from sim2reason.scenes.dsl.connection import CONNECTIONS, Link
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.pendulums import SliderMass
@@ -27,7 +27,7 @@ CORD = '''
 from math import dist
 from typing import ClassVar
 
-from sim2reason.scenes.connections.parts.straight import Straight
+from sim2reason.scenes.connections.two_ended import Straight
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.connection import Joint, Look, connection
 from sim2reason.scenes.dsl.measures import Stiffness, Strain

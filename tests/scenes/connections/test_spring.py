@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from joined_entities import Followed, close, scene
-from sim2reason.scenes.bodies.sliders import Carriage
-from sim2reason.scenes.connections.spring import SpringConnection
+from sim2reason.scenes.bodies.blocks import Carriage
+from sim2reason.scenes.connections.two_ended import SpringConnection
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.template import Wordings
 from sim2reason.scenes.entities.pendulums import SliderMass

@@ -6,13 +6,10 @@ import pytest
 
 from sim2reason import certify, describe, parse_scene
 from sim2reason.generation.recipes.parts.open_ports import OpenPort
-from sim2reason.scenes.bodies.planes import Plane
-from sim2reason.scenes.bodies.sliders import Slab
-from sim2reason.scenes.connections.joints import Rod
-from sim2reason.scenes.connections.parts.straight import Straight
-from sim2reason.scenes.connections.parts.two_ended import TwoEnded
-from sim2reason.scenes.connections.spring import SpringConnection
+from sim2reason.scenes.bodies.blocks import Slab
+from sim2reason.scenes.bodies.simple_machines import Plane
 from sim2reason.scenes.connections.string import String
+from sim2reason.scenes.connections.two_ended import Rod, SpringConnection, Straight, TwoEnded
 from sim2reason.scenes.dsl.connection import Connection
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.ports import SitePort

@@ -11,10 +11,10 @@ from curved_mechanisms import FAMILIES
 from random_mechanisms import pulleys, rough, table, wedges
 from sim2reason.errors import Sim2ReasonError
 from sim2reason.scenes.dsl.builder import Builder
-from sim2reason.scenes.dsl.constancy import changing, steady
 from sim2reason.scenes.dsl.fields import Profile, Push, Resistance
 from sim2reason.scenes.dsl.frames import Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import ZERO, ConstantTension, Elastic, Inextensible, Mechanism, Prop, X, Y, Z
+from sim2reason.scenes.dsl.structure import changing, steady
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.system import System
 from spoiled_mechanisms import spoiled

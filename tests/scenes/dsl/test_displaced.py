@@ -8,11 +8,11 @@ from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.scenes.dsl.builder import Builder
-from sim2reason.scenes.dsl.displaced import displaced
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import X, Y, Z
+from sim2reason.scenes.dsl.state import displaced
 from sim2reason.simulation.engines.exact import simulate
-from sim2reason.simulation.rest.equilibrium import steady
+from sim2reason.simulation.equilibrium import steady
 
 SEEDS = range(2)
 

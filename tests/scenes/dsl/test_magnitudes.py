@@ -6,18 +6,17 @@ from plain_scenes import atwood, ramp
 from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.oscillators import Spring
 from sim2reason.scenes.bodies.round_bodies import Sphere
-from sim2reason.scenes.bodies.sliders import Block
 from sim2reason.scenes.bodies.space import AirlessPlanet, HeavyPlanet, Rocket, Star
-from sim2reason.scenes.bodies.spring import Spring
 from sim2reason.scenes.dsl.entity import Entity, Named
 from sim2reason.scenes.dsl.magnitudes import STATED, implausible_numbers
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.pieces import RoundPiece
 from sim2reason.scenes.entities.pendulums import RotationEntity
-from sim2reason.scenes.entities.rocket_entity import RocketEntity
-from sim2reason.scenes.entities.solar_system import SolarSystem
-from sim2reason.scenes.entities.springs_on_planes import AnchoredSpring
+from sim2reason.scenes.entities.pieces import RoundPiece
+from sim2reason.scenes.entities.space import RocketEntity, SolarSystem
+from sim2reason.scenes.entities.spring_blocks import AnchoredSpring
 
 DRAWS = [9, pytest.param(45, marks=pytest.mark.slow)]  # of each recipe and difficulty: 2025 in all
 

@@ -1,8 +1,8 @@
 """What a mechanism can do from where it stands."""
 
-from sim2reason.scenes.dsl.ablation import is_weightless, stuck_bodies
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.mechanism import X, Z
+from sim2reason.scenes.dsl.structure import is_weightless, stuck_bodies
 
 
 def _hanging(mass: float = 1.0) -> Builder:

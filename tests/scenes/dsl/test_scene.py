@@ -3,20 +3,18 @@
 import pytest
 
 from sim2reason.errors import SceneError
-from sim2reason.scenes.bodies.planes import Plane
-from sim2reason.scenes.bodies.pulleys import FixedPulley, MovablePulley
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.simple_machines import FixedPulley, MovablePulley, Plane
 from sim2reason.scenes.connections.string import String
 from sim2reason.scenes.dsl.connection import Connection, Link
+from sim2reason.scenes.dsl.defaults import opposite
 from sim2reason.scenes.dsl.entity import Entity, Named
-from sim2reason.scenes.dsl.layout import opposite
 from sim2reason.scenes.dsl.mechanism import X, Z
 from sim2reason.scenes.dsl.ports import Port
 from sim2reason.scenes.dsl.scene import Scene, World
-from sim2reason.scenes.entities.parts.mass_systems import Hanging
 from sim2reason.scenes.entities.pulleys import MassWithFixedPulley, MassWithReverseMovablePulley
 from sim2reason.scenes.entities.slopes import TwoSideMassPlane
-from sim2reason.scenes.entities.string_ends import ConstantForcePuller, FixedSupport
+from sim2reason.scenes.entities.string_ends import ConstantForcePuller, FixedSupport, Hanging
 from sim2reason.simulation.scenes import simulate
 
 

@@ -8,7 +8,7 @@ import pytest
 from sim2reason.errors import SceneError
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.mechanism import Mechanism, X, Z
-from sim2reason.scenes.dsl.start_speeds import check_speeds
+from sim2reason.scenes.dsl.state import check_speeds
 from sim2reason.simulation.trace import ENGINES
 
 TIMES = np.linspace(0.0, 0.5, 6)

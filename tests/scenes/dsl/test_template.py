@@ -2,8 +2,8 @@
 
 import pytest
 
-from sim2reason.scenes.bodies.planes import Plane
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.simple_machines import Plane
 from sim2reason.scenes.dsl.body import Body
 from sim2reason.scenes.dsl.entity import Part
 from sim2reason.scenes.dsl.measures import Friction, Mass

@@ -6,7 +6,7 @@ from sim2reason.datasets.solve import solve
 from sim2reason.errors import SceneError
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.shapes import Arc, LineShape
-from sim2reason.scenes.bodies.pulleys import SteppedPulley
+from sim2reason.scenes.bodies.simple_machines import SteppedPulley
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.pulleys import BlocksOnSteppedPulley
 from sim2reason.scenes.files import dump, loads

@@ -5,14 +5,13 @@ from math import cos, radians, sin
 import numpy as np
 
 from joined_entities import Followed, close, scene, string
-from sim2reason.scenes.bodies.pulleys import FixedPulley
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.simple_machines import FixedPulley
 from sim2reason.scenes.dsl.entity import Entity
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.scenes.entities.parts.mass_systems import Hanging
 from sim2reason.scenes.entities.pulleys import MassWithFixedPulley
-from sim2reason.scenes.entities.string_ends import ConstantForcePuller, ConstantVelocityPuller, DirectedMass
+from sim2reason.scenes.entities.string_ends import ConstantForcePuller, ConstantVelocityPuller, DirectedMass, Hanging
 
 G, MASS = 9.8, 2.2
 BLOCK = DirectedMass(

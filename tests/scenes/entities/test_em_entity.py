@@ -18,13 +18,18 @@ from sim2reason.scenes.bodies.charges import (
     Strip,
 )
 from sim2reason.scenes.dsl.template import Wordings
-from sim2reason.scenes.entities.em_entity import EmEntity
-from sim2reason.scenes.entities.parts.fields import ElectricField, ForceField
-from sim2reason.scenes.entities.parts.fields.dipole_magnetic import DipoleMagnetic
-from sim2reason.scenes.entities.parts.fields.drag import LinearDrag, QuadraticDrag
-from sim2reason.scenes.entities.parts.fields.linear import LinearElectric, LinearMagnetic
-from sim2reason.scenes.entities.parts.fields.time_dependent import GrowingElectric, OscillatingElectric
-from sim2reason.scenes.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
+from sim2reason.scenes.entities.fields import (
+    ElectricField,
+    ForceField,
+    LinearDrag,
+    LinearElectric,
+    LinearMagnetic,
+    QuadraticDrag,
+    UniformElectric,
+    UniformMagnetic,
+)
+from sim2reason.scenes.entities.particles import EmEntity
+from sim2reason.scenes.entities.varying_fields import DipoleMagnetic, GrowingElectric, OscillatingElectric
 from sim2reason.text.parsing.scene_parser import parse_scene
 from sim2reason.text.prose.description import describe
 

@@ -6,17 +6,16 @@ import pytest
 
 from joined_entities import Followed, close, scene, string
 from sim2reason.errors import SceneError
-from sim2reason.scenes.bodies.planes import Plane
-from sim2reason.scenes.bodies.pulleys import FixedPulley, MovablePulley
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.simple_machines import FixedPulley, MovablePulley, Plane
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.mass_systems import Hanging
 from sim2reason.scenes.entities.pulleys import MassWithFixedPulley, ThreePointMovablePulley
 from sim2reason.scenes.entities.slopes import TwoSideMassPlane
 from sim2reason.scenes.entities.string_ends import (
     ConstantForcePuller,
     ConstantVelocityPuller,
     FixedSupport,
+    Hanging,
     HangingMass,
 )
 

@@ -3,8 +3,8 @@
 import pytest
 
 from joined_entities import Followed, close, scene, string
-from sim2reason.scenes.bodies.planes import Box
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.simple_machines import Box
 from sim2reason.scenes.entities.slopes import MassBoxPlane
 from sim2reason.scenes.entities.string_ends import ConstantForcePuller
 

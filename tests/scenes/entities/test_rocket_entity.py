@@ -9,7 +9,7 @@ from pydantic import ValidationError
 from lone_entities import alone, close, followed, happened
 from sim2reason.scenes.bodies.space import AirlessPlanet, DeepSpace, LevelGround, Rocket
 from sim2reason.scenes.dsl.mechanism import GRAVITY
-from sim2reason.scenes.entities.rocket_entity import RocketEntity
+from sim2reason.scenes.entities.space import RocketEntity
 
 FULL, DRY = 900.0, 300.0
 

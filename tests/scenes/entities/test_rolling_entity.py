@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 import sim2reason
 from drawn_entities import certified, drawn_entity, travels
 from lone_entities import alone, followed
-from sim2reason.scenes.bodies.holed_bodies import BoredCylinder
-from sim2reason.scenes.bodies.planes import Incline
-from sim2reason.scenes.bodies.pulleys import FixedPulley
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.eccentric_bodies import BoredCylinder
 from sim2reason.scenes.bodies.round_bodies import (
     Disc,
     HollowSphere,
@@ -24,16 +23,15 @@ from sim2reason.scenes.bodies.round_bodies import (
     SphericalShell,
     ThickPipe,
 )
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.simple_machines import FixedPulley, Incline
 from sim2reason.scenes.connections.string import String
 from sim2reason.scenes.dsl.connection import Link
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.solids import Shape
-from sim2reason.scenes.entities.parts.mass_systems import Hanging
-from sim2reason.scenes.entities.parts.rolling import Hole, NoSlipping, Rolling, Rough, Sliding, Spinning
 from sim2reason.scenes.entities.pulleys import MassWithFixedPulley
-from sim2reason.scenes.entities.rolling import RollingEntity
+from sim2reason.scenes.entities.rolling import Hole, NoSlipping, Rolling, RollingEntity, Rough, Sliding, Spinning
+from sim2reason.scenes.entities.string_ends import Hanging
 from sim2reason.simulation.engines.exact import simulate
 from sim2reason.simulation.quantities import QUANTITIES
 

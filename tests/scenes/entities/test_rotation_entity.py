@@ -14,17 +14,16 @@ from quadrature import CLOUDS
 from sim2reason.errors import SceneError
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.random_scenes import sample
-from sim2reason.scenes.bodies.caps import Bowl, Hemisphere
-from sim2reason.scenes.bodies.holed_bodies import HollowSphereWithHole, SphereWithHole
-from sim2reason.scenes.bodies.pendulums import Bar, FixedBall, UniformRod
-from sim2reason.scenes.bodies.polygonal_prism import PolygonalPrism
+from sim2reason.scenes.bodies.blocks import PolygonalPrism
+from sim2reason.scenes.bodies.eccentric_bodies import Bowl, Hemisphere, HollowSphereWithHole, SphereWithHole
+from sim2reason.scenes.bodies.oscillators import Bar, FixedBall, UniformRod
 from sim2reason.scenes.bodies.round_bodies import Cylinder, Disc, Sphere
-from sim2reason.scenes.connections.joints import Pivot, Weld
+from sim2reason.scenes.connections.two_ended import Pivot, Weld
 from sim2reason.scenes.dsl.connection import Link
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.assembly import WeldedArm, holds_axle
-from sim2reason.scenes.entities.parts.pieces import (
+from sim2reason.scenes.entities.pendulums import RigidPendulum, RotationEntity, WeldedArm, holds_axle
+from sim2reason.scenes.entities.pieces import (
     FIRST,
     LIKE_FIRST,
     OTHER,
@@ -40,10 +39,9 @@ from sim2reason.scenes.entities.parts.pieces import (
     Side,
     TiltedPiece,
 )
-from sim2reason.scenes.entities.pendulums import RigidPendulum, RotationEntity
 from sim2reason.simulation.engines.exact import simulate
 from sim2reason.simulation.quantities import QUANTITIES
-from sim2reason.simulation.quantities.subjects.rods import SwingingLines
+from sim2reason.simulation.quantities.subjects.rotating_parts import SwingingLines
 from sim2reason.text.prose.description import describe
 
 G = 9.8

@@ -11,7 +11,7 @@ from pydantic import ValidationError
 from lone_entities import alone, close, followed, planar
 from sim2reason.errors import SimulationError
 from sim2reason.scenes.bodies.space import HeavyPlanet, Planet, Star
-from sim2reason.scenes.entities.solar_system import FULL, G, SolarSystem
+from sim2reason.scenes.entities.space import FULL, G, SolarSystem
 from sim2reason.simulation.scenes import certify
 from sim2reason.text.prose import describe
 

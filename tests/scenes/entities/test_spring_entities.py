@@ -8,7 +8,7 @@ import pytest
 from sim2reason.scenes.dsl.entity import Entity
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.state import State
-from sim2reason.scenes.entities.spring_block import SpringBlock
+from sim2reason.scenes.entities.spring_blocks import SpringBlock
 from sim2reason.scenes.entities.spring_chains import SpringMassChain
 from sim2reason.simulation.engines.exact import simulate
 from told import certified, check_told, check_whole, drawn, scene_of

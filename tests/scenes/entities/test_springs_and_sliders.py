@@ -8,18 +8,15 @@ import pytest
 
 from joined_entities import Followed, close, pivot, scene, string
 from sim2reason.errors import SceneError
-from sim2reason.scenes.bodies.pendulums import Ball, LightRod
-from sim2reason.scenes.bodies.planes import Plane
-from sim2reason.scenes.bodies.pulleys import FixedPulley
-from sim2reason.scenes.bodies.sliders import Block, Carriage
-from sim2reason.scenes.bodies.spring import Spring
-from sim2reason.scenes.connections.joints import Weld
+from sim2reason.scenes.bodies.blocks import Block, Carriage
+from sim2reason.scenes.bodies.oscillators import Ball, LightRod, Spring
+from sim2reason.scenes.bodies.simple_machines import FixedPulley, Plane
+from sim2reason.scenes.connections.two_ended import Weld
 from sim2reason.scenes.dsl.connection import Link
-from sim2reason.scenes.entities.parts.mass_systems import Hanging
 from sim2reason.scenes.entities.pendulums import LightRodPendulum, SliderMass
 from sim2reason.scenes.entities.pulleys import MassWithFixedPulley
-from sim2reason.scenes.entities.springs_on_planes import AnchoredSpring, SpringMassIncline
-from sim2reason.scenes.entities.string_ends import ConstantForcePuller, ConstantVelocityPuller
+from sim2reason.scenes.entities.spring_blocks import AnchoredSpring, SpringMassIncline
+from sim2reason.scenes.entities.string_ends import ConstantForcePuller, ConstantVelocityPuller, Hanging
 
 G, K = 9.8, 80.0
 SPRING = Spring(stiffness=K, length=0.4)

@@ -6,14 +6,12 @@ import pytest
 
 from joined_entities import Followed, close, scene, string
 from sim2reason.errors import SceneError
-from sim2reason.scenes.bodies.planes import Plane
-from sim2reason.scenes.bodies.pulleys import FixedPulley
-from sim2reason.scenes.bodies.sliders import Block, Slab
+from sim2reason.scenes.bodies.blocks import Block, Slab
+from sim2reason.scenes.bodies.simple_machines import FixedPulley, Plane
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.mass_systems import Hanging
 from sim2reason.scenes.entities.pulleys import MassWithFixedPulley
 from sim2reason.scenes.entities.stacked_mass_plane import StackedMassPlane
-from sim2reason.scenes.entities.string_ends import ConstantForcePuller
+from sim2reason.scenes.entities.string_ends import ConstantForcePuller, Hanging
 
 G = 9.8
 FLOOR = Plane(angle=0.0, friction=0.0)

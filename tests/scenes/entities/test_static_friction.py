@@ -9,8 +9,8 @@ from sim2reason.authoring import Entity, Frame, X, Z, either
 from sim2reason.datasets.solve import solve
 from sim2reason.errors import SceneError
 from sim2reason.figures.drawing import drawing
-from sim2reason.scenes.bodies.planes import Plane
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.simple_machines import Plane
 from sim2reason.scenes.dsl.entity import ENTITIES
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import dump, loads

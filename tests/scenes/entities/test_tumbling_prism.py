@@ -8,8 +8,8 @@ import pytest
 import sim2reason
 from drawn_entities import certified, drawn_entity, travels
 from lone_entities import alone, followed
-from sim2reason.scenes.bodies.planes import Incline
-from sim2reason.scenes.bodies.polygonal_prism import SIDES, LongPrism
+from sim2reason.scenes.bodies.blocks import SIDES, LongPrism
+from sim2reason.scenes.bodies.simple_machines import Incline
 from sim2reason.scenes.dsl.measures import Range
 from sim2reason.scenes.entities.rolling import TumblingPrism
 from sim2reason.simulation.trace import Trace

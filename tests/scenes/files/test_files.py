@@ -16,7 +16,7 @@ from sim2reason.scenes.dsl.entity import ENTITIES, outer_ports, ports_of
 from sim2reason.scenes.dsl.ports import Pass
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import dump, load, loads
-from sim2reason.scenes.files.tendons import directions, end_to_plain
+from sim2reason.scenes.files.sections import directions, end_to_plain
 
 BIGHT = """\
 scene:

@@ -11,7 +11,7 @@ import yaml
 from numpy.random import default_rng
 
 from scene_files import composed, drawn
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.blocks import Block
 from sim2reason.scenes.dsl.entity import ENTITIES
 from sim2reason.scenes.dsl.measures import Mass
 from sim2reason.scenes.dsl.model import Model

@@ -9,12 +9,12 @@ from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
-from sim2reason.scenes.bodies.pendulums import Ball, FixedBall, LightRod, UniformRod
+from sim2reason.scenes.bodies.oscillators import Ball, FixedBall, LightRod, UniformRod
 from sim2reason.scenes.bodies.round_bodies import Sphere
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.pieces import AxialPiece, BallPiece, RoundPiece, WeldedPiece
 from sim2reason.scenes.entities.pendulums import Pendulum, RotationEntity
+from sim2reason.scenes.entities.pieces import AxialPiece, BallPiece, RoundPiece, WeldedPiece
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.text.prose.description import describe
 

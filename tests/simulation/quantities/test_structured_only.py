@@ -11,7 +11,7 @@ from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.posing import pose_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
-from sim2reason.scenes.dsl.displaced import displaced
+from sim2reason.scenes.dsl.state import displaced
 from sim2reason.scenes.files import load
 from sim2reason.text.prose.description import describe
 

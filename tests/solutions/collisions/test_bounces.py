@@ -10,10 +10,10 @@ from sim2reason.questions import Query, Target
 from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.bounces import Bounced
 from sim2reason.questions.moments.distances import Away
-from sim2reason.scenes.bodies.pendulums import Ball
+from sim2reason.scenes.bodies.oscillators import Ball
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.projectile import Projectile
+from sim2reason.scenes.entities.particles import Projectile
 from worked import derived
 
 BALL, G = "field.ball", 9.8

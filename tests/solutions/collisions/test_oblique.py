@@ -6,7 +6,7 @@ import pytest
 
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.contacts import Collided
-from sim2reason.scenes.bodies.sliders import Puck, Table
+from sim2reason.scenes.bodies.blocks import Puck, Table
 from sim2reason.scenes.entities.two_d_collision_plane import TwoDCollisionPlane
 from worked import answer
 

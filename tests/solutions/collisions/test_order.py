@@ -11,14 +11,14 @@ from sim2reason.questions.moments.contacts import Collided, LastCollision
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint
-from sim2reason.scenes.bodies.planes import Track
-from sim2reason.scenes.bodies.sliders import Glider, Puck, Table
+from sim2reason.scenes.bodies.blocks import Glider, Puck, Table
+from sim2reason.scenes.bodies.simple_machines import Track
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.complex_collision_plane import ComplexCollisionPlane
+from sim2reason.scenes.entities.track_collisions import ComplexCollisionPlane
 from sim2reason.scenes.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.simulation.quantities.subjects import Sense
-from sim2reason.simulation.quantities.subjects.pairs import PAIR_SEPARATOR
+from sim2reason.simulation.quantities.subjects.interactions import PAIR_SEPARATOR
 from sim2reason.solutions import ProblemContext, Solution, solve
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data

@@ -6,10 +6,10 @@ import pytest
 
 from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.bounces import Bounced, Landed
-from sim2reason.scenes.bodies.pendulums import Ball
+from sim2reason.scenes.bodies.oscillators import Ball
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.projectile import Projectile
+from sim2reason.scenes.entities.particles import Projectile
 from sim2reason.solutions import STRATEGIES, Solution, solve_with
 from worked import asked, derived, solution_text
 

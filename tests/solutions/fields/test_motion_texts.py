@@ -10,11 +10,9 @@ from sim2reason.questions.moments.times import AtTime
 from sim2reason.scenes.bodies.charges import ChargedBead, Launched, Released
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.em_entity import EmEntity
-from sim2reason.scenes.entities.parts.fields.drag import LinearDrag
-from sim2reason.scenes.entities.parts.fields.linear import LinearElectric
-from sim2reason.scenes.entities.parts.fields.time_dependent import GrowingElectric, OscillatingElectric
-from sim2reason.scenes.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
+from sim2reason.scenes.entities.fields import LinearDrag, LinearElectric, UniformElectric, UniformMagnetic
+from sim2reason.scenes.entities.particles import EmEntity
+from sim2reason.scenes.entities.varying_fields import GrowingElectric, OscillatingElectric
 from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.solutions import STRATEGIES, Solution, solve, solve_with
 from sim2reason.testing.solutions.faults import faults

@@ -9,7 +9,7 @@ from sim2reason.questions.moments.distances import Closest, Farthest
 from sim2reason.scenes.bodies.space import Planet, Star
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.solar_system import SolarSystem
+from sim2reason.scenes.entities.space import SolarSystem
 from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.solutions import Solution, solve
 from sim2reason.testing.solutions.faults import faults

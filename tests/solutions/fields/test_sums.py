@@ -15,11 +15,10 @@ from sim2reason.scenes.bodies.charges import ChargedBead, Launched
 from sim2reason.scenes.bodies.space import Planet, Star
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.em_entity import EmEntity
-from sim2reason.scenes.entities.parts.fields.drag import LinearDrag
-from sim2reason.scenes.entities.parts.fields.time_dependent import GrowingElectric
-from sim2reason.scenes.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
-from sim2reason.scenes.entities.solar_system import SolarSystem
+from sim2reason.scenes.entities.fields import LinearDrag, UniformElectric, UniformMagnetic
+from sim2reason.scenes.entities.particles import EmEntity
+from sim2reason.scenes.entities.space import SolarSystem
+from sim2reason.scenes.entities.varying_fields import GrowingElectric
 from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.solutions import ProblemContext, Solution, solve
 from sim2reason.solutions.reverse import forward

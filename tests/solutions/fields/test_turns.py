@@ -12,9 +12,8 @@ from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.scenes.bodies.charges import ChargedBead, Launched, Released
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.em_entity import EmEntity
-from sim2reason.scenes.entities.parts.fields.linear import LinearElectric
-from sim2reason.scenes.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
+from sim2reason.scenes.entities.fields import LinearElectric, UniformElectric, UniformMagnetic
+from sim2reason.scenes.entities.particles import EmEntity
 from worked import answer, derived
 
 BEAD = "fields.particle"

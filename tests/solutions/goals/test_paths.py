@@ -4,11 +4,11 @@ import pytest
 
 from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.times import AtTime
-from sim2reason.scenes.bodies.planes import Track
-from sim2reason.scenes.bodies.sliders import Glider
+from sim2reason.scenes.bodies.blocks import Glider
+from sim2reason.scenes.bodies.simple_machines import Track
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.complex_collision_plane import ComplexCollisionPlane
+from sim2reason.scenes.entities.track_collisions import ComplexCollisionPlane
 from worked import derived, solution_text
 
 

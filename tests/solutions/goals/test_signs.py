@@ -8,7 +8,7 @@ from plain_scenes import ramp, row, squeezed
 from sim2reason.questions import Formula, Query, Target
 from sim2reason.questions.moments.strings import MostCompressed, MostStretched
 from sim2reason.questions.moments.times import AtTime
-from sim2reason.simulation.quantities.subjects.pairs import PAIR_SEPARATOR
+from sim2reason.simulation.quantities.subjects.interactions import PAIR_SEPARATOR
 from sim2reason.solutions import solve
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.functions import Absolute

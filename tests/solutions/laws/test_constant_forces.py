@@ -9,7 +9,7 @@ PULLED = '''
 from math import cos, radians, sin
 
 from sim2reason.authoring import Angle, Entity, Force, Frame, Friction, Profile, Push, X, Z, entity
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.blocks import Block
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.questions.moments.distances import Moved

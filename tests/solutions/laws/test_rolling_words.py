@@ -8,12 +8,11 @@ import pytest
 from plain_scenes import drawn_shell
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.moments.times import AtStart, AtTime
-from sim2reason.scenes.bodies.planes import Incline
 from sim2reason.scenes.bodies.round_bodies import Pipe
+from sim2reason.scenes.bodies.simple_machines import Incline
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.rolling import Rolling, Rough, Spinning, Start
-from sim2reason.scenes.entities.rolling import RollingEntity
+from sim2reason.scenes.entities.rolling import Rolling, RollingEntity, Rough, Spinning, Start
 from sim2reason.solutions import STRATEGIES, Solution, solve, solve_with
 from sim2reason.solutions.solve import solve_prompt
 from sim2reason.testing.solutions.faults import faults

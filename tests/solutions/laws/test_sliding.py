@@ -8,13 +8,12 @@ import pytest
 from plain_scenes import ramp
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.moments.times import AtTime
-from sim2reason.scenes.bodies.planes import Incline, Plane, Prism
+from sim2reason.scenes.bodies.blocks import Block, Slab
 from sim2reason.scenes.bodies.round_bodies import Hoop
-from sim2reason.scenes.bodies.sliders import Block, Slab
+from sim2reason.scenes.bodies.simple_machines import Incline, Plane, Prism
 from sim2reason.scenes.dsl.entity import Entity, Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.rolling import Rough
-from sim2reason.scenes.entities.rolling import RollingEntity
+from sim2reason.scenes.entities.rolling import RollingEntity, Rough
 from sim2reason.scenes.entities.slopes import MassPrismPlane
 from sim2reason.scenes.entities.stacked_mass_plane import StackedMassPlane
 from sim2reason.solutions import ProblemContext, Solution, solve

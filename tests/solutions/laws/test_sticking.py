@@ -6,12 +6,11 @@ import pytest
 
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.distances import Moved
-from sim2reason.scenes.bodies.planes import Incline
 from sim2reason.scenes.bodies.round_bodies import Pipe
+from sim2reason.scenes.bodies.simple_machines import Incline
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.rolling import Rough, Spinning
-from sim2reason.scenes.entities.rolling import RollingEntity
+from sim2reason.scenes.entities.rolling import RollingEntity, Rough, Spinning
 from sim2reason.solutions import Solution, solve
 from sim2reason.testing.solutions.faults import faults
 from worked import asked, solution_text

@@ -9,8 +9,8 @@ from plain_scenes import row
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtTime
-from sim2reason.scenes.bodies.planes import Prism
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.simple_machines import Prism
 from sim2reason.scenes.dsl.entity import Entity, Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.slopes import MassPrismPlane

@@ -16,15 +16,14 @@ from sim2reason.questions.moments.strings import MostCompressed, MostStretched, 
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.phrasing import PeriodQuery
-from sim2reason.scenes.bodies.planes import Plane
-from sim2reason.scenes.bodies.sliders import Block, Slab
-from sim2reason.scenes.bodies.spring import Spring
+from sim2reason.scenes.bodies.blocks import Block, Slab
+from sim2reason.scenes.bodies.oscillators import Spring
+from sim2reason.scenes.bodies.simple_machines import Plane
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.mass_systems import Hanging
-from sim2reason.scenes.entities.springs_on_planes import SpringMassIncline
+from sim2reason.scenes.entities.spring_blocks import SpringMassIncline
 from sim2reason.scenes.entities.stacked_mass_plane import StackedMassPlane
-from sim2reason.scenes.entities.string_ends import HangingMass
+from sim2reason.scenes.entities.string_ends import Hanging, HangingMass
 from sim2reason.solutions import STRATEGIES, ProblemContext, Solution, solve, solve_with
 from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.solution import RELATION_RTOL

@@ -12,7 +12,7 @@ from sim2reason.questions.moments.angles import Deflected
 from sim2reason.questions.moments.strings import WentTaut
 from sim2reason.questions.moments.times import AtTime, WholeMotion
 from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint
-from sim2reason.scenes.bodies.pendulums import Ball, Cord, LightRod
+from sim2reason.scenes.bodies.oscillators import Ball, Cord, LightRod
 from sim2reason.scenes.dsl.entity import Entity, Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.pendulums import Pendulum

@@ -7,14 +7,13 @@ import pytest
 
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.times import AtTime
-from sim2reason.scenes.bodies.planes import Incline
-from sim2reason.scenes.bodies.polygonal_prism import LongPrism
+from sim2reason.scenes.bodies.blocks import LongPrism
+from sim2reason.scenes.bodies.simple_machines import Incline
 from sim2reason.scenes.bodies.space import AirlessPlanet, HeavyPlanet, Rocket, Star
 from sim2reason.scenes.dsl.entity import Entity, Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.rocket_entity import RocketEntity
 from sim2reason.scenes.entities.rolling import TumblingPrism
-from sim2reason.scenes.entities.solar_system import SolarSystem
+from sim2reason.scenes.entities.space import RocketEntity, SolarSystem
 from sim2reason.solutions import STRATEGIES, ProblemContext, solve_with
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import Polynomial

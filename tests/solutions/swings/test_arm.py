@@ -6,13 +6,13 @@ import pytest
 
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.times import AtStart
-from sim2reason.scenes.bodies.caps import Hemisphere
-from sim2reason.scenes.bodies.pendulums import FixedBall, UniformRod
-from sim2reason.scenes.bodies.polygonal_prism import PolygonalPrism
+from sim2reason.scenes.bodies.blocks import PolygonalPrism
+from sim2reason.scenes.bodies.eccentric_bodies import Hemisphere
+from sim2reason.scenes.bodies.oscillators import FixedBall, UniformRod
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.pieces import AxialPiece, BallPiece, CappedPiece, TiltedPiece, WeldedPiece
 from sim2reason.scenes.entities.pendulums import RotationEntity
+from sim2reason.scenes.entities.pieces import AxialPiece, BallPiece, CappedPiece, TiltedPiece, WeldedPiece
 from sim2reason.solutions import Solution
 from worked import derived
 

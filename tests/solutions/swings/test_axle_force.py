@@ -10,14 +10,14 @@ from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.angles import Deflected, TurnedThrough
 from sim2reason.questions.moments.times import AtStart, WholeMotion
 from sim2reason.questions.moments.turning_points import LowestPoint
-from sim2reason.scenes.bodies.pendulums import FixedBall, UniformRod
+from sim2reason.scenes.bodies.oscillators import FixedBall, UniformRod
 from sim2reason.scenes.bodies.round_bodies import Sphere
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.pieces import AxialPiece, BallPiece, RoundPiece, WeldedPiece
 from sim2reason.scenes.entities.pendulums import RotationEntity
+from sim2reason.scenes.entities.pieces import AxialPiece, BallPiece, RoundPiece, WeldedPiece
 from sim2reason.simulation.quantities.subjects import Sense
-from sim2reason.simulation.quantities.subjects.axles import Axles
+from sim2reason.simulation.quantities.subjects.rotating_parts import Axles
 from sim2reason.solutions import Solution
 from worked import derived
 

@@ -20,15 +20,14 @@ from sim2reason.questions.moments.times import AtStart, WholeMotion
 from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint, Stopped
 from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.questions.query import Query, Target
-from sim2reason.scenes.bodies.pendulums import Ball, LightRod, UniformRod
+from sim2reason.scenes.bodies.blocks import Block, Carriage
+from sim2reason.scenes.bodies.oscillators import Ball, LightRod, UniformRod
 from sim2reason.scenes.bodies.round_bodies import Sphere
-from sim2reason.scenes.bodies.sliders import Block, Carriage
 from sim2reason.scenes.dsl.entity import Entity
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.mass_systems import Hanging
-from sim2reason.scenes.entities.parts.pieces import AxialPiece, RoundPiece
 from sim2reason.scenes.entities.pendulums import LightRodPendulum, RigidPendulum, SliderMass
-from sim2reason.scenes.entities.string_ends import ConstantForcePuller, HangingMass
+from sim2reason.scenes.entities.pieces import AxialPiece, RoundPiece
+from sim2reason.scenes.entities.string_ends import ConstantForcePuller, Hanging, HangingMass
 from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.solutions import STRATEGIES, ProblemContext, Solution, solve, solve_with
 from sim2reason.solutions.closed_forms import closed_form

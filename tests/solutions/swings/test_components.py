@@ -8,12 +8,12 @@ from sim2reason.questions import Query, Target
 from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
-from sim2reason.scenes.bodies.pendulums import FixedBall
+from sim2reason.scenes.bodies.oscillators import FixedBall
 from sim2reason.scenes.bodies.round_bodies import Hoop
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.pieces import OTHER, SAME, AxialPiece, BallPiece
 from sim2reason.scenes.entities.pendulums import RotationEntity
+from sim2reason.scenes.entities.pieces import OTHER, SAME, AxialPiece, BallPiece
 from worked import derived, solution_text
 
 G, ANGLE, RADIUS, HOOP, NEAR, FAR = 9.8, 47.0, 0.17, 9.0, 0.2, 0.4

@@ -7,7 +7,7 @@ import pytest
 
 from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.times import WholeMotion
-from sim2reason.scenes.bodies.pendulums import Ball, LightRod
+from sim2reason.scenes.bodies.oscillators import Ball, LightRod
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.pendulums import Pendulum

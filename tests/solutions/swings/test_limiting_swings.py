@@ -8,12 +8,12 @@ import pytest
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes import PossibleOutcome
 from sim2reason.questions.outcomes.strings import GoesRound, GoesSlack
-from sim2reason.scenes.bodies.caps import SphericalCap
-from sim2reason.scenes.bodies.pendulums import Ball, Cord, LightRod, UniformRod
+from sim2reason.scenes.bodies.eccentric_bodies import SphericalCap
+from sim2reason.scenes.bodies.oscillators import Ball, Cord, LightRod, UniformRod
 from sim2reason.scenes.dsl.entity import Entity, Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.pieces import AxialPiece, CappedPiece
 from sim2reason.scenes.entities.pendulums import Pendulum, RotationEntity
+from sim2reason.scenes.entities.pieces import AxialPiece, CappedPiece
 from sim2reason.solutions import Solution, solve
 from sim2reason.testing.solutions.faults import SEEN, faults
 from sim2reason.testing.solutions.reading import read

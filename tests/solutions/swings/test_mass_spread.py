@@ -34,7 +34,7 @@ def test_the_table_has_what_the_body_is_built_of(cls: type[Shape]) -> None:
 
 def test_a_hemisphere() -> None:
     """Centroid 3R/8; about a diameter of the flat face 2/5 m R² (Halliday, Resnick, table 10-2, by halves)."""
-    from sim2reason.scenes.bodies.caps import Hemisphere
+    from sim2reason.scenes.bodies.eccentric_bodies import Hemisphere
 
     spread = mean_squares(Hemisphere(mass=2.0, radius=0.3), Symbol)
     assert spread is not None

@@ -11,13 +11,13 @@ from sim2reason.questions.moments.angles import Deflected, TurnedThrough
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint, Stopped
 from sim2reason.questions.phrasing import PeriodQuery
-from sim2reason.scenes.bodies.pendulums import Ball, Cord, LightRod, UniformRod
+from sim2reason.scenes.bodies.oscillators import Ball, Cord, LightRod, UniformRod
 from sim2reason.scenes.bodies.space import DeepSpace, LevelGround, Rocket
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.parts.pieces import AxialPiece
 from sim2reason.scenes.entities.pendulums import Pendulum, RotationEntity
-from sim2reason.scenes.entities.rocket_entity import RocketEntity
+from sim2reason.scenes.entities.pieces import AxialPiece
+from sim2reason.scenes.entities.space import RocketEntity
 from sim2reason.solutions import solve
 from worked import answer, asked
 

@@ -11,8 +11,8 @@ from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.angles import TurnedThrough
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint
-from sim2reason.scenes.bodies.planes import Incline
-from sim2reason.scenes.bodies.polygonal_prism import SIDES, LongPrism, Polygon
+from sim2reason.scenes.bodies.blocks import SIDES, LongPrism, Polygon
+from sim2reason.scenes.bodies.simple_machines import Incline
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.rolling import TumblingPrism

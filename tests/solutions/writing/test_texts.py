@@ -22,8 +22,8 @@ from sim2reason.scenes.bodies.charges import ChargedBead, Launched
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.units import parse_unit
-from sim2reason.scenes.entities.em_entity import EmEntity
-from sim2reason.scenes.entities.parts.fields.uniform import UniformMagnetic
+from sim2reason.scenes.entities.fields import UniformMagnetic
+from sim2reason.scenes.entities.particles import EmEntity
 from sim2reason.solutions import ProblemContext, Solution, solve, solve_prompt
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.algebra.fractions import CrossElimination, SymbolicEquation

@@ -8,8 +8,8 @@ import pytest
 from plain_scenes import atwood
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.times import AtTime
-from sim2reason.scenes.bodies.planes import Plane
-from sim2reason.scenes.bodies.sliders import Slab
+from sim2reason.scenes.bodies.blocks import Slab
+from sim2reason.scenes.bodies.simple_machines import Plane
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.stacked_mass_plane import StackedMassPlane

@@ -32,7 +32,7 @@ from sim2reason.testing.checks.texts import spare, together, without_one
 from sim2reason.text.parsing import parse_scene
 from sim2reason.text.parsing.equivalence import Signature, signature
 from sim2reason.text.parsing.ordinary.content import forms
-from sim2reason.text.parsing.tokens import MAX_CHARACTERS, MAX_PIECES, pieces
+from sim2reason.text.parsing.sentences import MAX_CHARACTERS, MAX_PIECES, pieces
 from sim2reason.text.prose.description import Description, describe
 
 TIERS = [(recipe, difficulty) for recipe in RECIPES for difficulty in DIFFICULTIES]

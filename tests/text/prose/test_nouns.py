@@ -3,11 +3,11 @@
 import pytest
 
 from lone_entities import alone
-from sim2reason.scenes.bodies.pendulums import Ball
+from sim2reason.scenes.bodies.oscillators import Ball
 from sim2reason.scenes.bodies.space import Planet, Star
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.projectile import Projectile
-from sim2reason.scenes.entities.solar_system import SolarSystem
+from sim2reason.scenes.entities.particles import Projectile
+from sim2reason.scenes.entities.space import SolarSystem
 from sim2reason.text.prose.description import describe
 
 SEEDS = range(24)

@@ -8,7 +8,7 @@ from plain_scenes import row
 from sim2reason.generation.random_scenes import sample
 from sim2reason.questions.moments.distances import Closest, Farthest
 from sim2reason.questions.prompt import words_of
-from sim2reason.scenes.entities.parts.mass_systems import FRICTION_ON_PLANE
+from sim2reason.scenes.entities.string_ends import FRICTION_ON_PLANE
 from sim2reason.scenes.files import load
 from sim2reason.text.parsing.scene_parser import parse_scene
 from sim2reason.text.prose.closings import CLOSINGS

@@ -7,16 +7,15 @@ import pytest
 
 from sim2reason.errors import SceneError
 from sim2reason.generation.random_scenes import sample
-from sim2reason.scenes.bodies.planes import Plane
-from sim2reason.scenes.bodies.pulleys import FixedPulley
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.simple_machines import FixedPulley, Plane
 from sim2reason.scenes.connections.string import String
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.template import Topic
-from sim2reason.scenes.entities.parts.mass_systems import Hanging
 from sim2reason.scenes.entities.pulleys import MassWithFixedPulley
 from sim2reason.scenes.entities.slopes import TwoSideMassPlane
+from sim2reason.scenes.entities.string_ends import Hanging
 from sim2reason.text.prose import describe
 from sim2reason.text.prose.closings import closings
 from sim2reason.text.prose.phrases import another, join, letter_at

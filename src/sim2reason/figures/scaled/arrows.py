@@ -5,10 +5,10 @@ from collections.abc import Mapping
 from math import degrees, pi, radians
 
 from sim2reason.figures.paths import owner_of
+from sim2reason.figures.plane import RIGHT, UP, cross, crosses, dot, from_segment, unit_vector
 from sim2reason.figures.scaled.lines import beside
 from sim2reason.figures.scaled.setting import OBLONG, DrawingContext, vector
 from sim2reason.figures.shapes import SMALL, Arc, LabelRequest, LineShape, Shape, Sketch, width
-from sim2reason.figures.vectors import RIGHT, UP, cross, crosses, dot, from_segment, unit
 from sim2reason.scenes.dsl.body import Slender
 from sim2reason.scenes.dsl.body import Small as SmallBody
 from sim2reason.scenes.dsl.measures import show_unit
@@ -35,9 +35,9 @@ def speeds(setting: DrawingContext, *, headings: bool = True) -> Sketch:
     longest = next((n for n in LENGTHS if not _runs_over(setting, moving, n / fastest)), LENGTHS[-1]) if moving else 0.0
     unit_of_speed = setting.mechanism.units.spell("m/s")
     long = {name: max(SHORTEST, longest * abs(velocity) / fastest) for name, velocity in moving.items()}
-    ahead = {name: (_tail(setting, name, unit(v)), long[name] * unit(v)) for name, v in moving.items()}
+    ahead = {name: (_tail(setting, name, unit_vector(v)), long[name] * unit_vector(v)) for name, v in moving.items()}
     for name, velocity in moving.items():
-        way, (start, arrow) = unit(velocity), ahead[name]
+        way, (start, arrow) = unit_vector(velocity), ahead[name]
         if any(_run_together(ahead[name], other) for each, other in ahead.items() if each != name):
             start = _beside(setting, name, way)
         end = start + arrow
@@ -106,12 +106,12 @@ def _runs_over(setting: DrawingContext, moving: Mapping[str, complex], size: flo
     spots = {body.name: (setting.at(body.name), setting.radius(body.name)) for body in setting.members}
     for name, velocity in moving.items():
         at, radius = spots[name]
-        if abs(_tail(setting, name, unit(velocity)) - at) > radius + REST_SPEED:
+        if abs(_tail(setting, name, unit_vector(velocity)) - at) > radius + REST_SPEED:
             continue  # beside it
         reach = radius + max(SHORTEST, size * abs(velocity)) + 0.15
         for other, (place, wide) in spots.items():
-            along = max(0.0, min(reach, dot(place - at, unit(velocity))))
-            if other != name and abs(at + along * unit(velocity) - place) < wide:
+            along = max(0.0, min(reach, dot(place - at, unit_vector(velocity))))
+            if other != name and abs(at + along * unit_vector(velocity) - place) < wide:
                 return True
     return False
 
@@ -210,7 +210,7 @@ def deflections(setting: DrawingContext) -> Sketch:
 
 def _free(setting: DrawingContext, top: complex, end: complex, turn: float) -> float:
     """Return a radius for the arc of a deflection angle at which the arc misses the bodies on the hanging line."""
-    way, taken = unit(end - top), list[tuple[float, float]]()
+    way, taken = unit_vector(end - top), list[tuple[float, float]]()
     for body in setting.members:
         if body.name in setting.bodies and not isinstance(setting.look(body.name), Slender):
             out, reach = setting.at(body.name) - top, setting.radius(body.name) + 0.08

@@ -8,10 +8,10 @@ from math import acos, asin, pi, sqrt
 
 from sim2reason.figures.hanging import block_labels
 from sim2reason.figures.pieces import around
+from sim2reason.figures.plane import RIGHT, UP, Polygon, hull, rectangle, unit_vector
 from sim2reason.figures.scaled.lines import beside
 from sim2reason.figures.scaled.setting import OBLONG, SLAB_STEP, DrawingContext
 from sim2reason.figures.shapes import LETTER, SIZE, SMALL, TINY, Arc, Area, LabelRequest, Shape, Sketch, width
-from sim2reason.figures.vectors import RIGHT, UP, Polygon, hull, rectangle, unit
 from sim2reason.scenes.dsl.body import Axial, BodyLook, Capped, Rectangular, Silhouette, Small, Spherical
 
 THIN = 0.13  # units: drawn thickness of thin bodies, at least
@@ -86,7 +86,7 @@ def sphere(look: Spherical, at: complex, size: float, z: complex) -> list[Shape]
     radius, inner = look.radius * size, (look.radius - look.wall) * size
     middle, hole = at + look.offset * size * z, look.hole * size
     if look.wall and hole:
-        return [Area(shell(at, (radius, inner), (abs(middle - at), hole), unit(z)), "block")]
+        return [Area(shell(at, (radius, inner), (abs(middle - at), hole), unit_vector(z)), "block")]
     found: list[Shape] = [Arc(at, radius, fill="block")]
     found += [Arc(at, inner, weight="thin")] if look.wall else []
     return found + ([Arc(middle, hole, weight="thin")] if hole else [])
@@ -114,7 +114,7 @@ def axial(look: Axial, at: complex, size: float, ways: tuple[complex, complex]) 
     x, z = ways
     if abs(z) > SEEN:
         wide, tall = max(THIN, 2.0 * look.radius * size), max(THIN, look.height * size)
-        return [Area(rectangle(at, wide, tall, unit(z) * -1j), "block")]
+        return [Area(rectangle(at, wide, tall, unit_vector(z) * -1j), "block")]
     radius = look.radius * size
     if look.sides:
         start = x if abs(x) > SEEN else RIGHT
@@ -132,7 +132,7 @@ def cap(look: Capped, at: complex, size: float, z: complex) -> Polygon:
         wide = sqrt(max(0.0, look.height * (2.0 * look.radius - look.height))) if look.height < look.radius else 0.0
         radius = size * (wide or look.radius)
         return tuple(at + radius * rect(1.0, pi * n / FINE) for n in range(2 * FINE))
-    up = unit(z)
+    up = unit_vector(z)
     outer = _segment(look.radius, look.height)
     inner = _segment(look.radius - look.wall, look.height - look.wall) if look.wall else ()
     return tuple(at + size * (p.real * up * -1j + p.imag * up) for p in (*outer, *reversed(inner)))
@@ -156,7 +156,7 @@ def names(setting: DrawingContext, address: str, look: BodyLook, at: complex) ->
         if not _covered(setting, address):
             return [inside, *rest]
         wide = width(inside.text, SIZE)
-        return [replace(inside, places=(*inside.places, *around(at, 0.55, wide, start=unit(-1 + 1j)))), *rest]
+        return [replace(inside, places=(*inside.places, *around(at, 0.55, wide, start=unit_vector(-1 + 1j)))), *rest]
     name, radius = plan.name(address), setting.radius(address)
     mark = look.mark if isinstance(look, Small) else ""
     found = [LabelRequest(mark, (at,), address, SMALL, name=False)] if mark else []
@@ -169,7 +169,7 @@ def names(setting: DrawingContext, address: str, look: BodyLook, at: complex) ->
         )
     text = name if fits or not mass else f"{name} ({mass})"
     size = SIZE if text == name else SMALL
-    start = -unit(velocity) if (velocity := setting.velocity(address)) else UP
+    start = -unit_vector(velocity) if (velocity := setting.velocity(address)) else UP
     aside = tuple(beside(at - long, at + long, text, size, half + 0.12)) if long else ()
     ring = (around(at, radius + far, width(text, size), start=start) for far in (0.1, 0.7))
     beyond = (*aside, *(place for each in ring for place in each))

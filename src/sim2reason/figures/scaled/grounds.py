@@ -6,12 +6,11 @@ from dataclasses import dataclass
 from math import acos, degrees
 
 from sim2reason.figures.paths import owner_of
-from sim2reason.figures.scaled.angles import corner_angle
+from sim2reason.figures.plane import UP, box, cross, dot, unit_vector
 from sim2reason.figures.scaled.rails import rails, walls
 from sim2reason.figures.scaled.setting import DrawingContext, vector
 from sim2reason.figures.scaled.tabletop import spread
-from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LabelRequest, Sketch, hatched, rough, width
-from sim2reason.figures.vectors import UP, box, cross, dot, unit
+from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LabelRequest, Sketch, corner_angle, hatched, rough, width
 from sim2reason.scenes.dsl.body import BigBox, Globe, MovingSlope, Tabletop
 from sim2reason.scenes.dsl.mechanism import Prop, SurfaceContact
 
@@ -56,14 +55,14 @@ def surfaces(setting: DrawingContext) -> list[Surface]:
         bears = isinstance(setting.look(face.subject), MovingSlope | BigBox)
         if not setting.owns(face.subject) or face.turning or held or bears:
             continue
-        normal = unit(setting.view.way(vector(setting.frames.normal(face.subject))) or UP)
+        normal = unit_vector(setting.view.way(vector(setting.frames.normal(face.subject))) or UP)
         below = reach(setting, face)
         half = max(WIDER * below, 0.5 * setting.sizes(face.subject)[0]) * normal * 1j
         at = setting.at(face.subject)
         for end in (at - half, at + half, *walls(setting, at, normal * 1j, parent)):
             _touch(found, parent, normal, end - below * normal, face)
     for foot in setting.mechanism.feet:
-        at, normal = setting.site(foot.site), unit(setting.view.way(foot.normal))
+        at, normal = setting.site(foot.site), unit_vector(setting.view.way(foot.normal))
         if setting.owns(foot.name) and abs(dot(at, normal) - setting.view.scale * foot.height) < FLAT:
             for end in _below(setting, setting.mechanism.site[foot.site].body or "", at, normal):
                 _touch(found, None, normal, end)
@@ -156,7 +155,7 @@ def _rough(setting: DrawingContext, surface: Surface, found: Sketch) -> None:
 
 def _angle(low: complex, high: complex, found: Sketch, setting: DrawingContext) -> None:
     """Draw the angle at the foot of a slope."""
-    way = unit(high - low)
+    way = unit_vector(high - low)
     side = 1.0 if way.real > 0.0 else -1.0
     value = round(degrees(acos(min(1.0, abs(way.real)))), 9)
     if value % 90.0 == 0.0:
@@ -193,7 +192,9 @@ def _wedge(setting: DrawingContext, owner: str, faces: list[Surface], found: Ske
 
 
 def _round(point: complex, middle: complex) -> float:
-    return unit(point - middle).real if point.imag < middle.imag - FLAT else 4.0 - unit(point - middle).real
+    return (
+        unit_vector(point - middle).real if point.imag < middle.imag - FLAT else 4.0 - unit_vector(point - middle).real
+    )
 
 
 def _meeting(one: Surface, other: Surface) -> complex:
@@ -240,7 +241,7 @@ def _walls(setting: DrawingContext, found: Sketch) -> None:
         if setting.view.level:
             continue  # the sheet ends there
         if abs(meeting.normal[2]) < FLOOR:  # a wall across a track, level or not
-            normal, at = unit(setting.view.way(meeting.normal)), setting.at(meeting.b)
+            normal, at = unit_vector(setting.view.way(meeting.normal)), setting.at(meeting.b)
             foot = at + (meeting.distance * setting.view.scale - dot(at, normal)) * normal
             half = 0.9 * normal * -1j
             found.shapes += hatched(foot - half, foot + half)
@@ -254,7 +255,7 @@ def _stand(setting: DrawingContext, ends: tuple[str, ...], found: Sketch) -> Non
     for site, other in (ends, ends[::-1]):
         body = setting.mechanism.site[other].body
         if setting.mechanism.site[site].body is None and body is not None:
-            up = unit(setting.site(other) - setting.site(site) or UP)
+            up = unit_vector(setting.site(other) - setting.site(site) or UP)
             foot, half = setting.at(body) - 0.65 * up, 2.2 * up * -1j
             if any(isinstance(b.look, Globe) for b in setting.bodies.values()):
                 turn = degrees(phase(up))

@@ -8,11 +8,11 @@ from math import pi
 from sim2reason.figures.hanging import plate, pull_text
 from sim2reason.figures.paths import spring
 from sim2reason.figures.pieces import around
+from sim2reason.figures.plane import RIGHT, UP, cross, dot, rectangle, unit_vector
 from sim2reason.figures.scaled.rails import rides
 from sim2reason.figures.scaled.setting import DrawingContext, vector
 from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LabelRequest, Shape, Sketch, dot_at, width
 from sim2reason.figures.shapes import LineShape as Stroke
-from sim2reason.figures.vectors import RIGHT, UP, cross, dot, rectangle, unit
 from sim2reason.scenes.dsl.body import Axial, Capped, PulleyWheel, Rectangular, Silhouette, Slender, Small, Spherical
 from sim2reason.scenes.dsl.mechanism import Elastic, Line, Prop, Rigid, RigidBody
 
@@ -57,7 +57,7 @@ def lines(setting: DrawingContext, front: Sketch) -> Sketch:
         found.labels += _named(setting, line.whole, points)
         setting.drawn.add(line.whole)
         for end, inward in () if wound else ((0, 1), (-1, -2)):
-            _draw_support(setting, line.through[end], unit(points[inward] - points[end] or RIGHT), found)
+            _draw_support(setting, line.through[end], unit_vector(points[inward] - points[end] or RIGHT), found)
     for body in setting.members:
         _arm(setting, body, found, front)
     for joint in setting.plan.scene.joints.values():
@@ -80,11 +80,11 @@ def _around(setting: DrawingContext, line: Line, ends: tuple[str, str], found: S
     clear = min(setting.radius(ends[0]) / abs(a), 0.3 * turn)
     for straight in spring(0j, complex(abs(a) * (turn - 2.0 * clear)), line):
         along = (p + share * (q - p) for p, q in pairwise(straight) for share in (*_shares(abs(q - p)), 1.0))
-        bent = (middle + (abs(a) + p.imag) * unit(a) * rect(1.0, clear + p.real / abs(a)) for p in along)
+        bent = (middle + (abs(a) + p.imag) * unit_vector(a) * rect(1.0, clear + p.real / abs(a)) for p in along)
         found.shapes.append(Stroke(tuple(bent), "thin"))
     body = setting.bodies.get(line.whole)
     if body is not None and body.letters:
-        half, text = unit(a) * rect(1.0, 0.5 * turn), setting.plan.name(line.whole)
+        half, text = unit_vector(a) * rect(1.0, 0.5 * turn), setting.plan.name(line.whole)
         places = (middle + (abs(a) + far) * half for far in (0.5, -0.5, 0.8, -0.8))
         found.labels.append(LabelRequest(text, tuple(places), line.whole))
     setting.drawn.add(line.whole)
@@ -112,7 +112,7 @@ def strokes(setting: DrawingContext, line: Line, look: str, points: list[complex
     for number, (a, b) in enumerate(pairwise(points)):
         if abs(b - a) < COINCIDENCE_TOLERANCE:
             continue
-        way, (first, last) = unit(b - a), line.through[number : number + 2]
+        way, (first, last) = unit_vector(b - a), line.through[number : number + 2]
         start, stop = setting.edge(first, way), setting.edge(last, -way)
         if look == "spring":
             yield from (Stroke(part, "thin") for part in spring(start, stop, line))
@@ -138,7 +138,7 @@ def _named(setting: DrawingContext, address: str, points: list[complex]) -> list
 
 def beside(a: complex, b: complex, text: str, size: float, far: float = 0.2) -> Iterator[complex]:
     """Yield candidate positions of a label beside a stroke, from its middle outwards."""
-    way, wide = unit(b - a), 0.5 * width(text, size)
+    way, wide = unit_vector(b - a), 0.5 * width(text, size)
     for more in (0.0, 0.5):
         for along in (0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2):
             for out in (way * 1j, way * -1j):
@@ -200,7 +200,9 @@ def _arm(setting: DrawingContext, body: RigidBody, found: Sketch, front: Sketch)
         _lettered(setting, body.name, pivot, far, found)
     if body.parent is None and not setting.view.level:
         mean = sum(ends) / len(ends) - pivot if ends else -UP
-        found.shapes += plate(behind(unit(mean) if abs(mean) > COINCIDENCE_TOLERANCE else -UP), pivot, PLATE + 0.1, 0.9)
+        found.shapes += plate(
+            behind(unit_vector(mean) if abs(mean) > COINCIDENCE_TOLERANCE else -UP), pivot, PLATE + 0.1, 0.9
+        )
     if not stiff:
         front.shapes.append(Arc(pivot, PIVOT))
 

@@ -6,6 +6,7 @@ from math import degrees, dist
 
 from sim2reason.figures.paths import PathKnot, owner_of
 from sim2reason.figures.pieces import DrawingPlan, Piece, around
+from sim2reason.figures.plane import Polygon, box, dot, hull, unit_vector
 from sim2reason.figures.scaled import bodies
 from sim2reason.figures.scaled.arrows import deflections, heights, speeds, spins
 from sim2reason.figures.scaled.grounds import grounds
@@ -14,10 +15,9 @@ from sim2reason.figures.scaled.pushes import fields, pushes
 from sim2reason.figures.scaled.setting import SLAB, DrawingContext, vector
 from sim2reason.figures.scaled.tabletop import axes
 from sim2reason.figures.shapes import SIZE, SMALL, Arc, LabelRequest, LineShape, Shape, Sketch, dot_at, outline, width
-from sim2reason.figures.vectors import Polygon, box, dot, hull, unit
 from sim2reason.scenes.dsl.body import Axial, Globe, PulleyWheel, Slender, Spherical, Tabletop, Unseen
 from sim2reason.scenes.dsl.mechanism import RigidBody
-from sim2reason.simulation.quantities.subjects.paths import rim_of
+from sim2reason.simulation.quantities.subjects.bodies import rim_of
 
 CLEAR, DIMENSION_SPACING = 0.3, 0.42  # units, from a piece to the first line of dimension and from that to the next
 NONE = 1e-6  # degrees; a smaller angle is not drawn
@@ -44,7 +44,7 @@ def _pieces(setting: DrawingContext, arm: RigidBody, found: Sketch) -> None:
     if len(pieces) < 2:
         return  # its one distance stands at the arm itself
     pivot = setting.view.at(vector(setting.frames[arm.name].origin))
-    first = unit(setting.at(pieces[0]) - pivot)
+    first = unit_vector(setting.at(pieces[0]) - pivot)
     out = first * (1j if (first * 1j).real >= 0.0 else -1j)
     aside = max(setting.radius(piece) for piece in pieces) + CLEAR
     for piece in sorted(pieces, key=lambda name: abs(setting.at(name) - pivot)):
@@ -73,7 +73,7 @@ def _bearing(setting: DrawingContext, body: RigidBody, found: Sketch) -> None:
     way = setting.view.way(setting.axes(body.name)[2 if isinstance(look, Spherical) else 0])
     if abs(way) < 0.5:
         return
-    turn = degrees(phase(unit(way))) % 360.0
+    turn = degrees(phase(unit_vector(way))) % 360.0
     value = min((turn - 90.0) % 360.0, (90.0 - turn) % 360.0)
     text = setting.state_once(owner_of(body.name), "deg", value) if value > NONE else ""
     if not text:
@@ -82,7 +82,7 @@ def _bearing(setting: DrawingContext, body: RigidBody, found: Sketch) -> None:
     arc, middle = 0.35 * radius, 1j ** ((low + 0.5 * value) / 90.0)
     found.shapes += [
         LineShape((at, at + 1.25 * radius * 1j), "hair", dashed=True),
-        LineShape((at, at + radius * unit(way)), "hair", dashed=True),
+        LineShape((at, at + radius * unit_vector(way)), "hair", dashed=True),
         Arc(at, arc, low, low + value, weight="thin"),
     ]
     wide = 0.5 * width(text, SMALL) * abs(middle.real) + 0.5 * SMALL * abs(middle.imag)
@@ -103,7 +103,7 @@ def _turned(setting: DrawingContext) -> Iterator[tuple[str, str]]:
 def _leaving(setting: DrawingContext, site: str, wheel: str, found: Sketch) -> None:
     """Draw the stated distance of the pulley that a string leads to, and the string's angle to the horizontal."""
     start, end = setting.site(site), setting.site(wheel)
-    way, owner = unit(end - start), owner_of(site)
+    way, owner = unit_vector(end - start), owner_of(site)
     text = setting.stated(owner, setting.mechanism.units.length, abs(end - start) / setting.view.scale)
     rim = setting.edge(site, way)
     if text:

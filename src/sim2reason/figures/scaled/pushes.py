@@ -6,12 +6,23 @@ from collections.abc import Iterator
 from math import degrees, hypot
 
 from sim2reason.figures.paths import owner_of
-from sim2reason.figures.scaled.angles import corner_angle
+from sim2reason.figures.plane import RIGHT, Polygon, dot, unit_vector
 from sim2reason.figures.scaled.lines import beside
 from sim2reason.figures.scaled.setting import DrawingContext, vector
 from sim2reason.figures.scaled.tabletop import spread
-from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LabelRequest, LineShape, Shape, Sketch, dot_at, width
-from sim2reason.figures.vectors import RIGHT, Polygon, dot, unit
+from sim2reason.figures.shapes import (
+    SIZE,
+    SMALL,
+    Arc,
+    Area,
+    LabelRequest,
+    LineShape,
+    Shape,
+    Sketch,
+    corner_angle,
+    dot_at,
+    width,
+)
 from sim2reason.scenes.dsl.body import Small
 from sim2reason.scenes.dsl.fields import Law, Push
 from sim2reason.scenes.dsl.mechanism import ZERO, Force
@@ -45,7 +56,7 @@ def _draw(setting: DrawingContext, force: Force, found: Sketch) -> None:
     way = setting.view.way(strength)
     if abs(way) <= FLAT * hypot(*strength):
         return
-    out, name = unit(way), force.body
+    out, name = unit_vector(way), force.body
     start = setting.at(name) + setting.radius(name) * out
     found.shapes.append(LineShape((start, start + LONG * out), arrow=True))
     text = setting.stated(owner_of(name), setting.mechanism.units.spell("N"), hypot(*strength))
@@ -68,7 +79,7 @@ def _draw(setting: DrawingContext, force: Force, found: Sketch) -> None:
 def _bases(setting: DrawingContext, name: str) -> list[complex]:
     """Return the directions from which a force's angle is measured: of the body's slides, then horizontal."""
     slides = [c.axis for c in setting.mechanism.body[name].coordinates if c.kind == "slide"]
-    ways = [unit(way) for axis in slides if abs(way := setting.view.way(axis)) > FLAT]
+    ways = [unit_vector(way) for axis in slides if abs(way := setting.view.way(axis)) > FLAT]
     return [sign * way for way in (*ways, RIGHT) for sign in (1.0, -1.0)]
 
 
@@ -150,7 +161,7 @@ def _symbol(setting: DrawingContext, strength: Vector, at: complex) -> list[Shap
     """Return a cross for a vector into the page, a dot for one out of it, else an arrow."""
     out, way = inner(setting.view.towards, strength), setting.view.way(strength)
     if abs(way) > abs(out):
-        half = 0.5 * ARROW * unit(way)
+        half = 0.5 * ARROW * unit_vector(way)
         return [LineShape((at - half, at + half), "hair", arrow=True)]
     if out > 0.0:
         return [Arc(at, MARK, weight="hair"), dot_at(at, 0.035)]

@@ -7,10 +7,20 @@ from math import degrees
 
 from sim2reason.figures.hanging import plate
 from sim2reason.figures.paths import flat, is_pulley, owner_of
-from sim2reason.figures.scaled.angles import corner_angle
+from sim2reason.figures.plane import RIGHT, UP, cross, unit_vector
 from sim2reason.figures.scaled.setting import BESIDE, STEEP, DrawingContext
-from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LabelRequest, LineShape, Sketch, dot_at, hatched
-from sim2reason.figures.vectors import RIGHT, UP, cross, unit
+from sim2reason.figures.shapes import (
+    SIZE,
+    SMALL,
+    Arc,
+    Area,
+    LabelRequest,
+    LineShape,
+    Sketch,
+    corner_angle,
+    dot_at,
+    hatched,
+)
 from sim2reason.scenes.dsl.body import BigBox, Small
 from sim2reason.scenes.dsl.mechanism import RigidBody
 
@@ -159,14 +169,14 @@ def _bends(setting: DrawingContext) -> Iterator[tuple[str, complex, complex]]:
 def _way(setting: DrawingContext, site: str, other: str) -> complex:
     """Return the direction from a site to its neighbour on a string."""
     if setting.owns(other):
-        return unit(setting.site(other) - setting.site(site))
+        return unit_vector(setting.site(other) - setting.site(site))
     facing = setting.plan.scene.builder.faces.get(site)
-    return RIGHT if facing is None else unit(flat(facing))
+    return RIGHT if facing is None else unit_vector(flat(facing))
 
 
 def _axle(at: complex, before: complex, after: complex) -> complex:
     """Return the centre of a small pulley that touches both segments of a string."""
-    middle = unit(before + after)
+    middle = unit_vector(before + after)
     return at + WHEEL / abs(cross(middle, after)) * middle
 
 

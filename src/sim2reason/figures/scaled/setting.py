@@ -6,8 +6,7 @@ from itertools import product
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.figures.pieces import VALUE_TOLERANCE, DrawingPlan
-from sim2reason.figures.scaled.view import COILED, FROM_ABOVE, NEIGHBOUR_GAP, SPAN, View, fitting, sides
-from sim2reason.figures.vectors import RIGHT
+from sim2reason.figures.plane import COILED, FROM_ABOVE, NEIGHBOUR_GAP, RIGHT, SPAN, View, fitting, sides
 from sim2reason.scenes.dsl.body import Axial, Body, BodyLook, Capped, Rectangular, Silhouette, Small, Spherical
 from sim2reason.scenes.dsl.collector import Axes
 from sim2reason.scenes.dsl.frames import Frames, initial_frames

@@ -3,10 +3,10 @@
 from collections.abc import Iterator, Mapping, Sequence
 from math import ceil
 
+from sim2reason.figures.plane import RIGHT, UP, Box, Polygon, box, cross, dot, from_segment, unit_vector
 from sim2reason.figures.scaled.arrows import speeds
 from sim2reason.figures.scaled.setting import DrawingContext, corners
 from sim2reason.figures.shapes import SMALL, TINY, Area, LabelRequest, LineShape, Shape, Sketch, hatched, width
-from sim2reason.figures.vectors import RIGHT, UP, Box, Polygon, box, cross, dot, from_segment, unit
 from sim2reason.scenes.dsl.body import Tabletop
 from sim2reason.scenes.dsl.measures import show_unit
 
@@ -32,7 +32,7 @@ def cushions(setting: DrawingContext) -> dict[complex, float]:
     found: dict[complex, float] = {}
     for meeting in setting.mechanism.meetings:
         if meeting.a is None and meeting.normal is not None and setting.owns(meeting.b):
-            way = -unit(setting.view.way(meeting.normal))
+            way = -unit_vector(setting.view.way(meeting.normal))
             found[complex(round(way.real), round(way.imag))] = setting.radius(meeting.b) - (
                 meeting.distance * setting.view.scale
             )
@@ -95,7 +95,7 @@ def _beside_track(setting: DrawingContext, found: Sketch) -> None:
     ways = {complex(round(w.real, 9), round(w.imag, 9)) for c in slides if abs(w := setting.view.way(c.axis)) > 0.5}
     if len(ways) != 1:
         return
-    way = unit(ways.pop())
+    way = unit_vector(ways.pop())
     down = (0.5 * setting.plan.sizes.height + BELOW) * (way * -1j if way.real > 0.0 else way * 1j)
     owner = next(o for o in sorted(setting.owners) if "." not in o)
     origin = setting.view.at(setting.origin(owner)) + down

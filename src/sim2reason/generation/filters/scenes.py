@@ -4,10 +4,10 @@ from collections.abc import Iterator
 
 from sim2reason.generation.filters import FILTERS, Candidate, SceneFilter
 from sim2reason.questions import SimulatedScene
-from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.magnitudes import implausible_numbers
 from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.scenes.dsl.mechanism import Inextensible
+from sim2reason.scenes.dsl.structure import changing
 from sim2reason.simulation.quantities.kinematics import Acceleration
 
 

@@ -8,7 +8,7 @@ from sim2reason.generation.filters.parts.formula_size import has_logarithm, size
 from sim2reason.generation.filters.parts.numbers import EVER, minimum_relevant
 from sim2reason.generation.filters.parts.products import product_of
 from sim2reason.generation.filters.parts.sums import sum_of
-from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.scenes.dsl.structure import changing
 from sim2reason.solutions import Solution
 from sim2reason.solutions.closed_forms import ClosedFormError, combined_formula
 from sim2reason.solutions.derivation import derivation, is_derived

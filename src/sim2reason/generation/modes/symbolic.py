@@ -34,8 +34,7 @@ from sim2reason.solutions.closed_forms import ClosedFormError, combined_formula
 from sim2reason.solutions.derivation import derivation
 from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.strategies import applicable_strategies
-from sim2reason.text.prose.description import Description
-from sim2reason.text.prose.symbol_names import factor, with_names
+from sim2reason.text.prose.description import Description, factor, with_names
 from sim2reason.text.prose.voices import symbolic_but_zero
 
 DRAWS = 3  # questions of one kind

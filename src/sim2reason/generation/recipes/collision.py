@@ -9,12 +9,12 @@ import numpy as np
 from sim2reason.generation.recipes import recipe
 from sim2reason.generation.recipes.parts.ideas import Idea, one_of
 from sim2reason.questions.difficulty import Difficulty
-from sim2reason.scenes.bodies.sliders import Puck, Table
+from sim2reason.scenes.bodies.blocks import Puck, Table
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.measures import Count, Range
 from sim2reason.scenes.dsl.model import Choices, field_types, round_as_stated
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.complex_collision_plane import ComplexCollisionPlane
+from sim2reason.scenes.entities.track_collisions import ComplexCollisionPlane
 from sim2reason.scenes.entities.two_d_collision_plane import PairRestitution, TwoDCollisionPlane
 
 APART = Range(0.5, 1.5)  # m, between two pucks at the start

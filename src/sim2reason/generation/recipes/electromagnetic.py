@@ -8,8 +8,8 @@ from sim2reason.questions.difficulty import Difficulty
 from sim2reason.scenes.bodies.charges import Launched
 from sim2reason.scenes.dsl.model import Choices
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.em_entity import EmEntity
-from sim2reason.scenes.entities.parts.fields.linear import LinearElectric
+from sim2reason.scenes.entities.fields import LinearElectric
+from sim2reason.scenes.entities.particles import EmEntity
 
 
 def _oscillates(entity: EmEntity) -> bool:

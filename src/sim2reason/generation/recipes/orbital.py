@@ -11,7 +11,7 @@ from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.measures import Count, Range
 from sim2reason.scenes.dsl.model import draw, replace_validated
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.solar_system import SolarSystem, orbiting
+from sim2reason.scenes.entities.space import SolarSystem, orbiting
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from sim2reason.generation.recipes.parts.ideas import Idea, one_of
 from sim2reason.questions.difficulty import Difficulty
 from sim2reason.scenes.authoring import GRAVITY
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.rocket_entity import RocketEntity
+from sim2reason.scenes.entities.space import RocketEntity
 
 KIND = "RocketEntity"
 

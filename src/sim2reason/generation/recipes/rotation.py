@@ -19,8 +19,8 @@ from sim2reason.scenes.dsl.measures import Count, Range
 from sim2reason.scenes.dsl.model import draw
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.solids import Solid
-from sim2reason.scenes.entities.parts.assembly import holds_axle
-from sim2reason.scenes.entities.parts.pieces import (
+from sim2reason.scenes.entities.pendulums import RotationEntity, holds_axle
+from sim2reason.scenes.entities.pieces import (
     FIRST,
     OTHER,
     AxialPiece,
@@ -32,7 +32,6 @@ from sim2reason.scenes.entities.parts.pieces import (
     TiltedPiece,
     WeldedPiece,
 )
-from sim2reason.scenes.entities.pendulums import RotationEntity
 
 NEAR = Range(0.1, 0.5)  # m, from the axle, for what has a size
 FAR = Range(0.2, 0.8)  # m, for small balls

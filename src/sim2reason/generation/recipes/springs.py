@@ -11,8 +11,7 @@ from sim2reason.questions.difficulty import Difficulty
 from sim2reason.scenes.dsl.measures import Count, Range
 from sim2reason.scenes.dsl.mechanism import GRAVITY
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.spring_block import SpringBlock
-from sim2reason.scenes.entities.springs_on_planes import SpringMassIncline
+from sim2reason.scenes.entities.spring_blocks import SpringBlock, SpringMassIncline
 
 KIND, PLANE = "SpringBlock", "SpringMassIncline"
 FAR = {"SpringBlock.x": Range(0.25, 0.8), "SpringBlock.y": 0.0}  # from the nail at the origin

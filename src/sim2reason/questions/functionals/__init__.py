@@ -10,9 +10,8 @@ from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.units import parse_unit
-from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities.subjects import Subject
-from sim2reason.simulation.trace import Trace
+from sim2reason.simulation.trace import Channel, Trace
 
 
 class Functional(ABC):

@@ -18,11 +18,10 @@ from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words, ordinal
 from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism, Prop, Rigid
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities import QUANTITIES, Quantity
 from sim2reason.simulation.quantities.energy import KineticEnergy
 from sim2reason.simulation.quantities.subjects import Sense
-from sim2reason.simulation.trace import IMPACTS, Event, Trace, in_order
+from sim2reason.simulation.trace import IMPACTS, Channel, Event, Trace, in_order
 
 ROUNDS, PIECES = 3, 64  # refinements of a maximum between neighbouring samples, and pieces per refinement
 PLATEAU_RTOL = 1e-9  # of the value: values that differ by less form a plateau, which has no maximum

@@ -22,12 +22,11 @@ from sim2reason.questions.moments.contacts import LastCollision
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism
-from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.simulation.quantities.momentum import Momentum
 from sim2reason.simulation.quantities.subjects.bodies import Bodies, WholeScene
-from sim2reason.simulation.quantities.subjects.pairs import Pairs, members
-from sim2reason.simulation.trace import Trace
+from sim2reason.simulation.quantities.subjects.interactions import Pairs, members
+from sim2reason.simulation.trace import Channel, Trace
 
 
 @functional

@@ -15,16 +15,13 @@ from sim2reason.scenes.dsl.fields import Push, Resistance
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Force, Inextensible, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.scenes.dsl.vectors import dot, minus
-from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities.energy import KineticEnergy
+from sim2reason.simulation.quantities.force_laws import ExtensionRate, SpringEnergy
 from sim2reason.simulation.quantities.forces import FrictionForce, StringLength, Tension
 from sim2reason.simulation.quantities.kinematics import Displacement, Velocity
-from sim2reason.simulation.quantities.springs import ExtensionRate, SpringEnergy
-from sim2reason.simulation.quantities.subjects.bodies import Bodies
-from sim2reason.simulation.quantities.subjects.contacts import Contacts, Hands
-from sim2reason.simulation.quantities.subjects.lines import Springs, strings
-from sim2reason.simulation.quantities.subjects.paths import rides
-from sim2reason.simulation.trace import Trace
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, rides
+from sim2reason.simulation.quantities.subjects.interactions import Contacts, Hands, Springs, strings
+from sim2reason.simulation.trace import Channel, Trace
 
 
 @functional

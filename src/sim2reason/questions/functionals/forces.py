@@ -11,15 +11,13 @@ from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities.force_laws import Extension, SpringForce
 from sim2reason.simulation.quantities.forces import AxleForce, NormalForce, RodForce, RodPull, Tension
 from sim2reason.simulation.quantities.momentum import Momentum
-from sim2reason.simulation.quantities.springs import Extension, SpringForce
-from sim2reason.simulation.quantities.subjects.bodies import Bodies
-from sim2reason.simulation.quantities.subjects.lines import Strings
-from sim2reason.simulation.quantities.subjects.paths import is_welded_part
-from sim2reason.simulation.quantities.subjects.rods import line_pointer
-from sim2reason.simulation.trace import Trace
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, is_welded_part
+from sim2reason.simulation.quantities.subjects.interactions import Strings
+from sim2reason.simulation.quantities.subjects.rotating_parts import line_pointer
+from sim2reason.simulation.trace import Channel, Trace
 
 
 @functional

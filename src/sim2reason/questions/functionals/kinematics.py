@@ -14,13 +14,17 @@ from sim2reason.questions.moments.turning_points import HighestPoint
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.fields import Push
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.simulation.quantities.kinematics import Acceleration, Displacement, Velocity
+from sim2reason.simulation.quantities.kinematics import (
+    Acceleration,
+    AngularAcceleration,
+    AngularVelocity,
+    Displacement,
+    Velocity,
+)
 from sim2reason.simulation.quantities.positions import Deflection, OriginDistance, XCoordinate, YCoordinate
 from sim2reason.simulation.quantities.relative import DistanceBetween
-from sim2reason.simulation.quantities.rotation import AngularAcceleration, AngularVelocity
 from sim2reason.simulation.quantities.subjects import Sense
-from sim2reason.simulation.quantities.subjects.bodies import AXES
-from sim2reason.simulation.quantities.subjects.paths import center_path
+from sim2reason.simulation.quantities.subjects.bodies import AXES, center_path
 from sim2reason.simulation.trace import Trace
 
 

@@ -17,14 +17,11 @@ from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.simulation.channels import Channel
-from sim2reason.simulation.quantities.kinematics import Displacement, Velocity
+from sim2reason.simulation.quantities.kinematics import AngleTurned, AngularVelocity, Displacement, Velocity
 from sim2reason.simulation.quantities.relative import DistanceBetween
-from sim2reason.simulation.quantities.rotation import AngleTurned, AngularVelocity
-from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies, can_move
-from sim2reason.simulation.quantities.subjects.pairs import Pairs, members
-from sim2reason.simulation.quantities.subjects.paths import center_path, chain, rides
-from sim2reason.simulation.trace import Trace
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies, can_move, center_path, chain, rides
+from sim2reason.simulation.quantities.subjects.interactions import Pairs, members
+from sim2reason.simulation.trace import Channel, Trace
 
 
 def circles(mechanism: Mechanism, name: str) -> bool:

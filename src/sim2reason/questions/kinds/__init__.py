@@ -19,9 +19,8 @@ from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate
-from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities import QUANTITIES
-from sim2reason.simulation.trace import EVENT_TIME_RTOL
+from sim2reason.simulation.trace import EVENT_TIME_RTOL, Channel
 
 
 @dataclass(frozen=True, slots=True)

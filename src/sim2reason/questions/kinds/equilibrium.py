@@ -15,10 +15,10 @@ from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
 from sim2reason.simulation.certify import Certificate
-from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.equilibrium import equilibrium, unique_equilibrium
+from sim2reason.simulation.oscillation import agree_at_rest, equilibrium_disagreement
 from sim2reason.simulation.quantities import QUANTITIES
-from sim2reason.simulation.rest.equilibrium import equilibrium, unique_equilibrium
-from sim2reason.simulation.rest.oscillation import agree_at_rest, equilibrium_disagreement
+from sim2reason.simulation.trace import Channel
 
 WHEN = ("in the position of {}", "at the position of {}", "in the {} position")
 START_TOLERANCE = 1e-6  # m or rad

@@ -18,7 +18,7 @@ from sim2reason.questions.kinds.nested import (
 from sim2reason.questions.query import Noun, Query, Targets
 from sim2reason.questions.study import SimulatedScene, change_directions
 from sim2reason.questions.words import Words
-from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.scenes.dsl.structure import changing
 from sim2reason.simulation.certify import Certificate
 
 RATIO = 10.0

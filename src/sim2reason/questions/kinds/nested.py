@@ -17,8 +17,8 @@ from sim2reason.questions.query import Noun, Query, Targets
 from sim2reason.questions.study import SHORTEST, TIME_MARGIN, SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate, certify_trace
-from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities import QUANTITIES
+from sim2reason.simulation.trace import Channel
 
 INNER = ("start", "state", "event", "time_to_event", "period", "sum", "extremum")
 """The kinds whose answers are compared."""

@@ -22,8 +22,7 @@ from sim2reason.questions.study import COARSE_STEP_ERROR, SimulatedScene, change
 from sim2reason.questions.unknown import Unknown, draw_unknowns, is_usual, range_of
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate
-from sim2reason.simulation.channels import Channel
-from sim2reason.simulation.trace import FINEST
+from sim2reason.simulation.trace import FINEST, Channel
 
 DRAWS = {"start": 1, "event": 3, "period": 1}  # weights of the kinds of inner questions
 CLOSELY = 2  # candidate pairs of a question and a number that are examined closely

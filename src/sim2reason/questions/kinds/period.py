@@ -16,12 +16,11 @@ from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
 from sim2reason.simulation.certify import Certificate
-from sim2reason.simulation.channels import Channel
-from sim2reason.simulation.quantities.subjects.bodies import TurningBodies
-from sim2reason.simulation.quantities.subjects.pairs import pair
-from sim2reason.simulation.quantities.subjects.paths import is_pulley_wheel
-from sim2reason.simulation.rest.equilibrium import equilibrium, steady, unique_equilibrium
-from sim2reason.simulation.rest.oscillation import Oscillations, agree_at_rest, mode_disagreement, oscillations
+from sim2reason.simulation.equilibrium import equilibrium, steady, unique_equilibrium
+from sim2reason.simulation.oscillation import Oscillations, agree_at_rest, mode_disagreement, oscillations
+from sim2reason.simulation.quantities.subjects.bodies import TurningBodies, is_pulley_wheel
+from sim2reason.simulation.quantities.subjects.interactions import pair
+from sim2reason.simulation.trace import Channel
 
 MEASURES = {
     "period": Measured("period", "s", least=1e-2),

@@ -18,8 +18,7 @@ from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.unknown import draw_unknowns, is_usual
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import WITNESS, Certificate
-from sim2reason.simulation.channels import Channel
-from sim2reason.simulation.trace import FINEST
+from sim2reason.simulation.trace import FINEST, Channel
 
 SEARCH_RTOL = NEARLY * TOLERANCE  # relative: search distance from the known threshold in a changed mechanism
 FAR = 4.0  # factor: search distance for an incorrect answer

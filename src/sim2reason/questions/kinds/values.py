@@ -20,10 +20,10 @@ from sim2reason.questions.query import Noun, Query, Targets
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
-from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
-from sim2reason.simulation.channels import Channel
+from sim2reason.scenes.dsl.structure import changing
 from sim2reason.simulation.quantities import QUANTITIES
+from sim2reason.simulation.trace import Channel
 
 
 @kind

@@ -13,8 +13,8 @@ from sim2reason.questions.query import Noun, Query, Target, Targets, quantities_
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
-from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities import QUANTITIES
+from sim2reason.simulation.trace import Channel
 
 DISTANCE = "distance between {} and its starting point"
 INNER = ("state", "event", "start")

@@ -11,8 +11,7 @@ from sim2reason.base.registry import Registry
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism
-from sim2reason.simulation.channels import Channel
-from sim2reason.simulation.trace import Trace
+from sim2reason.simulation.trace import Channel, Trace
 
 
 class Moment(ABC):

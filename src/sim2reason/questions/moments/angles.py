@@ -12,14 +12,12 @@ from sim2reason.questions.moments.occurrence import Verb, when_phrases
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words, rounded_as_written
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities.kinematics import AngleTurned
 from sim2reason.simulation.quantities.positions import Deflection, deflection_at_start
-from sim2reason.simulation.quantities.rotation import AngleTurned
-from sim2reason.simulation.quantities.subjects.bodies import TurningBodies
-from sim2reason.simulation.quantities.subjects.pairs import Pairs, members
-from sim2reason.simulation.quantities.subjects.paths import center_path
-from sim2reason.simulation.quantities.subjects.rods import SwingingLines
-from sim2reason.simulation.trace import Trace
+from sim2reason.simulation.quantities.subjects.bodies import TurningBodies, center_path
+from sim2reason.simulation.quantities.subjects.interactions import Pairs, members
+from sim2reason.simulation.quantities.subjects.rotating_parts import SwingingLines
+from sim2reason.simulation.trace import Channel, Trace
 
 STRAIGHT_UP = 180.0  # degrees
 FEWEST = 10.0  # degrees: least amplitude of a swing, and least distance from its ends

@@ -15,12 +15,10 @@ from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words, ordinal, round_number
 from sim2reason.scenes.dsl.mechanism import CollisionPair
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.simulation.quantities.positions import Height
-from sim2reason.simulation.quantities.subjects.bodies import Bodies
-from sim2reason.simulation.quantities.subjects.paths import DIRECTION_TOL
-from sim2reason.simulation.trace import Event, Trace
+from sim2reason.simulation.quantities.subjects.bodies import DIRECTION_TOL, Bodies
+from sim2reason.simulation.trace import Channel, Event, Trace
 
 GROUND, WALL, WALLS = "the ground", "the wall", "a wall"
 

@@ -24,8 +24,7 @@ from sim2reason.scenes.dsl.mechanism import CollisionPair, Mechanism, Prop
 from sim2reason.scenes.dsl.state import State
 from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
-from sim2reason.simulation.quantities.subjects.contacts import Contacts
-from sim2reason.simulation.quantities.subjects.pairs import PAIR_SEPARATOR, Pairs, members
+from sim2reason.simulation.quantities.subjects.interactions import PAIR_SEPARATOR, Contacts, Pairs, members
 from sim2reason.simulation.trace import Event, Trace
 
 

@@ -17,10 +17,9 @@ from sim2reason.scenes.dsl.fields import Magnetic, Push, Resistance
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.scenes.dsl.vectors import inner
-from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities.subjects import Subject
 from sim2reason.simulation.quantities.subjects.bodies import AXES, Bodies
-from sim2reason.simulation.trace import Trace
+from sim2reason.simulation.trace import Channel, Trace
 
 EventFunction = Callable[[State], Array]
 """A function of the state that is negative before and positive after what is looked for, (n,)."""

@@ -14,14 +14,13 @@ from sim2reason.questions.moments.occurrence import Verb, when_phrases
 from sim2reason.questions.moments.reached import DistanceThreshold
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
-from sim2reason.scenes.dsl.constancy import may_turn_back
 from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.structure import may_turn_back
 from sim2reason.simulation.quantities.kinematics import Acceleration, Displacement, Velocity
 from sim2reason.simulation.quantities.relative import DistanceBetween
 from sim2reason.simulation.quantities.subjects import Sense
-from sim2reason.simulation.quantities.subjects.bodies import AXES, OPPOSITE, RIGHT, UP, Bodies
-from sim2reason.simulation.quantities.subjects.paths import center_path, rides
+from sim2reason.simulation.quantities.subjects.bodies import AXES, OPPOSITE, RIGHT, UP, Bodies, center_path, rides
 from sim2reason.simulation.trace import Trace
 
 SELDOM = 0.05

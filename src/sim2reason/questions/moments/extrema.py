@@ -13,16 +13,13 @@ from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import CollisionPair, Coordinate, Elastic, Mechanism, Prop
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.scenes.dsl.vectors import inner
-from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities import QUANTITIES
+from sim2reason.simulation.quantities.force_laws import Extension, ExtensionRate
 from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.simulation.quantities.relative import DistanceBetween
-from sim2reason.simulation.quantities.springs import Extension, ExtensionRate
-from sim2reason.simulation.quantities.subjects.bodies import Bodies, can_move
-from sim2reason.simulation.quantities.subjects.lines import Springs
-from sim2reason.simulation.quantities.subjects.pairs import Pairs, members
-from sim2reason.simulation.quantities.subjects.paths import DIRECTION_TOL, center_path, parallel
-from sim2reason.simulation.trace import Trace
+from sim2reason.simulation.quantities.subjects.bodies import DIRECTION_TOL, Bodies, can_move, center_path, parallel
+from sim2reason.simulation.quantities.subjects.interactions import Pairs, Springs, members
+from sim2reason.simulation.trace import Channel, Trace
 
 
 def moves_freely(mechanism: Mechanism) -> bool:

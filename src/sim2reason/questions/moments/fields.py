@@ -21,10 +21,9 @@ from sim2reason.scenes.dsl.fields import Push
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.scenes.dsl.vectors import Vector, inner
-from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
-from sim2reason.simulation.trace import Trace
+from sim2reason.simulation.trace import Channel, Trace
 
 
 @MOMENTS.register("across_field")

@@ -13,7 +13,7 @@ from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words, numbers_of, ordinal
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.quantities.subjects import Subject
-from sim2reason.simulation.quantities.subjects.contacts import Contacts
+from sim2reason.simulation.quantities.subjects.interactions import Contacts
 from sim2reason.simulation.trace import Event, Trace
 
 

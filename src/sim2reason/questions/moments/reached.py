@@ -19,10 +19,9 @@ from sim2reason.questions.structured import StructuredQuestion, measured, moment
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words, round_number
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities.kinematics import Displacement
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
-from sim2reason.simulation.trace import Trace
+from sim2reason.simulation.trace import Channel, Trace
 
 NEAREST, FARTHEST = 0.2, 0.9  # of the body's greatest distance: range of random distances
 SHORTEST, LONGEST, TIED = 0.01, 9e4, 2.0  # m: range of distances, and the longest string

@@ -15,10 +15,9 @@ from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Elastic, Inextensible, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
-from sim2reason.simulation.channels import Channel
-from sim2reason.simulation.quantities.springs import Extension
-from sim2reason.simulation.quantities.subjects.lines import Springs, Strings
-from sim2reason.simulation.trace import Trace
+from sim2reason.simulation.quantities.force_laws import Extension
+from sim2reason.simulation.quantities.subjects.interactions import Springs, Strings
+from sim2reason.simulation.trace import Channel, Trace
 
 
 @MOMENTS.register("went_slack")

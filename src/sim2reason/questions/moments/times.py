@@ -13,9 +13,8 @@ from sim2reason.questions.moments.occurrence import Occurrence, Verb
 from sim2reason.questions.recurrence import drift_return, first_return, rest_for_good, uniform_from
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words, round_number, rounded_as_written
-from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
-from sim2reason.simulation.trace import Trace, ending
+from sim2reason.simulation.trace import Channel, Trace, ending
 
 
 @MOMENTS.register("at_start")

@@ -19,8 +19,14 @@ from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.scenes.dsl.vectors import add, scale
 from sim2reason.simulation.quantities.kinematics import Acceleration, Displacement, Velocity
-from sim2reason.simulation.quantities.subjects.bodies import Bodies
-from sim2reason.simulation.quantities.subjects.paths import DIRECTION_TOL, chain, extended, point_directions, rides
+from sim2reason.simulation.quantities.subjects.bodies import (
+    DIRECTION_TOL,
+    Bodies,
+    chain,
+    extended,
+    point_directions,
+    rides,
+)
 from sim2reason.simulation.trace import Event, Trace
 
 SPEED_RTOL = 1e-6  # relative: smaller differences of speeds are rounding

@@ -21,8 +21,7 @@ from sim2reason.questions.ordinary.vocabulary import ANYTHING, NOUNS, QUANTITIES
 from sim2reason.questions.sentences import plainly
 from sim2reason.questions.words import DIGITS, Words
 from sim2reason.simulation.quantities import QUANTITIES as REGISTERED
-from sim2reason.simulation.quantities.subjects.bodies import Bodies
-from sim2reason.simulation.quantities.subjects.paths import chain
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, chain
 
 LONGEST = 400  # characters of a question
 ALL = "all"  # the word for several subjects together

@@ -18,12 +18,9 @@ from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.fields import Resistance
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Elastic
-from sim2reason.simulation.quantities.subjects.axles import Pulleys
-from sim2reason.simulation.quantities.subjects.bodies import Bodies
-from sim2reason.simulation.quantities.subjects.lines import STRETCHED, Springs
-from sim2reason.simulation.quantities.subjects.pairs import PAIR_SEPARATOR
-from sim2reason.simulation.quantities.subjects.paths import DIRECTION_TOL, chain
-from sim2reason.simulation.quantities.subjects.rods import SwingingLines
+from sim2reason.simulation.quantities.subjects.bodies import DIRECTION_TOL, Bodies, chain
+from sim2reason.simulation.quantities.subjects.interactions import PAIR_SEPARATOR, STRETCHED, Springs
+from sim2reason.simulation.quantities.subjects.rotating_parts import Pulleys, SwingingLines
 
 EVERYTHING = "everything"  # all subjects of a quantity together
 

@@ -10,10 +10,9 @@ from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import ConstantTension
 from sim2reason.scenes.dsl.units import parse_unit
 from sim2reason.scenes.dsl.vectors import inner
-from sim2reason.simulation.quantities.subjects.bodies import Bodies
-from sim2reason.simulation.quantities.subjects.lines import Springs, Strings, pulleys
-from sim2reason.simulation.quantities.subjects.paths import DIRECTION_TOL, center_path
-from sim2reason.simulation.quantities.subjects.rods import SwingingLines, load_center, welded_to
+from sim2reason.simulation.quantities.subjects.bodies import DIRECTION_TOL, Bodies, center_path
+from sim2reason.simulation.quantities.subjects.interactions import Springs, Strings, pulleys
+from sim2reason.simulation.quantities.subjects.rotating_parts import SwingingLines, load_center, welded_to
 
 Ranked = tuple[int, str, str]
 """How specific a pattern is, the phrase of the text, and the pattern of its names."""

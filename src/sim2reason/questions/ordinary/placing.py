@@ -35,10 +35,9 @@ from sim2reason.questions.structured import START, StructuredQuestion, resolved
 from sim2reason.questions.words import ORDINALS, Words
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.quantities.subjects import Sense
-from sim2reason.simulation.quantities.subjects.bodies import RIGHT, Bodies, TurningBodies
-from sim2reason.simulation.quantities.subjects.pairs import PAIR_SEPARATOR, Pairs, members
-from sim2reason.simulation.quantities.subjects.paths import center_path, turning_axes
-from sim2reason.simulation.quantities.subjects.rods import SwingingLines
+from sim2reason.simulation.quantities.subjects.bodies import RIGHT, Bodies, TurningBodies, center_path, turning_axes
+from sim2reason.simulation.quantities.subjects.interactions import PAIR_SEPARATOR, Pairs, members
+from sim2reason.simulation.quantities.subjects.rotating_parts import SwingingLines
 from sim2reason.simulation.trace import Event
 
 EVEN = 1e-9

@@ -29,8 +29,7 @@ from sim2reason.scenes.dsl.state import State
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.quantities.kinematics import Acceleration, Displacement, Velocity
 from sim2reason.simulation.quantities.positions import Height
-from sim2reason.simulation.quantities.subjects.bodies import Bodies
-from sim2reason.simulation.quantities.subjects.paths import center_path
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, center_path
 from sim2reason.simulation.trace import Trace
 
 SOON, LATE = 0.01, 0.9  # of the interval up to the next event, or to the end of the known motion

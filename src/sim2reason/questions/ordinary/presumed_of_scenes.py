@@ -34,14 +34,12 @@ from sim2reason.questions.ordinary.vocabulary import (
 )
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import ZERO, ConstantTension
+from sim2reason.simulation.equilibrium import equilibrium
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.quantities.kinematics import Acceleration, Displacement, Velocity
-from sim2reason.simulation.quantities.subjects.axles import Pulleys
-from sim2reason.simulation.quantities.subjects.bodies import Bodies
-from sim2reason.simulation.quantities.subjects.lines import Springs
-from sim2reason.simulation.quantities.subjects.paths import center_path, chain
-from sim2reason.simulation.quantities.subjects.rods import SwingingLines
-from sim2reason.simulation.rest.equilibrium import equilibrium
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, center_path, chain
+from sim2reason.simulation.quantities.subjects.interactions import Springs
+from sim2reason.simulation.quantities.subjects.rotating_parts import Pulleys, SwingingLines
 
 
 def _address(said: str, words: Words) -> str:

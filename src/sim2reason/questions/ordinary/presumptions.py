@@ -44,12 +44,11 @@ from sim2reason.questions.structured import resolved
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.fields import Magnetic, Push
 from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism
+from sim2reason.simulation.equilibrium import equilibrium
+from sim2reason.simulation.quantities.force_laws import Extension
 from sim2reason.simulation.quantities.kinematics import Acceleration, Displacement, Velocity
-from sim2reason.simulation.quantities.springs import Extension
-from sim2reason.simulation.quantities.subjects.bodies import Bodies
-from sim2reason.simulation.quantities.subjects.lines import Springs
-from sim2reason.simulation.quantities.subjects.paths import center_path
-from sim2reason.simulation.rest.equilibrium import equilibrium
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, center_path
+from sim2reason.simulation.quantities.subjects.interactions import Springs
 
 STEADY, EVEN = 1e-6, 1e-9  # relative
 OF_PLACES = "spring energy", "extension", "spring length", "height above the ground", "distance", "mass", "fuel left"

@@ -17,8 +17,7 @@ from sim2reason.questions.query import OWN_PATH
 from sim2reason.questions.structured import START, StructuredQuestion
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.simulation.quantities.subjects.bodies import Bodies
-from sim2reason.simulation.quantities.subjects.paths import center_path
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, center_path
 
 NUMBERS: Mapping[str, str] = {
     "mass": "mass",

@@ -9,9 +9,9 @@ import numpy as np
 
 from sim2reason.base.registry import Registry
 from sim2reason.questions.words import Words
-from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.structure import changing
 from sim2reason.simulation.quantities.subjects import Subject
 from sim2reason.simulation.trace import Trace
 

@@ -18,7 +18,7 @@ from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
-from sim2reason.simulation.quantities.subjects.contacts import Contacts
+from sim2reason.simulation.quantities.subjects.interactions import Contacts
 from sim2reason.simulation.trace import Trace
 
 

@@ -8,11 +8,9 @@ import numpy as np
 from sim2reason.questions.outcomes import OUTCOMES, SPEED_NOISE, Onset, Swinging, is_steady_release, rest_speed_noise
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Inextensible
-from sim2reason.simulation.quantities.kinematics import Acceleration, Velocity
-from sim2reason.simulation.quantities.rotation import AngleTurned
-from sim2reason.simulation.quantities.subjects.bodies import UP, Bodies, TurningBodies
-from sim2reason.simulation.quantities.subjects.paths import center_path, rides, turning_axes
-from sim2reason.simulation.quantities.subjects.rods import SwingingLines
+from sim2reason.simulation.quantities.kinematics import Acceleration, AngleTurned, Velocity
+from sim2reason.simulation.quantities.subjects.bodies import UP, Bodies, TurningBodies, center_path, rides, turning_axes
+from sim2reason.simulation.quantities.subjects.rotating_parts import SwingingLines
 from sim2reason.simulation.trace import Trace
 
 BOTH = 2  # turning points, left and right, of a swing that does not go round

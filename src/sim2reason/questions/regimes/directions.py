@@ -11,17 +11,16 @@ from sim2reason.errors import SceneError
 from sim2reason.questions.regimes import REGIMES, Regime
 from sim2reason.questions.study import SimulatedScene
 from sim2reason.questions.words import Words
-from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Mechanism
 from sim2reason.scenes.dsl.state import Array
+from sim2reason.scenes.dsl.structure import changing
 from sim2reason.scenes.dsl.vectors import Vector, inner
 from sim2reason.simulation.quantities.kinematics import Acceleration, Velocity
 from sim2reason.simulation.quantities.positions import Deflection, deflection_at_start
 from sim2reason.simulation.quantities.subjects import Sense
-from sim2reason.simulation.quantities.subjects.bodies import OPPOSITE, RIGHT, Bodies
-from sim2reason.simulation.quantities.subjects.lines import Strings
-from sim2reason.simulation.quantities.subjects.paths import center_path
-from sim2reason.simulation.quantities.subjects.rods import (
+from sim2reason.simulation.quantities.subjects.bodies import OPPOSITE, RIGHT, Bodies, center_path
+from sim2reason.simulation.quantities.subjects.interactions import Strings
+from sim2reason.simulation.quantities.subjects.rotating_parts import (
     SwingingLines,
     carries_on_both_sides,
     is_light_rod,

@@ -18,8 +18,7 @@ from sim2reason.scenes.dsl.mechanism import Mechanism, Prop
 from sim2reason.scenes.dsl.template import COUNT_WORDS
 from sim2reason.simulation.quantities.kinematics import Acceleration, Velocity
 from sim2reason.simulation.quantities.subjects.bodies import RIGHT, Bodies
-from sim2reason.simulation.quantities.subjects.contacts import Contacts
-from sim2reason.simulation.quantities.subjects.pairs import PAIR_SEPARATOR, Pairs
+from sim2reason.simulation.quantities.subjects.interactions import PAIR_SEPARATOR, Contacts, Pairs
 from sim2reason.text.prose.phrases import join
 
 MAX_COLLISIONS = 3  # greatest number of collisions in a clause

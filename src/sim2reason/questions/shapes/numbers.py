@@ -8,9 +8,8 @@ import numpy as np
 from sim2reason.questions.shapes import Draft, PromptShape, shape
 from sim2reason.questions.shapes.layout import QUESTION, is_table, one_of, splits, text_of, units
 from sim2reason.scenes.dsl.model import Parameter
-from sim2reason.text.prose.description import Description
+from sim2reason.text.prose.description import Description, with_names, without_names
 from sim2reason.text.prose.phrases import join
-from sim2reason.text.prose.symbol_names import with_names, without_names
 from sim2reason.text.prose.voices import Voice, symbolic
 
 LEADS = ("Data: ", "Numerical values: ", "Take ", "Use ", "Let ")

@@ -13,11 +13,10 @@ from sim2reason.questions.moments.crossings import Passage, crossings
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, MisinterpretedMotion, misconception
 from sim2reason.questions.study import SimulatedScene, Timed
-from sim2reason.scenes.dsl.ablation import weighs, with_bodies
-from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Attraction, MassEjection, Mechanism
 from sim2reason.scenes.dsl.state import Array, Dynamics, State
+from sim2reason.scenes.dsl.structure import changing, weighs, with_bodies
 from sim2reason.scenes.dsl.vectors import Vector, minus, scale
 from sim2reason.simulation.trace import Trace, events_before
 

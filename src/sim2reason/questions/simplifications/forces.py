@@ -8,10 +8,17 @@ from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, misconception
 from sim2reason.questions.simplifications.inertia import carriers, massive, others, rough
 from sim2reason.questions.study import SimulatedScene
-from sim2reason.scenes.dsl.ablation import RESIDUAL_MASS_RATIO, fix_body, remove_body, weighs, with_bodies, with_lines
-from sim2reason.scenes.dsl.constancy import bending
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Line, Mechanism, RigidBody
+from sim2reason.scenes.dsl.structure import (
+    RESIDUAL_MASS_RATIO,
+    bending,
+    fix_body,
+    remove_body,
+    weighs,
+    with_bodies,
+    with_lines,
+)
 from sim2reason.scenes.dsl.vectors import scale
 
 

@@ -13,12 +13,11 @@ from sim2reason.questions.simplifications.events import is_steady, with_formulas
 from sim2reason.questions.simplifications.orbits import Motion, PlanetOrbit, moving_as, orbits
 from sim2reason.questions.simplifications.pulleys import hanging
 from sim2reason.questions.study import SimulatedScene
-from sim2reason.scenes.dsl.ablation import weighs, with_lines
-from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Line, Mechanism
 from sim2reason.scenes.dsl.state import Array, Dynamics, State
-from sim2reason.simulation.rest.equilibrium import Rest, equilibrium
-from sim2reason.simulation.rest.oscillation import Oscillations, oscillations
+from sim2reason.scenes.dsl.structure import changing, weighs, with_lines
+from sim2reason.simulation.equilibrium import Rest, equilibrium
+from sim2reason.simulation.oscillation import Oscillations, oscillations
 from sim2reason.simulation.trace import Trace
 
 

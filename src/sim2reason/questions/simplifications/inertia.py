@@ -8,10 +8,10 @@ from typing import ClassVar
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, Misconception, misconception
 from sim2reason.questions.study import SimulatedScene
-from sim2reason.scenes.dsl.ablation import inertialess, with_bodies
 from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism, RigidBody, SurfaceContact
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.solids import Overlooked, Shape, Solid, composed, transposed
+from sim2reason.scenes.dsl.structure import inertialess, with_bodies
 from sim2reason.scenes.dsl.vectors import Vector, add, inner, scale
 
 

@@ -10,9 +10,9 @@ from sim2reason.questions.simplifications import ChangedMechanism, misconception
 from sim2reason.questions.simplifications.events import query_time
 from sim2reason.questions.simplifications.inertia import wheels
 from sim2reason.questions.study import SimulatedScene
-from sim2reason.scenes.dsl.ablation import RESIDUAL_MASS_RATIO, fix_body, with_bodies, with_lines
 from sim2reason.scenes.dsl.frames import Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Inextensible, Line, Mechanism, Rigid, RigidBody
+from sim2reason.scenes.dsl.structure import RESIDUAL_MASS_RATIO, fix_body, with_bodies, with_lines
 from sim2reason.scenes.dsl.vectors import minus
 
 UPRIGHT = 1.0 - 1e-9  # cosine of the largest angle between a vertical string and the vertical

@@ -1,4 +1,4 @@
-"""Connections between the ports of entities, one file each."""
+"""Connections between the ports of entities."""
 
 from sim2reason.scenes.dsl.connection import CONNECTIONS
 

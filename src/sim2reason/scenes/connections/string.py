@@ -7,7 +7,7 @@ from itertools import pairwise
 from typing import ClassVar, Generic, Self
 
 from sim2reason.errors import SceneError
-from sim2reason.scenes.bodies.pulleys import FixedPulley
+from sim2reason.scenes.bodies.simple_machines import FixedPulley
 from sim2reason.scenes.dsl.body import Body
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.connection import (
@@ -23,7 +23,7 @@ from sim2reason.scenes.dsl.connection import (
     SentenceWriter,
     connection,
 )
-from sim2reason.scenes.dsl.layout import opposite
+from sim2reason.scenes.dsl.defaults import opposite
 from sim2reason.scenes.dsl.measures import FreeLength
 from sim2reason.scenes.dsl.mechanism import ZERO, Inextensible
 from sim2reason.scenes.dsl.ports import Pass, Port, SitePort, Stop, StringEnd, StringPort

@@ -33,7 +33,7 @@ class Part(Model):
 
     Examples:
         >>> from sim2reason.authoring import X, Z, Frame, Part, either
-        >>> from sim2reason.scenes.bodies.sliders import Block
+        >>> from sim2reason.scenes.bodies.blocks import Block
         >>> class Sliding(Part):
         ...     block: Block
         ...     says = (either("{block} lies on a smooth floor."),)
@@ -100,7 +100,7 @@ class Entity(Part):
     Examples:
         >>> import sim2reason
         >>> from sim2reason.authoring import X, Z, Entity, Frame, either
-        >>> from sim2reason.scenes.bodies.sliders import Block
+        >>> from sim2reason.scenes.bodies.blocks import Block
         >>> class BlockOnFloor(Entity):
         ...     block: Block
         ...     says = (either("{block} lies on a smooth floor."),)
@@ -179,7 +179,7 @@ def entity(cls: type[E]) -> type[E]:
     Examples:
         >>> import sim2reason
         >>> from sim2reason.authoring import X, Z, Entity, Frame, either, entity
-        >>> from sim2reason.scenes.bodies.sliders import Block
+        >>> from sim2reason.scenes.bodies.blocks import Block
         >>> @entity
         ... class BlockOnFloor(Entity):
         ...     block: Block

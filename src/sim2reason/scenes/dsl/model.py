@@ -12,8 +12,19 @@ from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
 
 from sim2reason.base.record import record
 from sim2reason.errors import SceneError
-from sim2reason.scenes.dsl.measures import Above, Chance, Count, Hidden, Measure, Member, Range, Sized, Usually
-from sim2reason.scenes.dsl.relations import relations, violated_relation
+from sim2reason.scenes.dsl.measures import (
+    Above,
+    Chance,
+    Count,
+    Hidden,
+    Measure,
+    Member,
+    Range,
+    Sized,
+    Usually,
+    relations,
+    violated_relation,
+)
 
 
 def bounds(metadata: Iterable[object]) -> tuple[float, float]:

@@ -12,9 +12,8 @@ from sim2reason.scenes.dsl.addresses import idle_fields, lookup, with_values, wi
 from sim2reason.scenes.dsl.body import Body
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.connection import Connection, Joint, Link
+from sim2reason.scenes.dsl.defaults import horizon, placed, within_oscillations
 from sim2reason.scenes.dsl.entity import Entity, Name, Named, Part, inside, outer_ports, stops_of
-from sim2reason.scenes.dsl.horizons import horizon, within_oscillations
-from sim2reason.scenes.dsl.layout import placed
 from sim2reason.scenes.dsl.measures import Gravity
 from sim2reason.scenes.dsl.mechanism import GRAVITY, Mechanism
 from sim2reason.scenes.dsl.model import Model, Parameter, parameters, replace_validated

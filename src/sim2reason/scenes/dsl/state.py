@@ -1,8 +1,10 @@
-"""The motion of a mechanism as arrays over time, common to all engines."""
+"""The motion of a mechanism as arrays over time, and its initial state: checks, and changes of it."""
 
-from collections.abc import Callable, Mapping
-from dataclasses import field
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import field, replace
 from itertools import pairwise
+from math import inf
 from typing import NamedTuple, Self
 
 import numpy as np
@@ -10,9 +12,24 @@ from numpy.typing import NDArray
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.base.record import counted, record
-from sim2reason.scenes.dsl.frames import Frames, initial_frames
-from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Line, Mechanism
-from sim2reason.scenes.dsl.vectors import Triple, dot, minus
+from sim2reason.errors import SceneError, UnsupportedError
+from sim2reason.scenes.dsl.frames import BodyFrame, Frames, initial_frames
+from sim2reason.scenes.dsl.mechanism import (
+    ZERO,
+    ConstantTension,
+    Coordinate,
+    Elastic,
+    Inextensible,
+    Line,
+    LineLaw,
+    Mechanism,
+    Prop,
+    Rigid,
+    RigidBody,
+    Site,
+    SurfaceContact,
+)
+from sim2reason.scenes.dsl.vectors import Tensor, Triple, dot, minus
 
 Array = NDArray[np.float64]
 
@@ -172,3 +189,150 @@ class State:
             number = self.mechanism.number[wheel.coordinate]
             length, rate = length + wheel.radius * self.q[:, number], rate + wheel.radius * self.v[:, number]
         return length, rate
+
+
+LENGTH_TOL = 1e-9  # m; smaller differences count as zero
+
+
+def displaced(mechanism: Mechanism, coordinates: Sequence[float], speeds: Sequence[float]) -> Mechanism:
+    """Return the mechanism with other initial `coordinates` (n,), m or rad, and `speeds` (n,).
+
+    The laws do not change: strings and springs keep their lengths. Time and its functions restart at 0.
+
+    Raises:
+        UnsupportedError: a strut that only pushes has been left, or a body has slid away from its own hinge.
+    """
+    frames = Frames(mechanism, coordinates, speeds, math)
+    moved = _Displaced(mechanism, frames, coordinates, speeds)
+    return replace(
+        mechanism,
+        bodies=tuple(moved.body(body) for body in mechanism.bodies),
+        sites=tuple(moved.site(site) for site in mechanism.sites),
+        lines=tuple(moved.line(line) for line in mechanism.lines),
+        faces=tuple(moved.face(face) for face in mechanism.faces),
+        burns=tuple(replace(burn, direction=frames[burn.body].turned(burn.direction)) for burn in mechanism.burns),
+    )
+
+
+class _Displaced:
+    """The converter of the parts of a mechanism to other initial coordinates."""
+
+    def __init__(
+        self, mechanism: Mechanism, frames: Frames, coordinates: Sequence[float], speeds: Sequence[float]
+    ) -> None:
+        """Store the mechanism and its `frames` at the new coordinates."""
+        self.mechanism, self.frames = mechanism, frames
+        self.coordinates, self.speeds = coordinates, speeds
+        rest = [0.0] * len(mechanism.coordinates)
+        self.began = Frames(mechanism, rest, rest, math, still=True)
+
+    def body(self, body: RigidBody) -> RigidBody:
+        """Return the body at its new position, with the axes of its frame parallel to those of the room."""
+        frame, carrier = self.frames[body.name], self.frames[body.parent]
+        return replace(
+            body,
+            at=minus(frame.origin, carrier.origin),
+            center=body.center if body.center is ZERO else frame.turned(body.center),
+            inertia=_turned(frame, body.inertia),
+            coordinates=tuple(self._coordinate(coordinate, frame) for coordinate in body.coordinates),
+        )
+
+    def _coordinate(self, coordinate: Coordinate, frame: BodyFrame) -> Coordinate:
+        number = self.mechanism.number[coordinate.name]
+        step = next(step for step in frame.steps if step.number == number)
+        if step.pivot is not None and math.dist(step.pivot, frame.origin) > LENGTH_TOL:
+            raise UnsupportedError(
+                f"{coordinate.body}: it has slid away from its own hinge, so nothing can begin there"
+            )
+        gone = float(self.coordinates[number])
+        return replace(
+            coordinate,
+            axis=step.axis,
+            speed=float(self.speeds[number]),
+            lower=coordinate.lower - gone,
+            upper=coordinate.upper - gone,
+            stated=None if coordinate.stated is None else (coordinate.stated[0], coordinate.stated[1] + gone),
+        )
+
+    def site(self, site: Site) -> Site:
+        """Return the site in the new frame of its body, whose axes are parallel to those of the room."""
+        return replace(site, at=self.frames[site.body].turned(site.at)) if site.body is not None else site
+
+    def face(self, face: SurfaceContact) -> SurfaceContact:
+        """Return the face with its normal in the new frame of its carrier."""
+        carrier = face.subject if face.turning else self.mechanism.body[face.subject].parent
+        return replace(face, normal=self.frames[carrier].turned(face.normal))
+
+    def line(self, line: Line) -> Line:
+        """Return the line with a law that accounts for the slack that remains and the length wound onto pulleys."""
+        return replace(line, law=self._law(line))
+
+    def _law(self, line: Line) -> LineLaw:
+        law = line.law
+        wound = sum(w.radius * float(self.coordinates[self.mechanism.number[w.coordinate]]) for w in line.wheels)
+        if isinstance(law, Elastic):
+            return replace(law, length=law.length - wound)
+        grown = self.frames.length(line) + wound - self.began.length(line)
+        if isinstance(law, Inextensible):
+            spare = law.slack - grown
+            return replace(law, slack=spare if spare > LENGTH_TOL else 0.0)
+        if isinstance(law, Prop) and abs(grown) > LENGTH_TOL:
+            raise UnsupportedError(f"{line.name}: the strut has been left, so that no motion begins with it")
+        return law
+
+
+def _turned(frame: BodyFrame, inertia: Tensor) -> Tensor:
+    """Return the rotated inertia tensor R I Rᵀ."""
+    if frame.rotation is None or not any(inertia):
+        return inertia
+    xx, yy, zz, xy, xz, yz = inertia
+    rows = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
+    half = [[dot(row, axis) for row in rows] for axis in frame.rotation]  # rows of R I
+
+    def entry(i: int, j: int) -> float:
+        return float(dot((half[i][0], half[i][1], half[i][2]), frame.rotation[j]))  # type: ignore[index]
+
+    return (entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2))
+
+
+ROUNDING = 1e-9  # fraction of the largest speed, or of 1 m/s
+TOUCHING = 1e-9  # m
+
+
+def check_speeds(mechanism: Mechanism) -> None:
+    """Raise SceneError if initial speeds change the length of a rod or make a nonslipping contact slip."""
+    speeds = [float(coordinate.speed) for coordinate in mechanism.coordinates]
+    never = [face for face in mechanism.faces if face.friction == inf]
+    rods = [line for line in mechanism.lines if isinstance(line.law, Rigid)]
+    if not any(speeds) or not (rods or never or mechanism.feet):
+        return
+    small = ROUNDING * max(1.0, *map(abs, speeds))
+    frames = Frames(mechanism, [0.0] * len(speeds), speeds, math)
+    for rod in rods:
+        rate = _parting(frames, *rod.through)
+        if abs(rate) > small:
+            problem = f"its ends begin to part at {rate:.6g} m/s, and it is rigid"
+            raise SceneError(rod.name, problem, "let both begin with the same speed along it")
+    for face in never:
+        slip = sum(factor * speeds[mechanism.number[name]] for name, factor in face.slip)
+        if abs(slip) > small:
+            problem = f"it begins to slip at {slip:.6g} m/s where it never slips"
+            raise SceneError(face.subject, problem, "let it begin without slipping, or give a coefficient of friction")
+    _check_feet(mechanism, frames, small)
+
+
+def _parting(frames: Frames, first: str, last: str) -> float:
+    try:
+        return float(frames.distance(first, last).rate)
+    except ZeroDivisionError:  # they coincide, which engines refuse for itself
+        return 0.0
+
+
+def _check_feet(mechanism: Mechanism, frames: Frames, small: float) -> None:
+    for foot in mechanism.feet:
+        point = frames.site(foot.site)
+        stands = abs(dot(foot.normal, point.place) - foot.height) <= TOUCHING
+        slip = dot(foot.along, point.velocity)
+        if stands and abs(dot(foot.normal, point.velocity)) <= small < abs(slip):
+            problem = f"it stands, and yet begins to slip at {slip:.6g} m/s"
+            raise SceneError(foot.name, problem, "let it begin at rest")

@@ -19,11 +19,11 @@ from sim2reason.scenes.authoring import (
     entity,
     scale,
 )
-from sim2reason.scenes.bodies.pulleys import FixedPulley, MovablePulley, SteppedPulley
-from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.simple_machines import FixedPulley, MovablePulley, SteppedPulley
 from sim2reason.scenes.connections.string import String
 from sim2reason.scenes.dsl.connection import InternalConnection
-from sim2reason.scenes.entities.parts.mass_systems import Hanging, OnPlane, OnWedge
+from sim2reason.scenes.entities.string_ends import Hanging, OnPlane, OnWedge
 
 UPRIGHT_ON_Y = (X, scale(-1.0, Z), Y)  # figures symmetric about the axle, which points away from the reader
 

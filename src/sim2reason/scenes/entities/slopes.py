@@ -19,10 +19,9 @@ from sim2reason.scenes.authoring import (
     entity,
     scale,
 )
-from sim2reason.scenes.bodies.planes import Box, Plane, Prism
-from sim2reason.scenes.bodies.sliders import Block
-from sim2reason.scenes.entities.parts.friction import two_coefficients
-from sim2reason.scenes.entities.parts.mass_systems import FRICTION_ON_PLANE, SPACING, Blocks, link, row
+from sim2reason.scenes.bodies.blocks import Block
+from sim2reason.scenes.bodies.simple_machines import Box, Plane, Prism
+from sim2reason.scenes.entities.string_ends import FRICTION_ON_PLANE, SPACING, Blocks, link, row, two_coefficients
 
 BLOCK_SPACING = 1.2  # m between neighbours on the top, kept by their strings and without effect
 EYE = 1.6  # height of a string's eye below the top, in free lengths; for drawings only

@@ -18,10 +18,9 @@ from sim2reason.scenes.authoring import (
     scale,
     starting,
 )
-from sim2reason.scenes.bodies.planes import Plane
-from sim2reason.scenes.bodies.sliders import Slab
-from sim2reason.scenes.entities.parts.friction import two_coefficients
-from sim2reason.scenes.entities.parts.mass_systems import FRICTION_ON_PLANE
+from sim2reason.scenes.bodies.blocks import Slab
+from sim2reason.scenes.bodies.simple_machines import Plane
+from sim2reason.scenes.entities.string_ends import FRICTION_ON_PLANE, two_coefficients
 
 THICK = 0.4  # m; distance between the string levels of successive slabs, for drawings only
 

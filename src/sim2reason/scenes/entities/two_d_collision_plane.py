@@ -28,7 +28,7 @@ from sim2reason.scenes.authoring import (
     entity,
     scale,
 )
-from sim2reason.scenes.bodies.sliders import Puck, Table
+from sim2reason.scenes.bodies.blocks import Puck, Table
 from sim2reason.scenes.dsl.model import replace_validated, round_as_stated
 from sim2reason.scenes.dsl.template import Wordings, rarely
 

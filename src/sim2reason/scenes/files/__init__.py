@@ -1,10 +1,8 @@
 """Scene files: strict YAML, its JSON schema, and the page that documents the format."""
 
-from sim2reason.scenes.files.given import GivenScene, SceneLike, given_scene, scene_of
-from sim2reason.scenes.files.mapping import dump, load, loads, to_plain
-from sim2reason.scenes.files.question_parts import question_of
-from sim2reason.scenes.files.source_text import decoded
-from sim2reason.scenes.files.wording import Wording, wording_of
+from sim2reason.scenes.files.mapping import GivenScene, SceneLike, dump, given_scene, load, loads, scene_of, to_plain
+from sim2reason.scenes.files.sections import Wording, question_of, wording_of
+from sim2reason.scenes.files.validation import decoded
 
 __all__ = [
     "GivenScene",

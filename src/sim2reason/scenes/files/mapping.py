@@ -1,34 +1,36 @@
-"""Reading and writing of scene files: `load` reads what `dump` writes as an equal scene; the bytes never vary.
-
-    scene:
-      entities:
-      - {name: hook, type: FixedSupport}
-      …
-      connections:
-      - tendon: [{entity: …, direction: …}, {entity: …, direction: …}]
-
-A file is foreign text. Whatever is wrong with it is one SceneError with the path in the file, the line and the remedy.
-"""
+"""Reading and writing of scene files: `load` reads what `dump` writes as an equal scene; the bytes never vary."""
 
 from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple, NoReturn, TypeVar
+from typing import Any, NamedTuple, NoReturn, Protocol, TypeVar, runtime_checkable
 
 from pydantic import ValidationError
 
 from sim2reason.base.registry import nearest
-from sim2reason.base.yaml_text import Lines, Plain, parse, shown, write
+from sim2reason.base.yaml_text import Plain, parse, shown, write
 from sim2reason.errors import SceneError
 from sim2reason.scenes.dsl.entity import ENTITIES, Entity, Named
 from sim2reason.scenes.dsl.model import Model, field_types
 from sim2reason.scenes.dsl.scene import Scene, World
-from sim2reason.scenes.files.mistakes import canonical_parameters, check_position, explain_error, plain_name
-from sim2reason.scenes.files.question_parts import parts_from
 from sim2reason.scenes.files.schema import is_many, snake
-from sim2reason.scenes.files.source_text import source_text
-from sim2reason.scenes.files.tendons import own_values, pairs_to_plain, paths, read_pair
-from sim2reason.scenes.files.wording import Wording, wording_from
+from sim2reason.scenes.files.sections import (
+    Wording,
+    own_values,
+    pairs_to_plain,
+    parts_from,
+    paths,
+    read_pair,
+    wording_from,
+)
+from sim2reason.scenes.files.validation import (
+    canonical_parameters,
+    check_position,
+    explain_error,
+    plain_name,
+    source_text,
+    with_line,
+)
 
 M = TypeVar("M", bound=Model)
 SCENE_KEYS = ("name", "entities", "connections", "world", "glued")
@@ -72,7 +74,7 @@ def loads(text: str) -> Scene:
     try:
         return _scene(data)
     except SceneError as error:
-        raise SceneError(_with_line(error.place, text), error.problem, error.remedy) from None
+        raise SceneError(with_line(error.place, text), error.problem, error.remedy) from None
 
 
 def dump(scene: Scene, wording: Wording | None = None) -> str:
@@ -157,16 +159,6 @@ def _slots(cls: type[Model]) -> dict[str, _Slot]:
         many, models = is_many(info.annotation), {snake(model.__name__): model for model in kinds[name].models}
         found[name] = _Slot(models, many, kinds[name].optional and not many, info.default)
     return found
-
-
-def _with_line(place: str, text: str) -> str:
-    """Return a path in a scene file with its line number, found by parsing the text again."""
-    lines: Lines = {}
-    parse(text, lines)
-    known = place
-    while known and known not in lines:
-        known = known[: max(known.rfind("."), known.rfind("["), 0)]
-    return f"{place} (line {lines.get(known, 1)})"
 
 
 def _scene(data: Plain) -> Scene:
@@ -323,3 +315,50 @@ def _file_place(place: str, entities: tuple[Named, ...], connections: dict[str, 
     if head in names:
         return f"scene.entities[{names.index(head)}]"
     return f"scene.{place}" if head in SCENE_KEYS else "scene"
+
+
+@runtime_checkable
+class AboutScene(Protocol):
+    """An object with a scene or the scene's YAML text: an item, or a parsed text."""
+
+    @property
+    def scene(self) -> Scene | str:
+        """Return the scene, or its YAML text."""
+        ...
+
+
+SceneLike = Scene | Path | str | AboutScene
+"""A scene, the path of its file, its YAML text, an item about it, or a parsed text."""
+
+
+class GivenScene(NamedTuple):
+    """A scene, and the text of its file; the text is empty if there is none."""
+
+    scene: Scene
+    text: str = ""
+
+
+def given_scene(source: SceneLike, function: str) -> GivenScene:
+    """Return the scene passed to the public `function`, with the text of its file.
+
+    Raises:
+        TypeError: `source` is none of the types in `SceneLike`.
+        SceneError, OSError: as in `load`.
+    """
+    if isinstance(source, Scene):
+        return GivenScene(source)
+    held = source.scene if isinstance(source, AboutScene) and not isinstance(source, type) else source
+    if isinstance(held, Scene):
+        return GivenScene(held)
+    if isinstance(held, str | Path):
+        text = source_text(held)
+        return GivenScene(loads(text), text)
+    raise TypeError(
+        f"{function}() takes a scene, the path of its file, its YAML text or an item; "
+        f"{type(source).__name__} is none of them"
+    )
+
+
+def scene_of(source: SceneLike, function: str) -> Scene:
+    """Return the scene passed to the public `function`; errors as in `given_scene`."""
+    return source if isinstance(source, Scene) else given_scene(source, function).scene

@@ -12,7 +12,7 @@ from sim2reason.scenes.dsl.model import Model, field_types
 from sim2reason.scenes.dsl.ports import Attachment, Base, End, Mount, Pass, Port
 from sim2reason.scenes.dsl.scene import World
 from sim2reason.scenes.files.schema import Field, fields, is_many, snake, summary, words
-from sim2reason.scenes.files.tendons import directions, own_fields
+from sim2reason.scenes.files.sections import directions, own_fields
 
 HEAD = f"""\
 # Scene files

@@ -16,8 +16,7 @@ from sim2reason.scenes.dsl.entity import ENTITIES, NAME, Entity
 from sim2reason.scenes.dsl.measures import Hidden, Measure
 from sim2reason.scenes.dsl.model import Model, field_types
 from sim2reason.scenes.dsl.scene import MAX_ENTITIES, World
-from sim2reason.scenes.files.tendons import WAYS, directions, own_fields
-from sim2reason.scenes.files.wording import TEXT
+from sim2reason.scenes.files.sections import TEXT, WAYS, directions, own_fields
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 Json = dict[str, Any]

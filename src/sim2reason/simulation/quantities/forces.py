@@ -11,12 +11,25 @@ from sim2reason.simulation.quantities import Quantity, quantity
 from sim2reason.simulation.quantities.kinematics import Acceleration
 from sim2reason.simulation.quantities.momentum import NetForce
 from sim2reason.simulation.quantities.subjects import Sense, is_stated_for_all
-from sim2reason.simulation.quantities.subjects.axles import DIRECTIONS, Axles, Pulleys, held_by_axle_alone
-from sim2reason.simulation.quantities.subjects.bodies import VERTICAL, Bodies, SuspendedBodies, TurningBodies
-from sim2reason.simulation.quantities.subjects.contacts import Contacts
-from sim2reason.simulation.quantities.subjects.lines import Strings
-from sim2reason.simulation.quantities.subjects.paths import DIRECTION_TOL, carried_by, chain, upright
-from sim2reason.simulation.quantities.subjects.rods import Rods, pointer
+from sim2reason.simulation.quantities.subjects.bodies import (
+    DIRECTION_TOL,
+    VERTICAL,
+    Bodies,
+    SuspendedBodies,
+    TurningBodies,
+    carried_by,
+    chain,
+    upright,
+)
+from sim2reason.simulation.quantities.subjects.interactions import Contacts, Strings
+from sim2reason.simulation.quantities.subjects.rotating_parts import (
+    DIRECTIONS,
+    Axles,
+    Pulleys,
+    Rods,
+    held_by_axle_alone,
+    pointer,
+)
 
 
 class SupportForce(Quantity):

@@ -6,10 +6,16 @@ from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.scenes.dsl.vectors import applied, cross, dot, minus, plus
 from sim2reason.simulation.quantities import Quantity, quantity
-from sim2reason.simulation.quantities.kinematics import Acceleration, Velocity
-from sim2reason.simulation.quantities.rotation import AngularAcceleration, AngularVelocity
-from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies, WholeScene, can_move
-from sim2reason.simulation.quantities.subjects.paths import chain, is_welded_part, turning_axes
+from sim2reason.simulation.quantities.kinematics import Acceleration, AngularAcceleration, AngularVelocity, Velocity
+from sim2reason.simulation.quantities.subjects.bodies import (
+    Bodies,
+    TurningBodies,
+    WholeScene,
+    can_move,
+    chain,
+    is_welded_part,
+    turning_axes,
+)
 
 
 @quantity

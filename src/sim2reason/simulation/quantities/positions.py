@@ -12,9 +12,8 @@ from sim2reason.scenes.dsl.vectors import cross, dot, minus, unit
 from sim2reason.simulation.quantities import Quantity, quantity
 from sim2reason.simulation.quantities.kinematics import Displacement
 from sim2reason.simulation.quantities.subjects import Sense
-from sim2reason.simulation.quantities.subjects.bodies import Bodies
-from sim2reason.simulation.quantities.subjects.paths import center_path
-from sim2reason.simulation.quantities.subjects.rods import SwingingLines, pointer
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, center_path
+from sim2reason.simulation.quantities.subjects.rotating_parts import SwingingLines, pointer
 
 
 def stated_on(axis: str, mechanism: Mechanism, name: str) -> Coordinate | None:

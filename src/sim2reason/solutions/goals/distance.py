@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sim2reason.questions import Target
-from sim2reason.simulation.quantities.subjects.pairs import members
+from sim2reason.simulation.quantities.subjects.interactions import members
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.goals import GOALS, Components, Goal, KnownMotion, VectorName, magnitude, write_answer
 

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from sim2reason.questions import Target
 from sim2reason.simulation.quantities.subjects import Sense
-from sim2reason.simulation.quantities.subjects.pairs import members
+from sim2reason.simulation.quantities.subjects.interactions import members
 from sim2reason.solutions.algebra.expressions import Expression, Symbol, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root
 from sim2reason.solutions.goals import (

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from sim2reason.questions import Target
-from sim2reason.simulation.quantities.subjects.contacts import surface
-from sim2reason.simulation.quantities.subjects.pairs import members
+from sim2reason.simulation.quantities.subjects.interactions import members, surface
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Sum, Symbol, added, multiplied
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.goals import (

@@ -11,10 +11,10 @@ from dataclasses import replace
 import numpy as np
 
 from sim2reason.base.lazy import cached_property
-from sim2reason.scenes.dsl.constancy import bending, changing
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
 from sim2reason.scenes.dsl.state import Array
+from sim2reason.scenes.dsl.structure import bending, changing
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import ZERO, Expression
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total

@@ -13,7 +13,7 @@ from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoin
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.vectors import Number as Quantity
 from sim2reason.simulation.engines.exact.assembly import Assembly
-from sim2reason.simulation.quantities.subjects.pairs import members
+from sim2reason.simulation.quantities.subjects.interactions import members
 from sim2reason.simulation.trace import Event
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
 from sim2reason.solutions.algebra.functions import Absolute, Call, Root, array_values, sum_of_squares

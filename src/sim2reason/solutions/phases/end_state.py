@@ -8,7 +8,7 @@ from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.simulation.quantities.positions import Height, HeightAboveStart, height_at_start
-from sim2reason.simulation.quantities.subjects.pairs import members
+from sim2reason.simulation.quantities.subjects.interactions import members
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, multiplied
 from sim2reason.solutions.algebra.functions import Absolute, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total

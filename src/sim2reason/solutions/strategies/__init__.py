@@ -6,8 +6,8 @@ from typing import ClassVar
 from sim2reason.base.registry import Registry
 from sim2reason.questions import Moment
 from sim2reason.questions.difficulty import Need
-from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.structure import changing
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.writing.steps import SolutionBuilder

@@ -7,7 +7,7 @@ from sim2reason.questions.moments.distances import Away, Closest, Farthest
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.dsl.mechanism import Mechanism
-from sim2reason.simulation.quantities.subjects.pairs import members
+from sim2reason.simulation.quantities.subjects.interactions import members
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
 from sim2reason.solutions.algebra.functions import PI
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial

@@ -13,7 +13,7 @@ from sim2reason.questions.difficulty import Need
 from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Elastic, Line, Mechanism
-from sim2reason.simulation.rest.equilibrium import equilibrium
+from sim2reason.simulation.equilibrium import equilibrium
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root

@@ -9,7 +9,7 @@ import numpy as np
 from sim2reason.base.lazy import cached_property
 from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.simulation.quantities.subjects.axles import ACROSS
+from sim2reason.simulation.quantities.subjects.rotating_parts import ACROSS
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import Polynomial

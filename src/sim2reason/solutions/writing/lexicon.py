@@ -29,7 +29,7 @@ from sim2reason.solutions.algebra.functions import Call
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.writing.number_sums import LabelledNumber, sum_of_products
 from sim2reason.solutions.writing.unit_latex import latex
-from sim2reason.text.prose.symbol_names import factor
+from sim2reason.text.prose.description import factor
 
 MAX_PERTURBATION = 1e-3  # largest relative change of a number of the twin
 COINCIDENCE_RTOL = 1e-10  # relative tolerance, far below the distance of two numbers that agree by chance

@@ -4,13 +4,13 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from sim2reason.scenes.dsl.ablation import weighs
 from sim2reason.scenes.dsl.fields import Resistance
 from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.structure import weighs
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import Specimen, Specimens
-from sim2reason.text.parsing.ordinary.textbook_reader import AIRLESS
+from sim2reason.text.parsing.ordinary.textbook import AIRLESS
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,8 +6,8 @@ import numpy as np
 
 from sim2reason.errors import Sim2ReasonError
 from sim2reason.questions import KINDS
-from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.structure import changing
 from sim2reason.solutions import ProblemContext, solve
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding

@@ -12,7 +12,7 @@ from sim2reason.testing.checks.round_trip import meaning, meant
 from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import Specimen, Specimens, changed, stated_by_word, stated_numbers
 from sim2reason.text.parsing import parse_scene
-from sim2reason.text.parsing.tokens import pieces
+from sim2reason.text.parsing.sentences import pieces
 from sim2reason.text.prose.description import Description, describe
 from sim2reason.text.prose.voices import hiding, symbolic
 

@@ -19,7 +19,6 @@ from math import dist
 
 import numpy as np
 
-from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.frames import Frames, Point
 from sim2reason.scenes.dsl.mechanism import (
     ZERO,
@@ -36,6 +35,7 @@ from sim2reason.scenes.dsl.mechanism import (
 )
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.state import Array
+from sim2reason.scenes.dsl.structure import changing
 from sim2reason.scenes.dsl.vectors import Tensor, applied, dot, minus
 
 Label = tuple[object, ...]

@@ -11,17 +11,13 @@ from sim2reason.scenes.dsl.entity import ENTITIES, Entity, outer_ports
 from sim2reason.scenes.dsl.ports import Pass
 from sim2reason.scenes.dsl.scene import MAX_ENTITIES, Scene, World
 from sim2reason.scenes.dsl.template import Topic
-from sim2reason.text.parsing.assembly import build_scene
 from sim2reason.text.parsing.equivalence import Signature, signature
-from sim2reason.text.parsing.lines import entity_lines, may_begin
+from sim2reason.text.parsing.lines import entity_lines, free_legs, may_begin, must_end_at
 from sim2reason.text.parsing.matcher import NONE_GIVEN, Matcher
-from sim2reason.text.parsing.ordinary.nearest import nearest
-from sim2reason.text.parsing.ordinary.recast import first_unknown_sentence, recast
-from sim2reason.text.parsing.ordinary.textbook_reader import LibraryText, library_texts, superfluous
-from sim2reason.text.parsing.parse_state import ParsedConnection, ParseState
-from sim2reason.text.parsing.proof import MissingClosingError, missing_closings, prove
-from sim2reason.text.parsing.string_routes import free_legs, must_end_at
-from sim2reason.text.parsing.tokens import pieces, shown
+from sim2reason.text.parsing.ordinary.equivalents import first_unknown_sentence, nearest, recast
+from sim2reason.text.parsing.ordinary.textbook import LibraryText, library_texts, superfluous
+from sim2reason.text.parsing.parse_state import ParsedConnection, ParseState, build_scene
+from sim2reason.text.parsing.sentences import MissingClosingError, missing_closings, pieces, prove, shown
 from sim2reason.text.prose.closings import CLOSINGS
 
 MAX_READINGS = 200

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from functools import cache
 from math import hypot
 
-from sim2reason.scenes.dsl.ablation import weighs, would_weigh
 from sim2reason.scenes.dsl.frames import Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import CollisionPair, ConstantTension, Inextensible
 from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.structure import weighs, would_weigh
 from sim2reason.scenes.dsl.template import Role, Topic
 from sim2reason.scenes.dsl.vectors import dot, minus
 

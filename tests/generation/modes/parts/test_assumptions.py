@@ -15,7 +15,7 @@ from sim2reason.questions.regimes.events import BurntOut, DelayedLiftoff
 from sim2reason.scenes.bodies.space import LevelGround, Rocket
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.entities.rocket_entity import RocketEntity
+from sim2reason.scenes.entities.space import RocketEntity
 from sim2reason.text.prose.description import describe
 
 LIFTS = "lifts off as soon as its engine starts"

@@ -8,9 +8,9 @@ import pytest
 
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.scenes.dsl.builder import Builder, Frame
-from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Coordinate, Inextensible, Line, Mechanism, RigidBody, Site, X, Y, Z
+from sim2reason.scenes.dsl.structure import changing
 from sim2reason.simulation.engines.exact import engine, motion, simulate
 from sim2reason.simulation.trace import ENGINES
 

@@ -15,9 +15,9 @@ from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
 from sim2reason.scenes.dsl.builder import Builder
-from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Mechanism, X, Z
+from sim2reason.scenes.dsl.structure import changing
 from sim2reason.scenes.dsl.vectors import scale
 from sim2reason.simulation.certify import compare
 from sim2reason.simulation.engines.exact import simulate as exactly

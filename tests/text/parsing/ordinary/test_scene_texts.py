@@ -8,8 +8,7 @@ import sim2reason
 from sim2reason.errors import TextError
 from sim2reason.text.parsing import parse_scene
 from sim2reason.text.parsing.ordinary.content import forms
-from sim2reason.text.parsing.ordinary.nearest import nearest
-from sim2reason.text.parsing.ordinary.recast import recast
+from sim2reason.text.parsing.ordinary.equivalents import nearest, recast
 from sim2reason.text.prose.description import describe
 
 G = "Take g = 9.8 m/s²."

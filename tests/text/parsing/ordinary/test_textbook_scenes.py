@@ -10,9 +10,8 @@ from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.prompt import words_of
 from sim2reason.text.parsing import parse_scene
-from sim2reason.text.parsing.ordinary.amounts import extract_amounts
-from sim2reason.text.parsing.ordinary.textbook_reader import library_texts
-from sim2reason.text.parsing.ordinary.textbook_scenes import TEXTBOOK_SCENES, Facts
+from sim2reason.text.parsing.ordinary.lexicon import extract_amounts
+from sim2reason.text.parsing.ordinary.textbook import TEXTBOOK_SCENES, Facts, library_texts
 from sim2reason.text.prose.description import describe
 
 UNDERSTOOD = {

@@ -9,8 +9,8 @@ from sim2reason.questions.accuracy import NEARLY
 from sim2reason.questions.simplifications import MISCONCEPTIONS, Misconception, MisinterpretedMotion, in_order
 from sim2reason.questions.simplifications.forces import GravityLeftOut
 from sim2reason.questions.simplifications.inertia import solid
-from sim2reason.scenes.dsl.ablation import with_bodies
 from sim2reason.scenes.dsl.mechanism import Mechanism, RigidBody
+from sim2reason.scenes.dsl.structure import with_bodies
 
 UNCHANGED_FRACTION = 0.02  # of the tolerance; smaller changes of an answer count as none
 LONGER = 3.0  # factor by which the simulated time is extended if the answer does not occur in time

@@ -8,8 +8,8 @@ import numpy as np
 
 from sim2reason.generation.modes.parts.problem_symbol import Variation
 from sim2reason.generation.modes.parts.variations import Variations
-from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.state import Array
+from sim2reason.scenes.dsl.structure import changing
 from sim2reason.solutions.algebra.expressions import Expression
 from sim2reason.solutions.algebra.functions import array_values
 

@@ -7,7 +7,7 @@ from sim2reason.questions import KINDS, Query, SimulatedScene, Words
 from sim2reason.solutions.algebra.expressions import Expression
 from sim2reason.solutions.closed_forms import ClosedFormError, combined_formula
 from sim2reason.solutions.derivation import derivation
-from sim2reason.text.prose.symbol_names import factor
+from sim2reason.text.prose.description import factor
 
 
 def likely_answers(query: Query, study: SimulatedScene, words: Words, path: str) -> Callable[[float], float] | None:

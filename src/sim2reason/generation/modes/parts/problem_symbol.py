@@ -8,7 +8,7 @@ from sim2reason.errors import SimulationError
 from sim2reason.questions import KINDS, Query, SimulatedScene
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES
-from sim2reason.text.prose.symbol_names import factor
+from sim2reason.text.prose.description import factor
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,9 +15,9 @@ from sim2reason.generation.modes.parts.signs import sign_of, sums_in, turns
 from sim2reason.questions import KINDS, Query, SimulatedScene
 from sim2reason.questions.dependence import with_long_strings
 from sim2reason.questions.study import EXACT_STEP_ERROR, SHORTEST, TIME_MARGIN
-from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.state import Array
+from sim2reason.scenes.dsl.structure import changing
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST
 from sim2reason.solutions.algebra.expressions import Expression

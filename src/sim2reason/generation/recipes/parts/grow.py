@@ -18,7 +18,6 @@ from sim2reason.generation.recipes.parts.open_ports import (
     stands_still,
     takes,
 )
-from sim2reason.scenes.dsl.ablation import is_weightless, stuck_bodies
 from sim2reason.scenes.dsl.addresses import without_idle_fields
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.connection import CONNECTIONS, Connection, Joint, Link
@@ -28,6 +27,7 @@ from sim2reason.scenes.dsl.mechanism import GRAVITY
 from sim2reason.scenes.dsl.model import Choice, draw
 from sim2reason.scenes.dsl.ports import Pass, Stop, StringEnd
 from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.structure import is_weightless, stuck_bodies
 from sim2reason.text.prose.description import draft, written
 
 LEVEL = 1e-9  # of a direction, or m; smaller values are rounding errors

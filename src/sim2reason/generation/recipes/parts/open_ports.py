@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 from sim2reason.scenes.dsl.connection import Connection, Link
+from sim2reason.scenes.dsl.defaults import opposite
 from sim2reason.scenes.dsl.entity import ENTITIES, Named, outer_ports, stops_of
-from sim2reason.scenes.dsl.layout import opposite
 from sim2reason.scenes.dsl.ports import Attachment, Pass, Port, StringPort
 from sim2reason.scenes.dsl.vectors import Vector
 

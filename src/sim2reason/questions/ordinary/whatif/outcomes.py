@@ -46,7 +46,7 @@ from sim2reason.questions.unknown import limits_of, number_at, with_number
 from sim2reason.questions.words import Words
 from sim2reason.simulation.quantities.kinematics import Acceleration, Velocity
 from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies
-from sim2reason.simulation.quantities.subjects.pairs import PAIR_SEPARATOR
+from sim2reason.simulation.quantities.subjects.interactions import PAIR_SEPARATOR
 
 NEEDED = "coefficient of friction needed"
 NEARLY = 1.0 - 1e-9

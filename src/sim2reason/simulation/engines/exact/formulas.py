@@ -9,8 +9,8 @@ from functools import partial
 from itertools import chain
 from math import inf
 
-from sim2reason.scenes.dsl.constancy import straight
 from sim2reason.scenes.dsl.frames import Frames
+from sim2reason.scenes.dsl.structure import straight
 from sim2reason.scenes.dsl.vectors import Number, dot, minus
 from sim2reason.simulation.engines.exact.affine import linear_equations
 from sim2reason.simulation.engines.exact.assembly import Assembly

@@ -6,8 +6,8 @@ from operator import mul
 from typing import NamedTuple
 
 from sim2reason.scenes.dsl.vectors import Number
-from sim2reason.simulation.budget import Budget
 from sim2reason.simulation.engines.exact.tape import value_of
+from sim2reason.simulation.trace import Budget
 
 Row = list[float]
 NEGLIGIBLE = 1e-11  # fraction of a row's largest entry: a smaller pivot counts as zero

@@ -8,15 +8,15 @@ from math import inf
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.errors import SceneError, UnsupportedError
-from sim2reason.scenes.dsl.constancy import ALIGNED, changing, steady
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import CollisionPair, Line, Mechanism, Rigid
-from sim2reason.scenes.dsl.start_speeds import check_speeds
+from sim2reason.scenes.dsl.state import check_speeds
+from sim2reason.scenes.dsl.structure import ALIGNED, changing, steady
 from sim2reason.scenes.dsl.vectors import Distance, Number, Triple, dot, minus
-from sim2reason.simulation.budget import Budget
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.lengths import RowKind, RowTerms, SwitchState, row_kinds
 from sim2reason.simulation.engines.exact.linear import Gradient, RoughContact, Row, gradient, solve
+from sim2reason.simulation.trace import Budget
 
 TOUCHING = 1e-9  # m; lengths with a smaller difference are equal
 

@@ -12,10 +12,9 @@ from importlib import import_module
 from math import inf
 
 from sim2reason.errors import SimulationError
-from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Inextensible, Line, Mechanism
-from sim2reason.scenes.dsl.start_speeds import check_speeds
-from sim2reason.scenes.dsl.state import Array
+from sim2reason.scenes.dsl.state import Array, check_speeds
+from sim2reason.scenes.dsl.structure import changing
 from sim2reason.simulation.engines.mujoco.own_units import in_own_units, is_tiny
 from sim2reason.simulation.trace import ENGINES, FINEST, Trace
 

@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Mechanism
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.simulation.budget import OPERATIONS, Budget
 from sim2reason.simulation.engines.mujoco.specification import IMPEDANCE, STEP, TINY, Specification, mujoco
+from sim2reason.simulation.trace import OPERATIONS, Budget
 
 __all__ = ["STEP", "TINY", "CompiledModel", "Flags", "Integers", "Softness"]
 

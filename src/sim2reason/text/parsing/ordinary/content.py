@@ -15,7 +15,7 @@ from sim2reason.scenes.dsl.entity import ENTITIES, Entity, Named
 from sim2reason.scenes.dsl.model import Choice, Count, draw, field_types
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.units import UnitError, coherent
-from sim2reason.text.parsing.ordinary.vocabulary import FILLERS, ORDERED, PHRASES, SURFACES, SYNONYMS, TEXTURES
+from sim2reason.text.parsing.ordinary.lexicon import FILLERS, ORDERED, PHRASES, SURFACES, SYNONYMS, TEXTURES
 from sim2reason.text.prose.phrases import Names, letters
 from sim2reason.text.prose.voices import symbolic_but_zero
 from sim2reason.text.prose.writer import Writer

@@ -8,7 +8,7 @@ import numpy as np
 
 from sim2reason.base.record import record
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.simulation.budget import Budget
+from sim2reason.simulation.trace import Budget
 
 SINGULAR_VALUE_RTOL = 1e-10  # fraction of the largest: a smaller singular value counts as zero
 MAX_VERTICES = 3000  # largest number of vertices to examine

@@ -9,11 +9,10 @@ from typing import Any
 import numpy as np
 
 from sim2reason.errors import SimulationError
-from sim2reason.scenes.dsl.constancy import steady
 from sim2reason.scenes.dsl.mechanism import CollisionPair, Inextensible, Mechanism, Prop, Rigid
 from sim2reason.scenes.dsl.state import Array
+from sim2reason.scenes.dsl.structure import steady
 from sim2reason.scenes.dsl.vectors import Triple
-from sim2reason.simulation.budget import OPERATIONS, Budget
 from sim2reason.simulation.engines.mujoco.changing_equations.attractions import Attractions
 from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
     LARGE,
@@ -26,6 +25,7 @@ from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
 from sim2reason.simulation.engines.mujoco.changing_equations.lines import Lengths, Lines, Pulls
 from sim2reason.simulation.engines.mujoco.changing_equations.specification import ConstrainedSpecification
 from sim2reason.simulation.engines.mujoco.specification import mujoco
+from sim2reason.simulation.trace import OPERATIONS, Budget
 
 STAND, JOINT = 2_000, 800  # operations to set a state, and for each joint in addition
 

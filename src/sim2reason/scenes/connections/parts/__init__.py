@@ -1,1 +1,0 @@
-"""Base classes shared by several connections."""
