@@ -52,9 +52,11 @@ QUICK := tests/acceptance/test_same_items.py tests/evaluation/benchmarks/test_fi
 	tests/cli/test_results.py tests/scenes/connections tests/datasets/test_plan.py tests/datasets/test_rows.py \
 	tests/datasets/test_store.py tests/scenes/dsl tests/scenes/entities/test_projectile.py tests/scenes/entities/test_touching.py \
 	tests/datasets/exports/test_rewards.py tests/figures/scaled/test_scale.py tests/figures/test_vectors.py tests/generation/filters \
-	tests/grading/test_cases.py tests/generation/modes/parts tests/text/parsing/test_no_gravity.py tests/evaluation/policies/test_samples.py \
+	tests/grading/test_cases.py tests/generation/modes/test_assumptions.py tests/generation/modes/test_corners.py \
+	tests/generation/modes/test_counterexample.py tests/generation/modes/test_variations.py tests/text/parsing/test_no_gravity.py \
+	tests/evaluation/policies/test_samples.py \
 	tests/text/prose tests/simulation/quantities tests/questions/test_asked_by_people.py tests/questions/test_moments.py \
-	tests/generation/recipes/test_collision.py tests/evaluation/reports/test_statistics.py tests/scenes/files/test_files.py \
+	tests/generation/recipes/test_momentum.py tests/evaluation/reports/test_statistics.py tests/scenes/files/test_files.py \
 	tests/simulation tests/solutions/algebra tests/solutions/laws tests/test_house.py tests/testing/test_spoiled.py \
 	tests/training/test_rewards.py
 

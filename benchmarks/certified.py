@@ -13,7 +13,7 @@ from statistics import median
 from typing import NamedTuple
 
 from sim2reason.errors import SimulationError, UnsupportedError
-from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.item_search import sample
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.simulation.certify import CHANGES, RECORDED

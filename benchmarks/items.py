@@ -27,8 +27,8 @@ from against import PHASE, ROOT, Figures, checked_out, compare, fixed_loop, medi
 
 from sim2reason.datasets.worker import collect_seldom
 from sim2reason.errors import SimulationError, UnsupportedError
+from sim2reason.generation.item_search import sample
 from sim2reason.generation.make import make
-from sim2reason.generation.random_scenes import sample
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.generation.request import Request
 from sim2reason.questions.difficulty import DIFFICULTIES

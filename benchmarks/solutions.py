@@ -8,7 +8,7 @@ Then every line of the bar, figure against bar, by difficulty: how many have a s
 five-digit arithmetic hold, whether two strategies agree, what the text alone says, how many planted faults it shows
 (each number 7 % larger, each sign turned, a few of each text), whether it is graded right as an answer, how long it is,
 and how long it takes. Each solution is recomputed from its data, in which then faults are planted: how many of each
-kind are refused; `sim2reason.testing.solutions.planted` says how they are counted. With `events` for KEPT, ITEMS
+kind are refused; `sim2reason.testing.planted_faults` says how they are counted. With `events` for KEPT, ITEMS
 hard problems are looked at in which an event, such as a collision, precedes what is asked.
 """
 
@@ -38,9 +38,9 @@ from sim2reason.solutions.multipart.in_sequence import results_of
 from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.solution import ANSWER_RTOL, RELATION_RTOL
 from sim2reason.solutions.verification import verification_fault
-from sim2reason.testing.solutions.faults import SEEN, WORDS, faults, words
-from sim2reason.testing.solutions.planted import KINDS, planted_faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.planted_faults import KINDS, planted_faults
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import SEEN, WORDS, faults, words
 
 AGREED = 1e-9  # relative
 EVENTS = "events"

@@ -17,8 +17,8 @@ from wrong_ideas import wrong_ideas
 from sim2reason.datasets.plan import Config
 from sim2reason.errors import TextError
 from sim2reason.generation.filters import FILTERS, Candidate
-from sim2reason.generation.filters.parts.effects import effects
-from sim2reason.generation.filters.parts.numbers import elasticities, givens, matters
+from sim2reason.generation.filters.misconceptions import effects
+from sim2reason.generation.filters.sensitivity import elasticities, givens, matters
 from sim2reason.generation.item import Item
 from sim2reason.generation.make import make
 from sim2reason.generation.recipes import RECIPES, difficulty_named

@@ -17,18 +17,15 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     __version__: str
-    from sim2reason.base.registries import members
-    from sim2reason.datasets.ask import ask
-    from sim2reason.datasets.dataset import Dataset
-    from sim2reason.datasets.explain import explain
-    from sim2reason.datasets.exports.parts.export import export
-    from sim2reason.datasets.exports.parts.fresh import iterable
+    from sim2reason.base.registry import members
+    from sim2reason.datasets.dataset import Dataset, verify
+    from sim2reason.datasets.exports.export import export
+    from sim2reason.datasets.fresh import iterable
     from sim2reason.datasets.generate import generate
     from sim2reason.datasets.grade import grade
+    from sim2reason.datasets.inspection import explain, show, stats
     from sim2reason.datasets.items import item, sample, stream
-    from sim2reason.datasets.solve import solve
-    from sim2reason.datasets.summaries import show, stats
-    from sim2reason.datasets.verify import verify
+    from sim2reason.datasets.scene_questions import ask, solve
     from sim2reason.errors import Sim2ReasonError
     from sim2reason.evaluation.reports.evaluation import evaluate
     from sim2reason.figures.drawing import figure, plot
@@ -60,19 +57,19 @@ _HOMES = {
     "Score": "grading",
     "Sim2ReasonError": "errors",
     "Trace": "simulation.trace",
-    "ask": "datasets.ask",
+    "ask": "datasets.scene_questions",
     "certify": "simulation.scenes",
     "describe": "text.prose",
     "dump": "scenes.files",
     "eval": "evaluation.reports.evaluation:evaluate",
-    "export": "datasets.exports.parts.export",
-    "explain": "datasets.explain",
+    "export": "datasets.exports.export",
+    "explain": "datasets.inspection",
     "figure": "figures.drawing",
     "generate": "datasets.generate",
     "grade": "datasets.grade",
     "item": "datasets.items",
-    "iterable": "datasets.exports.parts.fresh",
-    "list": "base.registries:members",
+    "iterable": "datasets.fresh",
+    "list": "base.registry:members",
     "load": "scenes.files",
     "open": "datasets.dataset:Dataset",
     "parse_prompt": "questions.prompt",
@@ -81,13 +78,13 @@ _HOMES = {
     "sample": "datasets.items",
     "sample_solutions": "training.sample_solutions",
     "schema": "scenes.files.schema",
-    "show": "datasets.summaries",
+    "show": "datasets.inspection",
     "simulate": "simulation.scenes",
-    "solve": "datasets.solve",
-    "stats": "datasets.summaries",
+    "solve": "datasets.scene_questions",
+    "stats": "datasets.inspection",
     "stream": "datasets.items",
     "train": "training.train",
-    "verify": "datasets.verify",
+    "verify": "datasets.dataset",
 }
 """Module of each public name; after a colon, the name in that module where it differs."""
 

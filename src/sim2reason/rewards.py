@@ -12,11 +12,10 @@ from warnings import warn
 
 from pydantic import TypeAdapter, ValidationError
 
+from sim2reason.datasets.exports.columns import Letter, answered, boxed, ground_truth
 from sim2reason.datasets.grade import answer_of
-from sim2reason.datasets.ground_truth import Letter, answered, boxed, ground_truth
 from sim2reason.errors import DatasetError
-from sim2reason.generation.grade_answer import grade_answer
-from sim2reason.generation.item import Answer
+from sim2reason.generation.item import Answer, grade_answer
 from sim2reason.grading import Score, choice, opened
 
 __all__ = [

@@ -8,7 +8,7 @@ import pytest
 
 from cells import drawn
 from sim2reason.generation.recipes import RECIPES
-from sim2reason.generation.recipes.parts.grow import Tier
+from sim2reason.generation.recipes.growth import Tier
 from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
 from sim2reason.scenes.dsl.entity import Entity
 from sim2reason.scenes.dsl.model import Model, field_types
@@ -115,7 +115,7 @@ def test_nothing_that_is_declared_stays_constant(recipe: str) -> None:
 GROWN = [
     pytest.param(name, difficulty, tier, marks=seldom(name), id=f"{name} {difficulty}")
     for name in sorted(RECIPES)
-    for difficulty, tier in getattr(import_module(f"sim2reason.generation.recipes.{name}"), "TIERS", {}).items()
+    for difficulty, tier in getattr(import_module(RECIPES[name].draw.__module__), f"{name.upper()}_TIERS", {}).items()
     if isinstance(tier, Tier)
 ]
 

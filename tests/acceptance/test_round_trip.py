@@ -5,7 +5,7 @@ import pytest
 
 from shared_items import SharedItems
 from sim2reason.errors import TextError
-from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.item_search import sample
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.questions.prompt import FORMATS, parse_prompt

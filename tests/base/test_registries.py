@@ -22,8 +22,8 @@ from sim2reason.evaluation.benchmarks.scoring import SCORINGS
 from sim2reason.evaluation.policies import POLICIES
 from sim2reason.figures.curves import panels
 from sim2reason.generation.filters import FILTERS, Candidate
+from sim2reason.generation.item_search import sample
 from sim2reason.generation.question_search import QuestionSearch
-from sim2reason.generation.random_scenes import sample
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import KINDS, MODES, MOMENTS, Query, SimulatedScene, Words
 from sim2reason.questions.difficulty import DIFFICULTIES

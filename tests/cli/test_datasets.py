@@ -16,7 +16,7 @@ import sim2reason
 from sim2reason.cli import main
 from sim2reason.datasets import store
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.summaries import show
+from sim2reason.datasets.inspection import show
 from sim2reason.errors import DatasetError
 from sim2reason.generation.item import Item
 

@@ -6,7 +6,7 @@ from click.testing import CliRunner
 
 from sim2reason.cli import main
 from sim2reason.datasets.items import item
-from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.item_search import sample
 from sim2reason.questions.difficulty import Difficulty
 from sim2reason.scenes.bodies.oscillators import Ball, LightRod
 from sim2reason.scenes.dsl.entity import Named

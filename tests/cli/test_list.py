@@ -4,7 +4,7 @@ from dataclasses import dataclass
 import pytest
 from click.testing import CliRunner
 
-from sim2reason.base import registries, registry
+from sim2reason.base import registry
 from sim2reason.base.registry import Registry
 from sim2reason.cli import main
 
@@ -30,7 +30,7 @@ def fakes(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(things, "_filled", True)
     things.add("work", work)
     things.add("mass", Fact("mass", "kg", 1.0))
-    monkeypatch.setattr(registries, "registries", lambda: {"things": things})
+    monkeypatch.setattr(registry, "registries", lambda: {"things": things})
 
 
 @pytest.mark.usefixtures("fakes")

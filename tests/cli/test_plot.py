@@ -4,7 +4,7 @@ import pytest
 from click.testing import CliRunner
 
 from sim2reason.cli import main
-from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.item_search import sample
 from sim2reason.scenes.files import dump
 
 

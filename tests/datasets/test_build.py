@@ -7,12 +7,11 @@ import pytest
 
 from sim2reason.base.atomic_files import FOLDER, locked
 from sim2reason.datasets.build import build, build_part
-from sim2reason.datasets.dataset import Dataset
+from sim2reason.datasets.dataset import Dataset, verify
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, load, refused
 from sim2reason.datasets.places.here import cores
 from sim2reason.datasets.plan import Config
 from sim2reason.datasets.store import count
-from sim2reason.datasets.verify import verify
 from sim2reason.errors import DatasetError
 from sim2reason.generation.request import LARGEST
 

@@ -13,11 +13,10 @@ from click.testing import CliRunner
 from sim2reason.cli import main
 from sim2reason.datasets.card import SIZES, command
 from sim2reason.datasets.card_content import EXAMPLES, SHOWN, choose_examples, count_histograms, histogram
-from sim2reason.datasets.dataset import Dataset
+from sim2reason.datasets.dataset import Dataset, verify
 from sim2reason.datasets.generate import Order, configured, generate
 from sim2reason.datasets.manifest import Manifest, load
 from sim2reason.datasets.plan import Config
-from sim2reason.datasets.verify import verify
 from sim2reason.errors import DatasetError
 
 Make = Callable[..., Manifest]

@@ -7,9 +7,8 @@ import pytest
 from click.testing import CliRunner
 
 from sim2reason.cli import main
-from sim2reason.datasets.cells import FALSE_ALARM, LEAST_KEPT, Cell, empty, enough, table
-from sim2reason.datasets.manifest import Manifest, load
-from sim2reason.datasets.verify import verify
+from sim2reason.datasets.dataset import verify
+from sim2reason.datasets.manifest import FALSE_ALARM, LEAST_KEPT, Cell, Manifest, empty, enough, load, table
 from sim2reason.generation.item_search import EMPTY
 from sim2reason.generation.make import make as make_item
 from sim2reason.generation.question_search import NOTHING

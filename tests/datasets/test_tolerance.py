@@ -10,8 +10,8 @@ import sim2reason
 from sim2reason.cli import options
 from sim2reason.errors import DatasetError, DrawError
 from sim2reason.generation.filters import Candidate, Verdict
+from sim2reason.generation.item_search import sample
 from sim2reason.generation.question_search import QuestionSearch
-from sim2reason.generation.random_scenes import sample
 from sim2reason.generation.request import Request
 from sim2reason.questions import MODES
 from sim2reason.questions.accuracy import STRICTEST, TOLERANCE

@@ -8,10 +8,9 @@ import pytest
 
 from sim2reason.base.atomic_files import FOLDER, canonical, checksum
 from sim2reason.datasets import store
-from sim2reason.datasets.dataset import Dataset
+from sim2reason.datasets.dataset import Dataset, verify
+from sim2reason.datasets.inspection import stats
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, load, shards
-from sim2reason.datasets.summaries import stats
-from sim2reason.datasets.verify import verify
 from sim2reason.errors import DatasetError
 
 FIRST = "data/train-00000-of-00005.parquet"

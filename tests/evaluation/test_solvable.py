@@ -7,9 +7,8 @@ from pathlib import Path
 import pytest
 from pydantic import PrivateAttr
 
-from sim2reason.datasets.dataset import Dataset
+from sim2reason.datasets.dataset import Dataset, verify
 from sim2reason.datasets.generate import generate
-from sim2reason.datasets.verify import verify
 from sim2reason.errors import DatasetError, EvaluationError, PolicyError
 from sim2reason.evaluation.policies import Completion, Policy, SampleRequest
 from sim2reason.evaluation.solvable import solvable

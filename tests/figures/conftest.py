@@ -3,7 +3,7 @@ from itertools import product
 import numpy as np
 import pytest
 
-from sim2reason.generation.random_scenes import sample as sample_scene
+from sim2reason.generation.item_search import sample as sample_scene
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.scenes.dsl.connection import CONNECTIONS, Link

@@ -8,7 +8,7 @@ import pytest
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.plane import inside, length_inside
 from sim2reason.figures.shapes import Arc, Area, Drawing, Label, LineShape, Shape, outline
-from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.item_search import sample
 from sim2reason.text.prose.description import describe
 
 RECIPES = ("incline", "mixed", "hybrid", "box", "pulley")

@@ -6,7 +6,7 @@ from collections import Counter
 import pytest
 
 from sim2reason.figures.drawing import drawing
-from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.item_search import sample
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.scenes.dsl.model import Parameter
 from sim2reason.scenes.dsl.scene import Scene

@@ -6,7 +6,7 @@ import pytest
 
 from sim2reason.figures.curves import describe_event, motion_curves
 from sim2reason.figures.plot import REASONS, Colors, plot
-from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.item_search import sample
 from sim2reason.scenes.bodies.blocks import Block, Puck, Table
 from sim2reason.scenes.bodies.oscillators import Ball
 from sim2reason.scenes.bodies.simple_machines import Plane

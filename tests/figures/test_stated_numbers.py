@@ -6,7 +6,7 @@ from sim2reason.figures.curves import Mark
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.plot import listed
 from sim2reason.figures.shapes import Label, LineShape
-from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.item_search import generator
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
 from sim2reason.scenes.bodies.blocks import Glider

@@ -13,7 +13,7 @@ from sim2reason.figures import canvas
 from sim2reason.figures.drawing import drawing, figure
 from sim2reason.figures.labels import disguise_unknowns, unknowns
 from sim2reason.figures.shapes import Area, Drawing, LineShape
-from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.item_search import sample
 from sim2reason.questions.unknown import unknowns as offered
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.text.prose.description import Description, describe

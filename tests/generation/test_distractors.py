@@ -5,8 +5,7 @@ from math import isfinite
 
 import pytest
 
-from sim2reason.generation.grade_answer import grade_answer
-from sim2reason.generation.item import Item
+from sim2reason.generation.item import Item, grade_answer
 from sim2reason.generation.make import make
 from sim2reason.generation.request import Request
 from sim2reason.questions.difficulty import Difficulty, Need

@@ -7,7 +7,7 @@ import pytest
 from sim2reason.generation.item import Item
 from sim2reason.generation.make import make
 from sim2reason.generation.request import Request
-from sim2reason.grading.evaluate import compiled
+from sim2reason.grading.formula import compiled
 from sim2reason.scenes.dsl.units import parse_unit
 
 CELLS = (

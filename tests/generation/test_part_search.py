@@ -8,9 +8,9 @@ import pytest
 
 from sim2reason import rewards
 from sim2reason.datasets.duplicates import marks, variant
+from sim2reason.datasets.exports.export import split_parts
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.items import item
-from sim2reason.datasets.separate import split_parts
 from sim2reason.datasets.store import read, write
 from sim2reason.generation.certified import CertifiedQuestion
 from sim2reason.generation.filters import FILTERS

@@ -8,7 +8,7 @@ import pytest
 from sim2reason.generation.item import Item
 from sim2reason.generation.make import make
 from sim2reason.generation.request import Request
-from sim2reason.testing.solutions.part_texts import part_faults
+from sim2reason.testing.solution_text import part_faults
 
 CELLS = [("collision", "hard"), ("rocket", "hard"), ("hybrid", "hard"), ("pulley", "hard"), ("projectile", "medium")]
 

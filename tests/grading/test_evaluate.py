@@ -3,7 +3,7 @@ import re
 
 import pytest
 
-from sim2reason.grading.evaluate import compiled
+from sim2reason.grading.formula import compiled
 
 
 def test_a_formula_is_a_function_of_the_symbols_in_it() -> None:

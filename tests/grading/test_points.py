@@ -6,7 +6,7 @@ import random
 import pytest
 
 from sim2reason.grading import Score, formula
-from sim2reason.grading.points import POINTS
+from sim2reason.grading.arithmetic import POINTS
 
 OWN = {"m": 2.0, "g": 9.8, "h": 3.0, "m_1": 2.0, "m_2": 3.0, "theta": 1e-3, "v": 5.0, "k": 1.2}
 

@@ -10,7 +10,7 @@ import pytest
 import motions
 from plain_scenes import ramp, table
 from sim2reason.generation.filters import FILTERS, Candidate
-from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.item_search import sample
 from sim2reason.questions import KINDS, MOMENTS, Moment, Query, Question, SimulatedScene, Words
 from sim2reason.questions.following import simulate_scene
 from sim2reason.questions.moments.angles import Deflected, Orbited, TurnedThrough

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from sim2reason.errors import SimulationError, TextError, UnsupportedError
+from sim2reason.generation.item_search import sample
 from sim2reason.generation.question_search import QuestionSearch
-from sim2reason.generation.random_scenes import sample
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import MODES, Question
 from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty

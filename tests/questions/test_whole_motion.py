@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from plain_scenes import G, atwood, ramp
-from sim2reason.datasets.solve import SolvedProblem, solve
+from sim2reason.datasets.scene_questions import SolvedProblem, solve
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import load, loads
 from sim2reason.solutions.solve import ANSWER_RTOL

@@ -10,7 +10,7 @@ import pytest
 from motions import charge, driven_charge, orbit, pushed_block, rocket, rod_pendulum, rolling_ball
 from places_of_rest import equilibria
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
-from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.item_search import generator
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.scenes.dsl.builder import Builder

@@ -17,7 +17,7 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.particles import Projectile
 from sim2reason.scenes.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.solutions import Solution, solve, solve_prompt
-from sim2reason.testing.solutions.faults import faults
+from sim2reason.testing.solution_verification import faults
 from worked import answer, asked, problems
 
 

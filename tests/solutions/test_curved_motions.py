@@ -43,8 +43,8 @@ from sim2reason.scenes.entities.spring_blocks import Launch, SpringBlock
 from sim2reason.scenes.entities.varying_fields import OscillatingElectric
 from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.solutions import solve
-from sim2reason.testing.solutions.faults import faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import faults
 from worked import answer, asked
 
 G = 9.8

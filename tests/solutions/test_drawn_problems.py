@@ -8,8 +8,8 @@ import pytest
 
 from sim2reason.questions.difficulty import ELEMENTARY
 from sim2reason.solutions import STRATEGIES, ProblemContext, Solution, solve, solve_with
-from sim2reason.testing.solutions.faults import WORDS, faults, words
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import WORDS, faults, words
 from worked import ANSWERED, problems
 
 COVERED = ("pulley", "incline", "hybrid", "box", "projectile")

@@ -9,8 +9,8 @@ import pytest
 
 from plain_scenes import G, atwood, ramp
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.generation.item_search import generator
 from sim2reason.generation.question_search import QuestionSearch
-from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.recipes import RECIPES, difficulty_named
 from sim2reason.questions import MODES, Query, StatedResult, Target
 from sim2reason.questions.kinds.stretches import StretchQuery
@@ -27,8 +27,8 @@ from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data
 from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.solution import RELATION_RTOL
-from sim2reason.testing.solutions.faults import SEEN, faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import SEEN, faults
 from worked import asked
 
 TIME = 0.5

@@ -11,8 +11,8 @@ import pytest
 from plain_scenes import atwood, ramp, row
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.generation.certified import CertifiedQuestion
+from sim2reason.generation.item_search import sample
 from sim2reason.generation.question_search import QuestionSearch
-from sim2reason.generation.random_scenes import sample
 from sim2reason.questions import MODES, Query, SimulatedScene, Target
 from sim2reason.questions.difficulty import ELEMENTARY
 from sim2reason.questions.kinds.comparison import ComparisonQuery
@@ -30,8 +30,8 @@ from sim2reason.solutions.closed_forms import closed_form
 from sim2reason.solutions.laws.nested import inserted
 from sim2reason.solutions.shortest import may_have_solution
 from sim2reason.solutions.writing.steps import SolutionBuilder
-from sim2reason.testing.solutions.faults import SEEN, faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import SEEN, faults
 from worked import asked
 
 V, T, S = map(Symbol, ("v", "t", "s"))

@@ -25,7 +25,7 @@ from sim2reason.scenes.entities.pendulums import LightRodPendulum, Pendulum, Sli
 from sim2reason.scenes.entities.rolling import RollingEntity, Rough, Spinning
 from sim2reason.scenes.entities.space import SolarSystem
 from sim2reason.solutions import ProblemContext, Solution, solve, solve_prompt
-from sim2reason.testing.solutions.faults import faults
+from sim2reason.testing.solution_verification import faults
 from worked import asked, derived
 
 G, LENGTH, MASS, FAST = 9.8, 0.8, 0.5, 5.5

@@ -22,7 +22,7 @@ from sim2reason.solutions import ProblemContext, Solution, solve
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.algebra.inverse import other_solutions
-from sim2reason.testing.solutions.faults import faults
+from sim2reason.testing.solution_verification import faults
 from worked import asked, solution_text
 
 G = 9.8

@@ -6,8 +6,8 @@ import pytest
 
 from sim2reason.solutions import Solution
 from sim2reason.solutions.solve import solve_prompt
-from sim2reason.testing.solutions.faults import faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import faults
 from worked import solution_text
 
 TENSION = (

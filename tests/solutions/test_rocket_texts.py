@@ -17,8 +17,8 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.space import RocketEntity
 from sim2reason.solutions import Solution, solve
 from sim2reason.solutions.solve import solve_prompt
-from sim2reason.testing.solutions.faults import faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import faults
 from worked import asked
 
 VELOCITY = re.compile(r"the velocity of the probe with the engine on is \$([^$]*)\$ at the time \$\\tau\$ after")

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from plain_scenes import row
-from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.item_search import sample
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import MODES, SimulatedScene
 from sim2reason.questions.prompt import words_of

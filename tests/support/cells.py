@@ -6,8 +6,8 @@ from itertools import count
 
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.generation.certified import CertifiedQuestion
+from sim2reason.generation.item_search import generator, sample
 from sim2reason.generation.question_search import QuestionSearch
-from sim2reason.generation.random_scenes import generator, sample
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import MODES
 from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty

@@ -5,12 +5,12 @@ from pathlib import Path
 import pytest
 
 import sim2reason
-from sim2reason.datasets.solve import SolvedProblem
+from sim2reason.datasets.scene_questions import SolvedProblem
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data
 from sim2reason.solutions.writing.unit_latex import latex
-from sim2reason.testing.solutions.faults import faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import faults
 
 DATA = Path(__file__).parent.parent / "data"
 G = 9.8  # m/s², in all of these scenes but those on other planets

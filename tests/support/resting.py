@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from sim2reason.errors import SceneError
-from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.item_search import generator
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.simulation.equilibrium import Rest, equilibrium
 

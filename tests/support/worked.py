@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import cast
 
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.generation.item_search import generator
 from sim2reason.generation.question_search import QuestionSearch
-from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.recipes import RECIPES, difficulty_named
 from sim2reason.questions import MODES, Formula, Query
 from sim2reason.questions.prompt import ParsedPrompt, parse_prompt
@@ -23,8 +23,8 @@ from sim2reason.solutions import ProblemContext, Solution, solve
 from sim2reason.solutions.multipart.in_sequence import sequential_solutions
 from sim2reason.solutions.parts import combine_parts
 from sim2reason.solutions.solve import setting_of
-from sim2reason.testing.solutions.faults import faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import faults
 
 PROBLEMS = Path(__file__).parents[1] / "data" / "problems.jsonl"
 TRIES = 40

@@ -6,7 +6,7 @@ from plain_scenes import ramp
 from sim2reason.scenes.dsl.entity import Entity
 from sim2reason.scenes.files import dump, load
 from sim2reason.testing import CHECKS, ConformanceError, Finding, check_entity, conformance, specimen
-from sim2reason.testing.checks.claims import CLAIMS
+from sim2reason.testing.checks.texts import CLAIMS
 from spoiled import (
     Airy,
     Alias,

@@ -10,7 +10,7 @@ import pytest
 
 from sim2reason.errors import MissingExtraError, TrainingError, UnknownNameError
 from sim2reason.evaluation.policies import SampleRequest, policy_from
-from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.item_search import sample
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.text.prose.description import describe

@@ -9,7 +9,7 @@ import click
 from sim2reason.cli import console, options, source
 
 if TYPE_CHECKING:
-    from sim2reason.datasets.ask import AskedScene
+    from sim2reason.datasets.scene_questions import AskedScene
 
 EXAMPLE = """\b
 Example:
@@ -30,7 +30,7 @@ def command(scene: Path, mode: str | tuple[str, ...], items: int, seed: int, all
 
     Every question passes every filter, unless --all is given. Exit code 1 if there are none; standard error says why.
     """
-    from sim2reason.datasets.ask import asked
+    from sim2reason.datasets.scene_questions import asked
 
     result = asked(source.scene(scene), mode, items, seed, unfiltered=all)
     if to_json:
@@ -44,7 +44,7 @@ def command(scene: Path, mode: str | tuple[str, ...], items: int, seed: int, all
 
 def _explain(result: "AskedScene", items: int, *, all: bool) -> None:  # noqa: A002
     """Print the number of questions found, and a table of the reasons that rejected others."""
-    from sim2reason.base.registries import members
+    from sim2reason.base.registry import members
 
     if result.reason:
         console.explain(f"sim2reason: there is nothing to ask: {result.reason}")

@@ -33,7 +33,7 @@ def command(
     to_json: bool,
 ) -> None:
     """Explain one problem: its scene, certificate, every filter's verdict, and the questions refused before it."""
-    from sim2reason.datasets.explain import check, explain, section_text
+    from sim2reason.datasets.inspection import check, explain, section_text
 
     check(figure, trace)
     with ExitStack() as files:

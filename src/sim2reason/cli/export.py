@@ -8,7 +8,7 @@ import click
 from sim2reason.cli import console, options
 
 if TYPE_CHECKING:
-    from sim2reason.datasets.exports.parts.export import Parts
+    from sim2reason.datasets.exports.export import Parts
 
 EXAMPLE = """\b
 Example:
@@ -45,7 +45,7 @@ def command(dataset: Path, to: str, out: Path, split: options.Names, parts: "Par
     """Write the DATASET as another library reads it, into a folder of its own."""
     from sim2reason.datasets.dataset import Dataset
     from sim2reason.datasets.exports import EXPORTS
-    from sim2reason.datasets.exports.parts.export import export
+    from sim2reason.datasets.exports.export import export
 
     lacks, counts = EXPORTS[to].lacks, Dataset(dataset).manifest.counts.get("split", {})
     chosen = counts if split == options.ALL else split

@@ -17,7 +17,7 @@ Example:
 @options.to_json("For a program to read: {kind: [{name, summary}]}.")
 def command(kind: str | None, to_json: bool) -> None:
     """List the members of KIND, or of every kind: entities, bodies, recipes, quantities, engines, modes and so on."""
-    from sim2reason.base.registries import members
+    from sim2reason.base.registry import members
 
     found = members(kind)
     if to_json:

@@ -45,7 +45,7 @@ def command(
     to_json: bool,
 ) -> None:
     """Show problems of the DATASET, spread over all that fit, with their answers."""
-    from sim2reason.datasets.summaries import show
+    from sim2reason.datasets.inspection import show
 
     chosen = {"recipe": recipe, "difficulty": difficulty, "mode": mode, "kind": kind, "quantity": quantity}
     chosen["needs"] = needs

@@ -10,7 +10,7 @@ from sim2reason.scenes.dsl.measures import join_unit, show_unit
 from sim2reason.scenes.files import question_of
 
 if TYPE_CHECKING:
-    from sim2reason.datasets.solve import SolvedProblem
+    from sim2reason.datasets.scene_questions import SolvedProblem
     from sim2reason.solutions import Solution
 
 PARTS = ("find", "of", "when", "along", "given", "change")
@@ -74,7 +74,7 @@ def command(scene: Path | None, id: str | None, to_json: bool, **asked: Any) -> 
     A question about a scene is answered from the motion, which is followed until the answer is known, and by a worked
     solution where a strategy finds one. Exit code 1 if there is no answer; standard error says why.
     """
-    from sim2reason.datasets.solve import solve
+    from sim2reason.datasets.scene_questions import solve
 
     if (scene is None) == (id is None):
         raise click.UsageError("give a scene or an --id, one of the two.")

@@ -8,7 +8,7 @@ import click
 from sim2reason.cli import console, options
 
 if TYPE_CHECKING:
-    from sim2reason.datasets.summaries import Spread
+    from sim2reason.datasets.inspection import Spread
 
 EXAMPLE = """\b
 Example:
@@ -22,7 +22,7 @@ Example:
 @options.to_json("For a program to read: {items, counts, refused, words, answers}.")
 def command(dataset: Path, to_json: bool) -> None:
     """Count what the DATASET holds: its problems, the draws refused for them, lengths of prompts, answers by unit."""
-    from sim2reason.datasets.summaries import stats
+    from sim2reason.datasets.inspection import stats
     from sim2reason.scenes.dsl.measures import show_unit
 
     found = stats(dataset)

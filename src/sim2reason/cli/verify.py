@@ -19,7 +19,7 @@ Exit code 0: whole; 1: damaged, with a line for each finding; 2: no finished dat
 @options.to_json("For a program to read: {ok, rows, shards, faults}.")
 def command(dataset: Path, to_json: bool) -> int:
     """Check every file of the DATASET: checksums, missing and extra shards, counts of rows."""
-    from sim2reason.datasets.verify import verify
+    from sim2reason.datasets.dataset import verify
 
     report = verify(dataset)
     if to_json:

@@ -1,4 +1,4 @@
-"""Build of a dataset, new or resumed: items first, then the card, and finally the manifest."""
+"""Build of a dataset, new or resumed, or as a subset of a finished one."""
 
 from collections.abc import Callable
 from contextlib import AbstractContextManager
@@ -6,17 +6,26 @@ from functools import partial
 from pathlib import Path
 from typing import TypedDict, Unpack
 
-from sim2reason.base.atomic_files import FOLDER, LOCK, checksum, locked, put, put_text
+from sim2reason.base.atomic_files import FOLDER, LOCK, checksum, locked, put, put_text, remove_temporaries
 from sim2reason.datasets import card, shard_files
-from sim2reason.datasets.card_content import Counted, choose_examples, drawn_by, example, put_pictures, remove_pictures
-from sim2reason.datasets.cells import Cell, together
+from sim2reason.datasets.card_content import (
+    Counted,
+    choose_examples,
+    count_histograms,
+    drawn_by,
+    example,
+    put_pictures,
+    remove_pictures,
+)
 from sim2reason.datasets.contamination import Benchmarks
+from sim2reason.datasets.dataset import Dataset, verify
 from sim2reason.datasets.journal import Journal, RunPlan
 from sim2reason.datasets.manifest import (
     COUNTED,
     MANIFEST,
     REFUSALS,
     SHARDS,
+    Cell,
     Counts,
     Manifest,
     Refusal,
@@ -25,14 +34,16 @@ from sim2reason.datasets.manifest import (
     all_histograms,
     load,
     merged,
+    shards,
+    together,
 )
 from sim2reason.datasets.places import HERE, PATIENCE, Run, WorkerPool, opened
 from sim2reason.datasets.plan import MAKER, Config
 from sim2reason.datasets.rounds import FindsOverlap, make_all, make_positions
 from sim2reason.datasets.shard_files import shard_of
-from sim2reason.datasets.verify import verify
 from sim2reason.datasets.worker import Attempt
 from sim2reason.errors import DatasetError
+from sim2reason.generation.item import Item
 
 CARD = "README.md"
 
@@ -237,3 +248,47 @@ def _workers(config: Config, work: Work) -> AbstractContextManager[Run]:
 
 def _counts(value: object) -> bool:
     return isinstance(value, int) and not isinstance(value, bool) and value >= 1
+
+
+def put_subset(source: Dataset, out: Path, keeps: Callable[[Item], bool], filter_name: str, why: str) -> Manifest:
+    """Write the items that `keeps` accepts as a new dataset into the folder `out`, with the manifest last.
+
+    Items stay in their shards, so that they are found by their ids as before; removed ones are counted under
+    `filter_name`, by recipe, and the card states `why`.
+    """
+    out.mkdir(parents=True, exist_ok=True)
+    remove_temporaries(out)
+    (out / MANIFEST).unlink(missing_ok=True)
+    kept: list[Shard] = []
+    gone: dict[str, Counts] = {}
+    for shard in shards(source.path):
+        found, left_out = _subset(source, out, shard, keeps)
+        kept.append(found)
+        gone = merged([gone, *({item.recipe: {filter_name: 1}} for item in left_out)])
+    put_text(out / SHARDS, "".join(f"{shard.model_dump_json()}\n" for shard in kept), out)
+    manifest = source.manifest.model_copy(
+        update={
+            "rows": sum(shard.rows for shard in kept),
+            "counts": merged(shard.counts for shard in kept),
+            "histograms": all_histograms(shard.histograms for shard in kept),
+            "rejected": merged([source.manifest.rejected, gone]),
+            "pictures": "",
+        }
+    )
+    put_text(out / CARD, f"{card.text(manifest, (), ())}\n## Which were kept\n\n{why}\n", out)
+    files = {name: checksum(out / name) for name in (CARD, SHARDS)}
+    manifest = manifest.model_copy(update={"files": files}).sealed()
+    put_text(out / MANIFEST, manifest.text(), out)
+    return manifest
+
+
+def _subset(source: Dataset, out: Path, shard: Shard, keeps: Callable[[Item], bool]) -> tuple[Shard, list[Item]]:
+    """Return a shard's record without the items that `keeps` rejects, and the rejected items."""
+    held = {file.split: shard_files.read(source.path, file) for file in shard.files}
+    kept = {split: [item for item in items if keeps(item)] for split, items in held.items()}
+    changed = {
+        "files": shard_files.write(out, out, shard.number, source.manifest.shards, kept),
+        "counts": shard_files.counts(kept),
+        "histograms": count_histograms(shard_files.flat(kept)),
+    }
+    return shard.model_copy(update=changed), [item for item in shard_files.flat(held) if not keeps(item)]

@@ -1,4 +1,4 @@
-"""Access to a finished dataset: iteration, lookup by id, and samples."""
+"""Access to a finished dataset: iteration, lookup by id, samples, upload, and verification."""
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import islice
@@ -6,16 +6,46 @@ from os import PathLike
 from pathlib import Path
 from typing import Any, overload
 
-from sim2reason.base.lazy import cached_property
-from sim2reason.base.record import counted
+from sim2reason.base.optional import optional
+from sim2reason.base.records import cached_property, counted
 from sim2reason.datasets import shard_files
-from sim2reason.datasets.hub import push
 from sim2reason.datasets.manifest import Manifest, ShardFile, load_sealed, shard, shards
 from sim2reason.datasets.plan import ALL, Names, several
-from sim2reason.datasets.shard_files import ItemFiles
+from sim2reason.datasets.shard_files import Findings, ItemFiles, check_folder
 from sim2reason.datasets.store import Row
 from sim2reason.errors import DatasetError, DrawError
 from sim2reason.generation.item import Item
+
+# huggingface_hub is an extra:
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
+
+
+SHOWN = 300  # characters of an error message of the Hub's library
+IGNORED = "**/.*", ".*"
+"""What is of this machine alone."""
+
+
+def push(path: Path, repository: str, *, private: bool, token: str | None, message: str) -> str:
+    """Upload the dataset at `path` and return its address on the Hub, with the errors of `Dataset.push_to_hub`."""
+    hub, errors = optional("huggingface_hub", "eval"), optional("huggingface_hub.errors", "eval")
+    if faults := check_folder(path).faults:
+        raise DatasetError(f"{path}: {faults[0]}; a damaged dataset is not uploaded: see sim2reason verify {path}")
+    api = hub.HfApi(token=token)
+    try:
+        address = api.create_repo(repository, repo_type="dataset", private=private, exist_ok=True)
+        api.upload_folder(
+            folder_path=path,
+            repo_id=address.repo_id,
+            repo_type="dataset",
+            commit_message=message,
+            ignore_patterns=list(IGNORED),
+        )
+    except (errors.HfHubHTTPError, errors.HFValidationError, errors.LocalTokenNotFoundError, OSError) as error:
+        why = " ".join(str(error).split())[:SHOWN]
+        remedy = "check the name, and log in with: hf auth login"
+        raise DatasetError(f"{repository}: the hub did not take the dataset: {why}; {remedy}") from None
+    return str(address)
+
 
 LONGEST_NAME = 80  # characters of an unknown id that are shown
 STRIDE = 7919  # a prime, so that samples do not correlate with the cycle of recipes and difficulties
@@ -285,3 +315,27 @@ def _value(row: Row, name: str) -> object:
     """Return the value of a column of a row; a dot separates nested names."""
     head, _, rest = name.partition(".")
     return _value(row[head], rest) if rest else row[head]
+
+
+def verify(dataset: Dataset | Path | str) -> Findings:
+    """Check the files of a dataset against its manifest.
+
+    The check detects a changed byte in any file, missing and extra shards, a wrong number of rows, and combinations of
+    mode, kind and recipe that were requested but have no item.
+
+    Args:
+        dataset: A dataset, or its folder.
+
+    Returns:
+        The numbers of rows and shards in the manifest, and a line for each fault.
+
+    Raises:
+        DatasetError: `dataset` is not a finished dataset.
+
+    Examples:
+        >>> import sim2reason
+        >>> data = sim2reason.generate("problems", items=2, recipe="pulley", difficulty="easy", workers=1)
+        >>> print(sim2reason.verify(data))
+        2 rows in 1 shard: 0 faults
+    """
+    return check_folder(dataset.path if isinstance(dataset, Dataset) else Path(dataset))

@@ -12,8 +12,7 @@ from pydantic import BaseModel, JsonValue, ValidationError
 from sim2reason.datasets.dataset import Dataset, shortened
 from sim2reason.datasets.plan import ALL, Names
 from sim2reason.errors import DatasetError
-from sim2reason.generation.grade_answer import grade_answer
-from sim2reason.generation.item import Answer, Item, unfolded
+from sim2reason.generation.item import Answer, Item, grade_answer, unfolded
 from sim2reason.grading import Outcome, Score, opened
 
 __all__ = ["GradedResponse", "Response", "Tallies", "Tally", "grade", "graded", "line", "responses"]

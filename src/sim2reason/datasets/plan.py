@@ -12,7 +12,7 @@ from typing import Annotated, cast
 from annotated_types import Ge, Le, MinLen
 from pydantic import AfterValidator, BaseModel, Field, field_validator
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.base.settings import validated
 from sim2reason.datasets.contamination import BenchmarkFile
 from sim2reason.errors import DatasetError, DrawError, UnknownNameError

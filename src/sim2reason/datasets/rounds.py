@@ -5,11 +5,10 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import closing
 from functools import partial
 
-from sim2reason.datasets.cells import table
 from sim2reason.datasets.contamination import Overlap
 from sim2reason.datasets.duplicates import POSITION, Duplicate, find_duplicates
 from sim2reason.datasets.journal import Journal
-from sim2reason.datasets.manifest import Counts, RefusedPosition, Shard, merged
+from sim2reason.datasets.manifest import Counts, RefusedPosition, Shard, merged, table
 from sim2reason.datasets.places import Reply, Run
 from sim2reason.datasets.plan import Config
 from sim2reason.datasets.shard_files import items_of, lengthened, marks_of, put_shard, shard_of

@@ -14,13 +14,12 @@ from importlib.metadata import version
 from pathlib import Path
 
 from sim2reason.base.atomic_files import canonical, checksum, put_text
+from sim2reason.datasets.build import put_subset
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.subset import put_subset
 from sim2reason.errors import EvaluationError
 from sim2reason.evaluation.policies.samples.journal import finished
 from sim2reason.evaluation.policy_pass import MOST_TRIES, SAMPLES, PolicyPass, PolicySource, asked
-from sim2reason.generation.grade_answer import grade_answer
-from sim2reason.generation.item import Answer, Record
+from sim2reason.generation.item import Answer, Record, grade_answer
 
 __all__ = ["PassRate", "Solvable", "solvable"]
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.figures.plane import Polygon, unit_vector
 from sim2reason.scenes.dsl.body import Body, FixedPlane, MovingSlope, PulleyWheel
 from sim2reason.scenes.dsl.mechanism import Elastic, Line, Mechanism

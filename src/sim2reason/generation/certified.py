@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.generation.filters import Candidate
 from sim2reason.generation.item import Distractor, SolutionRecord, SolutionStep
 from sim2reason.generation.request import Request

@@ -1,4 +1,4 @@
-"""Items: one problem with its answer, and the data to verify or regenerate it."""
+"""Items: one problem with its answer, the data to verify or regenerate it, and the grading of responses to it."""
 
 import json
 from collections.abc import Iterator, Sequence
@@ -17,8 +17,9 @@ from pydantic import (
 )
 from pydantic_core import from_json
 
-from sim2reason.base.record import abridged
-from sim2reason.grading.parts import LABELS
+from sim2reason.base.records import abridged
+from sim2reason.grading import Score, choice, formula, number, parts
+from sim2reason.grading.parts import LABELS, Grader
 from sim2reason.questions.prompt_formats import LETTERS
 from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.text.prose.description import formula_unit, stated_value
@@ -351,3 +352,24 @@ class Item(Record):
 def _wrapped(line: str) -> str:
     """Return a line of a prompt broken into lines of at most `WIDTH` characters; rows of tables stay whole."""
     return line if line.startswith("|") else fill(line, WIDTH, break_long_words=False, break_on_hyphens=False)
+
+
+def grade_answer(answer: Answer, response: object, *, lenient: bool = False, partial: bool = False) -> Score:
+    """Grade a response against an answer, such as one in a row of an export, without the rest of its item."""
+    if answer.parts:
+        return parts(response, [_grader(part) for part in answer.parts], partial=partial)
+    if answer.letter:
+        letters = LETTERS[: len(answer.options)]
+        if answer.texts:
+            return choice(response, answer.letter, letters, texts=answer.texts)
+        return choice(response, answer.letter, letters, answer.options, answer.unit)
+    if answer.formula is not None:
+        held = answer.formula
+        return formula(response, held.latex, held.points, symbols=held.symbols, positive=answer.sign)
+    return number(
+        response, answer.value, answer.unit, tolerance=answer.tolerance, positive=answer.sign, lenient=lenient
+    )
+
+
+def _grader(answer: Answer) -> Grader:
+    return lambda response: grade_answer(answer, response)

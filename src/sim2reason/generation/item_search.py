@@ -1,24 +1,54 @@
 """Search for an item: scenes and questions are drawn until one question passes every filter."""
 
+import hashlib
+import json
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.errors import DrawError, SceneError, SimulationError, UnsupportedError
 from sim2reason.generation.certified import CertifiedQuestion
+from sim2reason.generation.filters.texts import COUNTED
 from sim2reason.generation.filters.well_known import FEW_LAWS
-from sim2reason.generation.filters.worked_solutions import COUNTED
 from sim2reason.generation.item import Answer
 from sim2reason.generation.options import MAX_DISTRACTORS, distractors, options, options_of_two
 from sim2reason.generation.part_search import PartSearch
 from sim2reason.generation.question_search import NOTHING, UNSUITED, QuestionSearch, RefusedQuestion
-from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.recipes import RECIPES, difficulty_named
 from sim2reason.generation.request import Request, random_kind_order
 from sim2reason.questions import KINDS, MODES, QuestionMode
 from sim2reason.questions.difficulty import ELEMENTARY, EVERY, NEEDS, Difficulty, Need
+from sim2reason.scenes.dsl.scene import Scene
+
+TRIES = 50
+
+
+def generator(*key: object) -> np.random.Generator:
+    """Return a random generator seeded by the hash of a key, independent of that of any other key."""
+    digest = hashlib.sha256(json.dumps(["sim2reason", *key]).encode()).digest()
+    return np.random.default_rng(int.from_bytes(digest, "big"))
+
+
+def sample(recipe: str, difficulty: str = "medium", *, seed: int = 0, index: int = 0) -> Scene:
+    """Draw the `index`-th scene of a recipe, difficulty and seed; invalid draws are repeated.
+
+    Raises:
+        UnknownNameError: no such recipe or difficulty.
+        DrawError: nothing fitted together within the budget.
+    """
+    found = RECIPES[recipe]
+    checked = difficulty_named(difficulty)
+    for attempt in range(TRIES):
+        try:
+            scene = found(checked, generator("scene", recipe, difficulty, seed, index, attempt))
+            scene.check()
+        except SceneError:
+            continue
+        return scene
+    raise DrawError(f"{recipe} {difficulty} {seed} {index}: no scene fitted together; take another index")
+
 
 SHARE = 0.08
 """Of the requests that may be filled by items which need more than `ELEMENTARY`; not all of them are."""

@@ -5,10 +5,9 @@ from hashlib import blake2b
 
 from sim2reason.errors import SceneError
 from sim2reason.generation.filters import Candidate
-from sim2reason.generation.filters.parts.effects import Effect, effects, far_effects
-from sim2reason.generation.filters.parts.numbers import elasticities, matters
-from sim2reason.generation.grade_answer import grade_answer
-from sim2reason.generation.item import Answer, Distractor, Item
+from sim2reason.generation.filters.misconceptions import Effect, effects, far_effects
+from sim2reason.generation.filters.sensitivity import elasticities, matters
+from sim2reason.generation.item import Answer, Distractor, Item, grade_answer
 from sim2reason.questions.prompt_formats import LETTERS, said
 from sim2reason.scenes.dsl.entity import Part
 from sim2reason.scenes.dsl.scene import Scene

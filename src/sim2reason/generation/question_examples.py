@@ -10,7 +10,7 @@ import numpy as np
 from sim2reason.errors import TextError
 from sim2reason.generation.asked_scenes import ASKED
 from sim2reason.generation.example_scenes import OWN
-from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.item_search import sample
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import KINDS, MOMENTS, Query, Words
 from sim2reason.questions.following import FollowedMotion, simulate_scene

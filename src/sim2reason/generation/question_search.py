@@ -7,7 +7,7 @@ from itertools import chain
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.generation.certified import CertifiedQuestion
 from sim2reason.generation.filters import FILTERS, Candidate, Verdict, apply_filters, filter_scene
 from sim2reason.generation.filters.texts import is_followable

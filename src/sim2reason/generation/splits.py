@@ -10,7 +10,7 @@ from math import log, pi
 from typing import NamedTuple
 
 from sim2reason.generation.item import Item, QueryRecord
-from sim2reason.grading.evaluate import CompiledFormula, compiled
+from sim2reason.grading.formula import CompiledFormula, compiled
 from sim2reason.scenes.dsl.units import Dimension, parse_unit
 
 POINTS = 6  # at which formulas are evaluated; some have no value at most points because of square roots

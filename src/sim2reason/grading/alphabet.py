@@ -1,6 +1,7 @@
-"""Vocabulary of the tokenizer: LaTeX commands and characters with their meanings."""
+"""Vocabulary of the tokenizer: LaTeX commands and characters with their meanings, and names in letter runs."""
 
 import re
+from functools import lru_cache
 from typing import Final
 
 __all__ = [
@@ -20,8 +21,10 @@ __all__ = [
     "SPACES",
     "SWITCHES",
     "VARIANTS",
+    "Pieces",
     "either",
     "is_angle",
+    "split",
 ]
 
 _ELEMENTARY: Final = """
@@ -147,3 +150,39 @@ def either(kind: str, text: str = "") -> str:
     """Return a regular expression for all LaTeX commands of one kind, or only those with the meaning `text`."""
     names = (name for name, (is_of, means) in COMMANDS.items() if is_of.split()[0] == kind and text in {"", means})
     return "|".join(re.escape(name) for name in sorted(names, key=len, reverse=True))
+
+
+Pieces = tuple[tuple[str, str], ...]
+_SHORT: Final = 24  # letters of the longest runs whose splits are cached
+
+
+def split(run: str, symbols: frozenset[str] | None) -> Pieces | None:
+    """Split letters such as ``mgh`` into known names, the longest first; None if some letter fits no name."""
+    return (_split if len(run) <= _SHORT else _split.__wrapped__)(run, symbols)
+
+
+@lru_cache(maxsize=4096)
+def _split(run: str, symbols: frozenset[str] | None) -> Pieces | None:
+    pieces: list[tuple[str, str]] = []
+    at = 0
+    while at < len(run):
+        lengths = range(min(12, len(run) - at), 0, -1)
+        piece = next((found for n in lengths if (found := _meaning(run[at : at + n], symbols))), None)
+        if piece is None:
+            return None
+        pieces.append(piece)
+        at += len(piece[1])
+    return tuple(pieces)
+
+
+def _meaning(name: str, symbols: frozenset[str] | None) -> tuple[str, str] | None:
+    if symbols is not None and name in symbols:
+        return "symbol", name
+    if name in FUNCTIONS:
+        return "function", name
+    if name in {"pi", "e"}:
+        return "constant", name
+    if name == "sqrt":
+        return "root", name
+    is_symbol = symbols is None and (len(name) == 1 or name in GREEK_NAMES)
+    return ("symbol", name) if is_symbol else None

@@ -11,28 +11,60 @@ from functools import lru_cache
 from typing import Final
 
 from sim2reason.grading import arithmetic, remarks
-from sim2reason.grading.arithmetic import Node
-from sim2reason.grading.clauses import vectors_as_components
-from sim2reason.grading.extract import boxed
-from sim2reason.grading.number import number
-from sim2reason.grading.parser import parse
-from sim2reason.grading.points import (
+from sim2reason.grading.arithmetic import (
     POINTS,
     Bindings,
+    Node,
     Ranges,
     draw_points,
     opposite_sign_points,
     well_conditioned_points,
 )
+from sim2reason.grading.extract import boxed
+from sim2reason.grading.number import number
+from sim2reason.grading.parser import parse
 from sim2reason.grading.remarks import Direction
 from sim2reason.grading.score import Outcome, Refused, Score
 from sim2reason.grading.sides import Statement, flattened, is_signed, statement, two_values, unwrapped
-from sim2reason.grading.spelling import balanced, spelled
+from sim2reason.grading.spelling import balanced, spelled, vectors_as_components
 from sim2reason.grading.tokens import Token, canonical, tokenize
-from sim2reason.grading.unit_spelling import unit_in
+from sim2reason.grading.units import unit_in
 from sim2reason.scenes.dsl.units import UnitError
 
-__all__ = ["FormulaError", "formula"]
+__all__ = ["CompiledFormula", "FormulaError", "compiled", "formula"]
+
+
+@dataclass(frozen=True, slots=True)
+class CompiledFormula:
+    """A parsed formula, for repeated evaluation."""
+
+    symbols: tuple[str, ...]
+    """Those of its table that stand in it, as the table spells them."""
+    _names: Mapping[str, str]
+    _node: Node
+
+    def value(self, point: Mapping[str, float]) -> float | None:
+        """Return the value at `point`, which binds all `symbols`; None if it is not a finite real number."""
+        return arithmetic.value(self._node, {self._names[name]: point[name] for name in self.symbols})
+
+
+def compiled(latex: str, symbols: Collection[str]) -> CompiledFormula:
+    r"""Parse a formula in the given `symbols`, in any spelling (``\mu_k``, ``mu_k``).
+
+    Raises:
+        ValueError: it is no formula in these symbols.
+    """
+    names = {name: canonical(name) for name in symbols}
+    try:
+        tokens = statement(flattened(tokenize(spelled(latex.strip()), frozenset(names.values())))).value
+        node, taken, _ = parse(tokens, unit_follows=False)
+    except Refused as refused:
+        raise ValueError(f"{latex!r}: {refused}") from refused
+    if taken != len(tokens):
+        raise ValueError(f"{latex!r}: only its first {taken} of {len(tokens)} tokens are a formula")
+    used = {token.text for token in tokens if token.kind == "symbol"}
+    return CompiledFormula(tuple(name for name in names if names[name] in used), names, node)
+
 
 APPROXIMATION_RTOL: Final = 0.02  # relative tolerance between a formula and the approximations of it in the same answer
 

@@ -6,7 +6,7 @@ from typing import Final
 from sim2reason.grading.alphabet import GREEK_NAMES, VARIANTS
 from sim2reason.grading.score import Outcome, Refused
 from sim2reason.grading.tokens import Token
-from sim2reason.grading.unit_spelling import is_unit
+from sim2reason.grading.units import is_unit
 
 __all__ = [
     "DENIALS",

@@ -12,7 +12,7 @@ from sim2reason.grading.alphabet import HEDGES, SOFT_HEDGES
 from sim2reason.grading.extract import MAX_ANSWER, response_text
 from sim2reason.grading.labels import DENIALS
 from sim2reason.grading.score import Outcome, Refused
-from sim2reason.grading.unit_spelling import is_unit, unit_in
+from sim2reason.grading.units import is_unit, unit_in
 from sim2reason.scenes.dsl.units import UnitError
 
 __all__ = ["last_quantity"]

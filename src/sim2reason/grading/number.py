@@ -7,10 +7,9 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from sim2reason.grading import arithmetic, labels, remarks
-from sim2reason.grading.compound import smaller_part
 from sim2reason.grading.extract import boxed
-from sim2reason.grading.left_units import unit_on_left
 from sim2reason.grading.lenient import last_quantity
+from sim2reason.grading.number_units import may_be, smaller_part, unit_on_left
 from sim2reason.grading.parser import parse
 from sim2reason.grading.remarks import Remark
 from sim2reason.grading.score import Outcome, Refused, Score
@@ -25,8 +24,7 @@ from sim2reason.grading.sides import (
 )
 from sim2reason.grading.spelling import balanced, spelled
 from sim2reason.grading.tokens import Token, tokenize
-from sim2reason.grading.unit_spelling import unit_in
-from sim2reason.grading.usual_symbols import may_be
+from sim2reason.grading.units import unit_in
 from sim2reason.scenes.dsl.units import Dimension, Unit, UnitError, parse_unit
 
 __all__ = ["number", "unit_stated"]

@@ -11,7 +11,7 @@ from typing import Final
 
 from sim2reason.grading.alphabet import COMMANDS, SIGNS, SPACES, either
 from sim2reason.grading.score import Outcome, Refused
-from sim2reason.grading.unit_spelling import is_unit
+from sim2reason.grading.units import is_unit
 
 __all__ = [
     "APPROXIMATELY",

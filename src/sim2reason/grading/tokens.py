@@ -21,8 +21,9 @@ from sim2reason.grading.alphabet import (
     SOFT_HEDGES,
     SPACES,
     VARIANTS,
+    Pieces,
+    split,
 )
-from sim2reason.grading.letter_runs import Pieces, split
 from sim2reason.grading.score import Outcome, Refused
 
 __all__ = ["Token", "canonical", "tokenize"]

@@ -5,7 +5,7 @@ from typing import Protocol, Self
 
 import numpy as np
 
-from sim2reason.base.lazy import Memo
+from sim2reason.base.records import Memo
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.scene import Scene

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.errors import TextError, UnsupportedError
 from sim2reason.questions.structured import CHANGE, REMOVAL, measured, resolved
 from sim2reason.questions.unknown import derived_numbers, number_at, with_numbers

@@ -11,7 +11,7 @@ from typing import Self
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.unknown import Unknown, unknowns
 from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.scenes.dsl.mechanism import Mechanism

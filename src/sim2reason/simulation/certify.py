@@ -12,8 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.base.lazy import cached_property
-from sim2reason.base.record import counted
+from sim2reason.base.records import cached_property, counted
 from sim2reason.errors import SimulationError, UnsupportedError
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array, Dynamics, State

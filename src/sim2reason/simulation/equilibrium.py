@@ -7,7 +7,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.errors import UnsupportedError
 from sim2reason.scenes.dsl.fields import Magnetic, Push
 from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism

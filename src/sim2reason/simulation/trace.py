@@ -6,8 +6,7 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
-from sim2reason.base.record import counted
+from sim2reason.base.records import cached_property, counted
 from sim2reason.base.registry import Registry
 from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.mechanism import Mechanism

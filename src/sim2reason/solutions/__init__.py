@@ -2,7 +2,7 @@
 
 A `ProblemContext` is a scene with the names of its text and a query about it; `solve` finds the cheapest strategy
 that leads to the answer. Symbols come from the scene alone, see `writing.lexicon`; the properties that
-every solution must have are checked by `testing.solutions.faults`.
+every solution must have are checked by `testing.solution_verification.faults`.
 """
 
 from sim2reason.solutions.setting import ProblemContext

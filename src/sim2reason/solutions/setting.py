@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Self
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions import KINDS, Formula, Query, Question, SimulatedScene, StatedResult, Target, Words
 from sim2reason.questions.difficulty import Need
 from sim2reason.questions.kinds.stretches import StretchQuery

@@ -5,8 +5,7 @@ from dataclasses import dataclass, field
 from math import degrees
 from typing import Literal
 
-from sim2reason.base.lazy import cached_property
-from sim2reason.base.record import abridged, counted
+from sim2reason.base.records import abridged, cached_property, counted
 from sim2reason.questions.difficulty import Need, most_advanced
 from sim2reason.solutions.algebra.digits import DIGITS, rounded_latex
 from sim2reason.solutions.algebra.evaluated import NumericRoot, SpecialFunction

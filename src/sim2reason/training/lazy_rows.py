@@ -12,8 +12,8 @@ from pydantic import Field, ValidationError
 from sim2reason.base.settings import first_fault, settings_in
 from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.exports import EXPORTS, Export, Place
+from sim2reason.datasets.fresh import INDEX_STRIDE, LazyProblems
 from sim2reason.datasets.generate import configured
-from sim2reason.datasets.lazy import INDEX_STRIDE, LazyProblems
 from sim2reason.datasets.plan import ALL, MAKER, TRAIN
 from sim2reason.errors import DatasetError, EvaluationError, Sim2ReasonError
 from sim2reason.generation.item import Record

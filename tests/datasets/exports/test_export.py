@@ -9,7 +9,7 @@ import pytest
 import sim2reason
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.exports import EXPORTS, Export, Place
-from sim2reason.datasets.exports.parts.export import MARK, export
+from sim2reason.datasets.exports.export import MARK, export
 from sim2reason.errors import DatasetError, UnknownNameError
 from sim2reason.generation.item import Item
 from sim2reason.rewards import answered, boxed, score
@@ -226,7 +226,7 @@ def test_a_server_installs_the_library_from_where_it_came(
             assert name == "direct_url.json"
             return origin
 
-    monkeypatch.setattr("sim2reason.datasets.exports.parts.export.distribution", lambda _: Installed())
+    monkeypatch.setattr("sim2reason.datasets.exports.export.distribution", lambda _: Installed())
     export(problems, tmp_path / "out", to="nemo-gym")
     server = tmp_path / "out/resources_servers/sim2reason"
     assert (server / "requirements.txt").read_text() == f"nemo-gym\n{line}\n"

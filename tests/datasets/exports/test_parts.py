@@ -11,9 +11,8 @@ from sim2reason import rewards
 from sim2reason.cli import main
 from sim2reason.datasets.build import build
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.exports.parts.export import export
+from sim2reason.datasets.exports.export import export, split_parts
 from sim2reason.datasets.plan import Config
-from sim2reason.datasets.separate import split_parts
 from sim2reason.errors import DatasetError
 from sim2reason.questions.prompt_formats import MINUS
 

@@ -9,7 +9,7 @@ from sim2reason.figures.labels import HEAD
 from sim2reason.figures.plane import length_inside, unit_vector
 from sim2reason.figures.scaled.arrows import ARROW_GAP, SHORTEST
 from sim2reason.figures.shapes import LineShape
-from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.item_search import sample
 from sim2reason.text.prose.description import describe
 
 

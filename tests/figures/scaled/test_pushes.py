@@ -6,8 +6,7 @@ from typing import Annotated
 import pytest
 
 from sim2reason.authoring import Angle, Entity, Force, Frame, Profile, Push, Range, add, either, scale
-from sim2reason.datasets.ask import ask
-from sim2reason.datasets.solve import solve
+from sim2reason.datasets.scene_questions import ask, solve
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.shapes import LineShape
 from sim2reason.scenes.bodies.blocks import Block

@@ -6,7 +6,7 @@ import pytest
 
 from plain_scenes import half_atwood, ramp, row, swing
 from sim2reason.generation.filters import FILTERS, Candidate
-from sim2reason.generation.filters.parts.effects import TURNS
+from sim2reason.generation.filters.misconceptions import TURNS
 from sim2reason.questions import KINDS, Question, StatedResult
 from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.scenes.bodies.oscillators import Ball

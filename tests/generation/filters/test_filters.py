@@ -9,7 +9,7 @@ import pytest
 from motions import rod_pendulum, spring_block
 from plain_scenes import G, arm, atwood, bight, half_atwood, massive, ramp, row, squeezed, table, three
 from sim2reason.generation.filters import FILTERS, Candidate, apply_filters
-from sim2reason.generation.filters.parts.effects import effects, effects_of
+from sim2reason.generation.filters.misconceptions import effects, effects_of
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.questions import KINDS, MODES, Moment, Query, Question, SimulatedScene, Target
 from sim2reason.questions.difficulty import Difficulty

@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.generation.filters.parts.formula_size import has_logarithm, size
+from sim2reason.generation.filters.well_known import has_logarithm, size
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from sim2reason.generation.filters import FILTERS
+from sim2reason.generation.item_search import sample
 from sim2reason.generation.question_search import UNSUITED, QuestionSearch
-from sim2reason.generation.random_scenes import sample
 from sim2reason.questions import MODES
 from sim2reason.questions.difficulty import EVERY, Need
 from sim2reason.solutions import Solution

@@ -7,8 +7,8 @@ import pytest
 
 from plain_scenes import atwood, ramp, row, swing
 from sim2reason.generation.filters import FILTERS, Candidate
-from sim2reason.generation.filters.parts.products import product_of
-from sim2reason.generation.filters.parts.sums import sum_of
+from sim2reason.generation.filters.products import product_of
+from sim2reason.generation.filters.sums import sum_of
 from sim2reason.questions import KINDS, Moment, Query, Question, SimulatedScene, StatedResult, Target
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.strings import NaturalLength

@@ -4,7 +4,7 @@ import pytest
 
 from plain_scenes import atwood, half_atwood, ramp
 from sim2reason.generation.filters import FILTERS, Candidate
-from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.item_search import sample
 from sim2reason.questions import Query, Question, SimulatedScene, Target
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.scenes.bodies.blocks import Slab

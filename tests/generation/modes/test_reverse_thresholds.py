@@ -8,7 +8,7 @@ import pytest
 from plain_scenes import half_atwood
 from sim2reason.errors import TextError
 from sim2reason.generation.make import make
-from sim2reason.generation.modes.parts.likely_answers import likely_answers
+from sim2reason.generation.modes.problem_formula import likely_answers
 from sim2reason.generation.modes.reverse import why_undetermined
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.request import Request

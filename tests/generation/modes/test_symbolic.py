@@ -14,12 +14,12 @@ from sim2reason.generation.certified import CertifiedQuestion
 from sim2reason.generation.filters import Candidate
 from sim2reason.generation.filters.answers import Degenerate
 from sim2reason.generation.filters.well_known import FewSymbols
+from sim2reason.generation.item_search import sample
 from sim2reason.generation.make import make
-from sim2reason.generation.modes.parts import formula_validity
-from sim2reason.generation.modes.parts.problem_symbol import ProblemSymbol, Variation
-from sim2reason.generation.modes.parts.variations import EACH, Variations
+from sim2reason.generation.modes import formula_validity
+from sim2reason.generation.modes.problem_formula import ProblemSymbol, Variation
+from sim2reason.generation.modes.variations import EACH, Variations
 from sim2reason.generation.question_search import NOTHING, QuestionSearch
-from sim2reason.generation.random_scenes import sample
 from sim2reason.generation.request import Request
 from sim2reason.grading import formula
 from sim2reason.questions import MODES, Query, Question, SimulatedScene, Target

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from plain_scenes import half_atwood
+from sim2reason.generation.item_search import sample
 from sim2reason.generation.make import make
 from sim2reason.generation.question_search import QuestionSearch
-from sim2reason.generation.random_scenes import sample
 from sim2reason.generation.request import Request
 from sim2reason.grading import formula
 from sim2reason.questions import MODES, Question, SimulatedScene

@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.generation.recipes.parts.ideas import MIN_RESPONSE_CHANGE, idle_numbers
+from sim2reason.generation.recipes.ranges import MIN_RESPONSE_CHANGE, idle_numbers
 from sim2reason.scenes.bodies.round_bodies import Sphere
 from sim2reason.scenes.entities.pieces import RoundPiece
 

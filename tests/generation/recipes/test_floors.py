@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.generation.recipes.parts.grow import leads_below_floor
+from sim2reason.generation.recipes.growth import leads_below_floor
 from sim2reason.scenes.files import load
 
 SCENE = """

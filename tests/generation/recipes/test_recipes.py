@@ -5,9 +5,11 @@ import pytest
 
 from cells import CELLS, drawn
 from sim2reason.errors import SceneError, UnknownNameError
-from sim2reason.generation.random_scenes import sample
-from sim2reason.generation.recipes import RECIPES, all_recipes, box, hybrid, incline, mixed, pulley
-from sim2reason.generation.recipes.parts.grow import LONGEST_SENTENCE, Tier, grow
+from sim2reason.generation.item_search import sample
+from sim2reason.generation.recipes import RECIPES, all_recipes
+from sim2reason.generation.recipes.growth import LONGEST_SENTENCE, Tier, grow
+from sim2reason.generation.recipes.inclines import BOX_TIERS, INCLINE_TIERS
+from sim2reason.generation.recipes.pulleys import HYBRID_TIERS, MIXED_TIERS, PULLEY_TIERS
 from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
 from sim2reason.scenes.dsl.entity import outer_ports
 from sim2reason.scenes.dsl.measures import Count, Range
@@ -19,11 +21,11 @@ SCENES = 12
 PLANE = ({"TwoSideMassPlane": 1.0},)
 MASSES = {"mass": Range(1.0, 3.0), "pulley mass": Range(0.1, 0.5), "blocks": Count(1, 1)}
 GROWN = {
-    "pulley": pulley.TIERS,
-    "incline": incline.TIERS,
-    "hybrid": hybrid.TIERS,
-    "box": box.TIERS,
-    "mixed": mixed.TIERS,
+    "pulley": PULLEY_TIERS,
+    "incline": INCLINE_TIERS,
+    "hybrid": HYBRID_TIERS,
+    "box": BOX_TIERS,
+    "mixed": MIXED_TIERS,
 }
 
 
@@ -96,7 +98,7 @@ def test_names_say_what_entities_are() -> None:
 
 @pytest.mark.parametrize("difficulty", DIFFICULTIES)
 def test_hybrid_scenes_hold_both_kinds(difficulty: Difficulty) -> None:
-    pulleys, faces = hybrid.TIERS[difficulty].groups
+    pulleys, faces = HYBRID_TIERS[difficulty].groups
     for scene in drawn("hybrid", difficulty, SCENES):
         kinds = {type(named.entity).__name__ for named in scene.entities}
         assert kinds & pulleys.keys()

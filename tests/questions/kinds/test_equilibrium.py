@@ -11,7 +11,7 @@ from lone_entities import alone
 from motions import Motion, rod_pendulum, string_pendulum
 from plain_scenes import atwood
 from sim2reason.errors import SceneError
-from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.item_search import generator
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import KINDS, Query, SimulatedScene, Target, Words
 from sim2reason.questions.kinds.equilibrium import EquilibriumQuery

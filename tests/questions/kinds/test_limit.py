@@ -9,8 +9,8 @@ import pytest
 
 from motions import orbit
 from plain_scenes import G, atwood, half_atwood
+from sim2reason.generation.item_search import sample
 from sim2reason.generation.question_search import QuestionSearch
-from sim2reason.generation.random_scenes import sample
 from sim2reason.questions import KINDS, MODES, Query, SimulatedScene, Target, Words
 from sim2reason.questions.kinds.limit import LimitQuery
 from sim2reason.questions.moments.times import AllAlong
@@ -23,8 +23,8 @@ from sim2reason.simulation.certify import certify_trace
 from sim2reason.simulation.scenes import simulate
 from sim2reason.solutions import solve
 from sim2reason.solutions.closed_forms import closed_form
-from sim2reason.testing.solutions.faults import faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import faults
 from sim2reason.text.prose.description import describe
 from worked import asked
 

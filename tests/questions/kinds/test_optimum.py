@@ -23,8 +23,8 @@ from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.particles import Projectile
 from sim2reason.solutions import solve
-from sim2reason.testing.solutions.faults import faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import faults
 from sim2reason.text.prose.description import describe
 from worked import asked
 

@@ -7,7 +7,7 @@ import pytest
 
 from motions import light_rod, orbit, rod_pendulum, spring_block
 from plain_scenes import atwood
-from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.item_search import generator
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import KINDS, SimulatedScene, Words
 from sim2reason.questions.phrasing import PeriodQuery, sentence

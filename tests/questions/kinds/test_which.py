@@ -12,9 +12,9 @@ from sim2reason.datasets.grade import grade
 from sim2reason.datasets.items import item
 from sim2reason.errors import TextError
 from sim2reason.generation.item import Answer, Distractor, Item
+from sim2reason.generation.item_search import sample
 from sim2reason.generation.options import OTHER, options_of_two
 from sim2reason.generation.question_search import QuestionSearch
-from sim2reason.generation.random_scenes import sample
 from sim2reason.grading import Outcome
 from sim2reason.questions import KINDS, MODES
 from sim2reason.questions.following import simulate_scene

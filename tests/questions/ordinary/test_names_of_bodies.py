@@ -4,7 +4,7 @@ from math import sqrt
 
 import pytest
 
-from sim2reason.datasets.solve import solve
+from sim2reason.datasets.scene_questions import solve
 from sim2reason.errors import TextError
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import loads

@@ -9,7 +9,7 @@ import pytest
 from motions import rod_pendulum
 from plain_scenes import G, atwood, half_atwood, massive, ramp, table
 from sim2reason.errors import SceneError
-from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.item_search import generator
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import Query, SimulatedScene, Target
 from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty

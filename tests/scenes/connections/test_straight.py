@@ -5,7 +5,7 @@ from math import cos, sqrt
 import pytest
 
 from sim2reason import certify, describe, parse_scene
-from sim2reason.generation.recipes.parts.open_ports import OpenPort
+from sim2reason.generation.recipes.ports import OpenPort
 from sim2reason.scenes.bodies.blocks import Slab
 from sim2reason.scenes.bodies.simple_machines import Plane
 from sim2reason.scenes.connections.string import String

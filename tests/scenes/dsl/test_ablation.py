@@ -5,7 +5,7 @@ import pytest
 
 from plain_scenes import massive
 from sim2reason.errors import SceneError, SimulationError
-from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.item_search import sample
 from sim2reason.scenes.dsl.structure import fix_body
 from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.simulation.trace import ENGINES

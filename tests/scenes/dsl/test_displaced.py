@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from sim2reason.errors import SceneError, UnsupportedError
-from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.item_search import generator
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.scenes.dsl.builder import Builder

@@ -3,7 +3,7 @@
 import pytest
 
 from plain_scenes import atwood, ramp
-from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.item_search import generator
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
 from sim2reason.scenes.bodies.blocks import Block

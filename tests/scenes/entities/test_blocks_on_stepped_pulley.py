@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.datasets.solve import solve
+from sim2reason.datasets.scene_questions import solve
 from sim2reason.errors import SceneError
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.shapes import Arc, LineShape

@@ -5,7 +5,7 @@ from math import cos, pi, radians, sin
 
 import pytest
 
-from sim2reason.datasets.solve import solve
+from sim2reason.datasets.scene_questions import solve
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import dump, loads
 from sim2reason.simulation.scenes import certify

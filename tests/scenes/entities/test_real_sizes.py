@@ -5,7 +5,7 @@ from math import cos, log, pi, sin, sqrt
 import numpy as np
 import pytest
 
-from sim2reason.datasets.solve import solve
+from sim2reason.datasets.scene_questions import solve
 from sim2reason.scenes.dsl.measures import Measure
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import dump, loads

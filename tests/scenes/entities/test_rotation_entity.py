@@ -12,8 +12,8 @@ from drawn_entities import certified, drawn_entity, travels
 from lone_entities import alone, followed
 from quadrature import CLOUDS
 from sim2reason.errors import SceneError
+from sim2reason.generation.item_search import sample
 from sim2reason.generation.question_search import QuestionSearch
-from sim2reason.generation.random_scenes import sample
 from sim2reason.scenes.bodies.blocks import PolygonalPrism
 from sim2reason.scenes.bodies.eccentric_bodies import Bowl, Hemisphere, HollowSphereWithHole, SphereWithHole
 from sim2reason.scenes.bodies.oscillators import Bar, FixedBall, UniformRod

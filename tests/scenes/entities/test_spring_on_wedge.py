@@ -5,7 +5,7 @@ from math import cos, pi, radians, sin, sqrt
 import numpy as np
 import pytest
 
-from sim2reason.datasets.solve import solve
+from sim2reason.datasets.scene_questions import solve
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.shapes import Area, LineShape
 from sim2reason.scenes.files import dump, loads

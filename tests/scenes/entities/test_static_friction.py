@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from sim2reason.authoring import Entity, Frame, X, Z, either
-from sim2reason.datasets.solve import solve
+from sim2reason.datasets.scene_questions import solve
 from sim2reason.errors import SceneError
 from sim2reason.figures.drawing import drawing
 from sim2reason.scenes.bodies.blocks import Block

@@ -3,7 +3,7 @@
 import pytest
 
 from sim2reason.errors import SceneError
-from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.item_search import sample
 from sim2reason.scenes.files import Wording, dump, loads, wording_of
 
 SCENE = sample("pulley", "easy", seed=7)

@@ -9,8 +9,8 @@ from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.collisions.long_chains import MIN_NAMES_FOR_ROWS, ROWS, TIME, VELOCITY, group_steps
 from sim2reason.solutions.solution import Relation, Step
 from sim2reason.solutions.writing.merging import merged
-from sim2reason.testing.solutions.faults import WORDS, faults, words
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import WORDS, faults, words
 from worked import settings_of, solution_text
 
 

@@ -22,8 +22,8 @@ from sim2reason.simulation.quantities.subjects.interactions import PAIR_SEPARATO
 from sim2reason.solutions import ProblemContext, Solution, solve
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data
-from sim2reason.testing.solutions.faults import faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import faults
 from worked import asked, solution_text
 
 RADIUS = 0.1

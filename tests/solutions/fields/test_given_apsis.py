@@ -1,7 +1,7 @@
 """A central mass from a least distance that is given: energy and angular momentum, no eccentricity."""
 
 from sim2reason.solutions import solve_prompt
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
 
 COMET = """A star of mass $M$ is fixed at the origin of the x-y plane; the units are the astronomical unit (au), the \
 year (yr) and the solar mass (Msun), in which G = 4π² au³/(Msun yr²). The position of a comet at t = 0 \

@@ -1,7 +1,7 @@
 """Where a force has no component in a field, and the displacement by which a velocity follows."""
 
 from sim2reason.solutions import solve_prompt
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
 
 CROSSED = """There is a uniform magnetic field of strength $B$ in the positive z direction. An electric field is \
 everywhere parallel to the x axis; at x = 0 it has magnitude $E$ and points in the negative x direction, and its x \

@@ -15,8 +15,8 @@ from sim2reason.scenes.entities.particles import EmEntity
 from sim2reason.scenes.entities.varying_fields import GrowingElectric, OscillatingElectric
 from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.solutions import STRATEGIES, Solution, solve, solve_with
-from sim2reason.testing.solutions.faults import faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import faults
 from worked import asked, solution_text
 
 BEAD = "fields.particle"

@@ -12,8 +12,8 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.space import SolarSystem
 from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.solutions import Solution, solve
-from sim2reason.testing.solutions.faults import faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import faults
 from worked import asked, solution_text
 
 PLANET, PAIR = "system.planets.0", "system.planets.0 & system.star"

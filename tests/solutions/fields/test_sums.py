@@ -22,8 +22,8 @@ from sim2reason.scenes.entities.varying_fields import GrowingElectric
 from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.solutions import ProblemContext, Solution, solve
 from sim2reason.solutions.reverse import forward
-from sim2reason.testing.solutions.faults import faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import faults
 from worked import answer, asked
 
 BEAD = "fields.particle"

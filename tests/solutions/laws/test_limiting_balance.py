@@ -6,8 +6,8 @@ import pytest
 
 from sim2reason.datasets.items import item
 from sim2reason.solutions.solve import solve_prompt
-from sim2reason.testing.solutions.faults import faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import faults
 
 BOX = (
     "On a smooth floor a box of mass 9.5 kg with a rough top is free to slide. Its top carries blocks A (6.2 kg) and "

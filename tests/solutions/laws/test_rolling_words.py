@@ -15,7 +15,7 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.rolling import Rolling, RollingEntity, Rough, Spinning, Start
 from sim2reason.solutions import STRATEGIES, Solution, solve, solve_with
 from sim2reason.solutions.solve import solve_prompt
-from sim2reason.testing.solutions.faults import faults
+from sim2reason.testing.solution_verification import faults
 from worked import asked, derived, solution_text
 
 G, MASS, RADIUS = 9.8, 2.0, 0.1

@@ -5,8 +5,8 @@ import re
 import pytest
 
 from sim2reason.solutions import solve
-from sim2reason.testing.solutions.faults import words
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import words
 from worked import settings_of, solution_text
 
 LONGEST = 170  # words of a solution to an easy problem, about 20 of which say that strings stay taut

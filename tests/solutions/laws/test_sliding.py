@@ -18,7 +18,7 @@ from sim2reason.scenes.entities.slopes import MassPrismPlane
 from sim2reason.scenes.entities.stacked_mass_plane import StackedMassPlane
 from sim2reason.solutions import ProblemContext, Solution, solve
 from sim2reason.solutions.solve import solve_prompt
-from sim2reason.testing.solutions.faults import faults
+from sim2reason.testing.solution_verification import faults
 from worked import asked, solution_text
 
 G = 9.8

@@ -12,7 +12,7 @@ from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.rolling import RollingEntity, Rough, Spinning
 from sim2reason.solutions import Solution, solve
-from sim2reason.testing.solutions.faults import faults
+from sim2reason.testing.solution_verification import faults
 from worked import asked, solution_text
 
 ANGLE, DISTANCE, SPIN, RADIUS, MASS = 42.0, 3.4, 16.0, 0.1, 2.0

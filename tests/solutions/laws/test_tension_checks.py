@@ -6,8 +6,8 @@ from sim2reason.questions.prompt_formats import parse_parts
 from sim2reason.solutions import solve, solve_prompt
 from sim2reason.solutions.multipart.in_sequence import sequential_solutions
 from sim2reason.solutions.solve import setting_of
-from sim2reason.testing.solutions.faults import faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import faults
 
 ATWOOD = r"""A light string is tied to block A of mass 3.9 kg; it runs straight up, passes over a light hanging pulley \
 P and runs straight down to block B of mass 2.9 kg. Block C of mass 3.4 kg hangs from another light \

@@ -10,7 +10,7 @@ from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.solutions import STRATEGIES, ProblemContext, Solution, solve_with
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
 from worked import asked
 
 TIME, STEP = 0.3, 1e-4  # s

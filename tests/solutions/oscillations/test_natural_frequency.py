@@ -8,7 +8,7 @@ from plain_scenes import row
 from sim2reason.questions import StatedResult
 from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.solutions import STRATEGIES, Solution, solve_with
-from sim2reason.testing.solutions.faults import faults
+from sim2reason.testing.solution_verification import faults
 from worked import asked
 
 MASSES, SPRINGS = (3.9, 2.8), (142.0, 139.0)

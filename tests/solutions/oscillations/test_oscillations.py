@@ -27,8 +27,8 @@ from sim2reason.scenes.entities.string_ends import Hanging, HangingMass
 from sim2reason.solutions import STRATEGIES, ProblemContext, Solution, solve, solve_with
 from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.solution import RELATION_RTOL
-from sim2reason.testing.solutions.faults import SEEN, faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import SEEN, faults
 from worked import asked, solution_text
 
 G, STIFFNESS, MASS = 9.8, 50.0, 2.0

@@ -13,7 +13,7 @@ from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import Halted, Stopped
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.solutions import Solution, solve
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
 from worked import asked, derived, solution_text
 
 CART, SPRING = "row.carts.0", "row.springs.0"

@@ -1,7 +1,7 @@
 """Strings that stay taut while what hangs on them oscillates, and tensions that are greatest at an end."""
 
 from sim2reason.solutions import solve_prompt
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
 from worked import solution_text
 
 HUNG = """On a fixed smooth plane inclined at 18° to the horizontal lies block A (3.5 kg). A light spring with a \

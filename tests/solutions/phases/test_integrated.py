@@ -20,7 +20,7 @@ from sim2reason.solutions import STRATEGIES, ProblemContext, Solution, solve_wit
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data
 from sim2reason.solutions.solution import Step
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
 from worked import asked
 
 G = 9.8

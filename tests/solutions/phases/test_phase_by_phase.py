@@ -14,8 +14,8 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import loads
 from sim2reason.solutions import STRATEGIES, Solution, solve_with
 from sim2reason.solutions.solve import solve_prompt
-from sim2reason.testing.solutions.faults import faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import faults
 from worked import asked
 
 SLABS = (

@@ -20,8 +20,8 @@ from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data
 from sim2reason.solutions.laws.equations_of_motion import EquationsOfMotion
-from sim2reason.testing.solutions.faults import faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import faults
 from worked import asked
 
 PLANETS = (

@@ -33,8 +33,8 @@ from sim2reason.solutions import STRATEGIES, ProblemContext, Solution, solve, so
 from sim2reason.solutions.closed_forms import closed_form
 from sim2reason.solutions.solution import RELATION_RTOL
 from sim2reason.solutions.swings.carriage import carriage_system
-from sim2reason.testing.solutions.faults import SEEN, faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import SEEN, faults
 from worked import asked, solution_text
 
 NAME = "momentum and energy on a carriage"

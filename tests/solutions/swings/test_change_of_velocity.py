@@ -1,7 +1,7 @@
 """Between which velocities a momentum changes, on which side a ball turns back, and where its speed is meant."""
 
 from sim2reason.solutions import solve_prompt
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
 
 SLACK = """In this problem g = 9.8 m/s². A light, inextensible string of length 1.9 m joins a small ball (0.23 kg) \
 to a fixed point. To begin with, the ball hangs straight down. At t = 0 the ball is set moving \

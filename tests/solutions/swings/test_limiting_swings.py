@@ -15,8 +15,8 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.entities.pendulums import Pendulum, RotationEntity
 from sim2reason.scenes.entities.pieces import AxialPiece, CappedPiece
 from sim2reason.solutions import Solution, solve
-from sim2reason.testing.solutions.faults import SEEN, faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import SEEN, faults
 from worked import asked
 
 G, LENGTH, ANGLE = 9.8, 0.8, 40.0

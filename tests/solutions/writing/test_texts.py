@@ -32,8 +32,8 @@ from sim2reason.solutions.writing.asked_units import convert_answer
 from sim2reason.solutions.writing.merging import merged
 from sim2reason.solutions.writing.steps import SolutionBuilder
 from sim2reason.solutions.writing.unit_latex import latex, unit_of
-from sim2reason.testing.solutions.faults import faults
-from sim2reason.testing.solutions.reading import read
+from sim2reason.testing.solution_text import read
+from sim2reason.testing.solution_verification import faults
 from worked import asked
 
 BEAD = "fields.particle"

@@ -27,8 +27,7 @@ from sim2reason.scenes.entities.two_d_collision_plane import PairRestitution
 from sim2reason.scenes.files import load
 from sim2reason.simulation.engines.exact import simulate
 from sim2reason.simulation.quantities import QUANTITIES
-from sim2reason.testing.checks.round_trip import meaning, meant, numbers
-from sim2reason.testing.checks.texts import spare, together, without_one
+from sim2reason.testing.checks.texts import meaning, meant, numbers, spare, together, without_one
 from sim2reason.text.parsing import parse_scene
 from sim2reason.text.parsing.equivalence import Signature, signature
 from sim2reason.text.parsing.ordinary.content import forms

@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.item_search import sample
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.text.prose.description import describe, with_names, without_names
 from sim2reason.text.prose.voices import symbolic_but_zero

@@ -5,7 +5,7 @@ import re
 import pytest
 
 from plain_scenes import row
-from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.item_search import sample
 from sim2reason.questions.moments.distances import Closest, Farthest
 from sim2reason.questions.prompt import words_of
 from sim2reason.scenes.entities.string_ends import FRICTION_ON_PLANE

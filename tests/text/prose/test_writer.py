@@ -6,7 +6,7 @@ from typing import get_args
 import pytest
 
 from sim2reason.errors import SceneError
-from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.item_search import sample
 from sim2reason.scenes.bodies.blocks import Block
 from sim2reason.scenes.bodies.simple_machines import FixedPulley, Plane
 from sim2reason.scenes.connections.string import String

@@ -1,4 +1,4 @@
-"""Exports: datasets in the formats of libraries for training and evaluation, one module each."""
+"""Exports: datasets in the formats of libraries for training and evaluation."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence

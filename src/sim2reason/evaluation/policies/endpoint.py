@@ -14,7 +14,7 @@ from urllib.parse import urlsplit
 from annotated_types import Ge, Gt, Le
 from pydantic import Field, FiniteFloat, JsonValue, PrivateAttr, field_validator, model_validator
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.errors import PolicyError
 from sim2reason.evaluation.policies import POLICIES, Completion, Policy, SampleRequest
 from sim2reason.evaluation.policies.parts.chat_answers import Fault, read

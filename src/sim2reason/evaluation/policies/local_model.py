@@ -9,8 +9,8 @@ from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
 from annotated_types import Ge, Le
 
-from sim2reason.base.lazy import cached_property
 from sim2reason.base.optional import optional
+from sim2reason.base.records import cached_property
 from sim2reason.errors import PolicyError
 from sim2reason.evaluation.policies import POLICIES, Completion, Finish, Policy, SampleRequest
 from sim2reason.evaluation.policies.parts.decoding import Decoder

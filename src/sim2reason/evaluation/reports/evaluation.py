@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from sim2reason.base.record import counted
+from sim2reason.base.records import counted
 from sim2reason.errors import PolicyError, Sim2ReasonError
 from sim2reason.evaluation.benchmarks.runs.config import Evaluation, evaluation_from
 from sim2reason.evaluation.benchmarks.runs.folder import RunFolder

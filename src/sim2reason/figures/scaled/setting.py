@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 from itertools import product
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.figures.pieces import VALUE_TOLERANCE, DrawingPlan
 from sim2reason.figures.plane import COILED, FROM_ABOVE, NEIGHBOUR_GAP, RIGHT, SPAN, View, fitting, sides
 from sim2reason.scenes.dsl.body import Axial, Body, BodyLook, Capped, Rectangular, Silhouette, Small, Spherical

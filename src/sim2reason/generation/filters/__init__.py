@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from math import inf, isfinite
 from typing import ClassVar, Self
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.base.registry import Registry
 from sim2reason.questions import KINDS, MODES, Kind, Query, Question, SimulatedScene, Words
 from sim2reason.questions.accuracy import TOLERANCE

@@ -7,7 +7,7 @@ from math import sqrt
 import numpy as np
 
 from sim2reason.generation.filters import FILTERS, Candidate, Filter
-from sim2reason.generation.filters.parts.numbers import elasticities, givens
+from sim2reason.generation.filters.sensitivity import elasticities, givens
 from sim2reason.generation.modes.reverse import why_undetermined
 from sim2reason.questions import KINDS
 from sim2reason.questions.choices import smallest_answer

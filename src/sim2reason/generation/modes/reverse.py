@@ -6,7 +6,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from sim2reason.generation.modes.parts.likely_answers import likely_answers
+from sim2reason.generation.modes.problem_formula import likely_answers
 from sim2reason.questions import (
     KINDS,
     Kind,

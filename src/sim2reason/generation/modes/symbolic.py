@@ -1,13 +1,15 @@
-"""The symbolic mode: all stated numbers are symbols, and the answer is a formula."""
+"""The symbolic mode: stated numbers are symbols, and the answer is a formula under stated assumptions."""
 
+import re
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 
-from sim2reason.generation.modes.parts.assumptions import assumed_in, assuming, split_assumptions
-from sim2reason.generation.modes.parts.formula_validity import FormulaValidity
-from sim2reason.generation.modes.parts.problem_symbol import ProblemSymbol
-from sim2reason.generation.modes.parts.variations import Variations
+from sim2reason.generation.modes.formula_validity import FormulaValidity
+from sim2reason.generation.modes.problem_formula import ProblemSymbol
+from sim2reason.generation.modes.variations import Variations
 from sim2reason.questions import (
     KINDS,
     MODES,
@@ -25,6 +27,7 @@ from sim2reason.questions.kinds import kinds_by_share
 from sim2reason.questions.kinds.nested import NestedQuery
 from sim2reason.questions.phrasing import chosen, sentence
 from sim2reason.questions.query import targets
+from sim2reason.questions.regimes import Regime, possible
 from sim2reason.questions.sentences import parse_question
 from sim2reason.questions.words import OwnSymbol, symbol_for
 from sim2reason.scenes.dsl.mechanism import Mechanism
@@ -36,6 +39,65 @@ from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.strategies import applicable_strategies
 from sim2reason.text.prose.description import Description, factor, with_names
 from sim2reason.text.prose.voices import symbolic_but_zero
+
+ASSUME = "Assume that "
+_JOINTS = re.compile(r", and that |, that | and that ")
+MAX_PARSES = 1000  # parses of one sentence that are tried
+
+
+def assuming(assumed: Sequence[Regime], words: Words) -> str:
+    """Return the sentence that states some assumptions.
+
+    For example: *assume that block A moves down the slope and that the string stays taut*. Assumptions are in the order
+    of time: the start, the whole motion, the moment. If two consecutive clauses concern one body, the second one calls
+    it *it*.
+    """
+    ordered = sorted(assumed, key=lambda held: (held.stage, held.clause(words)))
+    clauses = [_clause(held, ordered[:number], assumed, words) for number, held in enumerate(ordered)]
+    if len(clauses) < 3:
+        return f"{ASSUME}{' and that '.join(clauses)}."
+    return f"{ASSUME}{', that '.join(clauses[:-1])}, and that {clauses[-1]}."
+
+
+def assumed_in(sentence: str, study: SimulatedScene, words: Words) -> tuple[Regime, ...] | None:
+    """Return the assumptions that a sentence states about a scene; None if it is not such a sentence."""
+    said = _JOINTS.split(sentence.removeprefix(ASSUME).removesuffix("."))
+    regimes = possible(study, words)
+    meant = [[held for held in regimes if clause in _forms(held, words)] for clause in said]
+    readings = product(*meant)
+    for _, reading in zip(range(MAX_PARSES), readings, strict=False):
+        if assuming(reading, words) == sentence:
+            return reading
+    return None
+
+
+def split_assumptions(text: str) -> tuple[str, str]:
+    """Split a question into its assumptions (may be empty) and the rest."""
+    asked, stop, assumed = text.partition(f" {ASSUME}")
+    return f"{ASSUME}{assumed}" if stop else "", asked
+
+
+def _clause(held: Regime, before: Sequence[Regime], beside: Sequence[Regime], words: Words) -> str:
+    clause, subject = held.clause_beside(words, beside), _subject(held, words)
+    same = bool(before) and subject and subject == _subject(before[-1], words)
+    return _with_it(clause, subject) if same else clause
+
+
+def _forms(held: Regime, words: Words) -> Iterator[str]:
+    for clause in (held.clause(words), held.short_clause(words)):
+        yield clause
+        yield _with_it(clause, _subject(held, words))
+
+
+def _subject(held: Regime, words: Words) -> str:
+    """Return the name of the body with which a clause begins; empty without a single body."""
+    called = words.called(held.of).get(held.name, "")
+    return called if called and held.clause(words).startswith(f"{called} ") else ""
+
+
+def _with_it(clause: str, subject: str) -> str:
+    return f"it{clause.removeprefix(subject)}" if subject else clause
+
 
 DRAWS = 3  # questions of one kind
 UNDERIVED = 8  # consecutive questions without a formula after which a scene is abandoned

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import dist
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.errors import SceneError
 from sim2reason.scenes.dsl.mechanism import (
     GRAVITY,

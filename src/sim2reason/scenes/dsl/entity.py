@@ -6,7 +6,7 @@ from typing import Annotated, Any, ClassVar, Self, TypeVar, cast
 
 from pydantic import ConfigDict, Field, SerializeAsAny, model_validator
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.base.registry import Registry
 from sim2reason.scenes.dsl.body import Body
 from sim2reason.scenes.dsl.builder import Builder, Frame

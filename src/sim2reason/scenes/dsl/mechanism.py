@@ -7,8 +7,7 @@ reader, z up. All numbers are in one coherent system of units, SI unless `units`
 from math import inf
 from typing import ClassVar, Literal
 
-from sim2reason.base.lazy import Memo, cached_property
-from sim2reason.base.record import counted, record
+from sim2reason.base.records import Memo, cached_property, counted, record
 from sim2reason.scenes.dsl.fields import Law
 from sim2reason.scenes.dsl.units import SI, UnitSystem
 from sim2reason.scenes.dsl.vectors import Region, Tensor, Vector

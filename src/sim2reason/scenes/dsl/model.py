@@ -10,7 +10,7 @@ import numpy as np
 from annotated_types import Ge, Gt, Le, Lt
 from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
 
-from sim2reason.base.record import record
+from sim2reason.base.records import record
 from sim2reason.errors import SceneError
 from sim2reason.scenes.dsl.measures import (
     Above,

@@ -5,8 +5,7 @@ from typing import Any, Self, cast
 
 from pydantic import SerializeAsAny, model_validator
 
-from sim2reason.base.lazy import cached_property
-from sim2reason.base.record import abridged, counted
+from sim2reason.base.records import abridged, cached_property, counted
 from sim2reason.errors import SceneError
 from sim2reason.scenes.dsl.addresses import idle_fields, lookup, with_values, without_idle_fields
 from sim2reason.scenes.dsl.body import Body

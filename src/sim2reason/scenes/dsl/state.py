@@ -10,8 +10,7 @@ from typing import NamedTuple, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.base.lazy import cached_property
-from sim2reason.base.record import counted, record
+from sim2reason.base.records import cached_property, counted, record
 from sim2reason.errors import SceneError, UnsupportedError
 from sim2reason.scenes.dsl.frames import BodyFrame, Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import (

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.solutions.algebra.evaluated import NumericFormula
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied
 from sim2reason.solutions.algebra.fractions import (

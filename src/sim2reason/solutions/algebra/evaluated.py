@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import pi
 
-from sim2reason.base.record import record
+from sim2reason.base.records import record
 from sim2reason.solutions.algebra.digits import round_to_digits, rounded_latex, with_guard_digits
 from sim2reason.solutions.algebra.expressions import Expression, Number, Scalar, Values
 

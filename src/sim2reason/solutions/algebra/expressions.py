@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from math import prod
 
-from sim2reason.base.record import record
+from sim2reason.base.records import record
 from sim2reason.solutions.algebra.digits import pure_number
 
 FRACTION = r"\frac{"

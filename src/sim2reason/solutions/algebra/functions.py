@@ -8,7 +8,7 @@ from typing import Literal, cast
 
 import numpy as np
 
-from sim2reason.base.record import record
+from sim2reason.base.records import record
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.evaluated import NumericFormula
 from sim2reason.solutions.algebra.expressions import (

@@ -3,7 +3,7 @@
 from collections.abc import Collection, Iterable, Mapping
 from typing import Self
 
-from sim2reason.base.record import record
+from sim2reason.base.records import record
 from sim2reason.solutions.algebra.expressions import (
     ZERO,
     Expression,

@@ -6,7 +6,7 @@ from functools import reduce
 from itertools import combinations
 from math import copysign, gcd, isclose, sqrt
 
-from sim2reason.base.record import record
+from sim2reason.base.records import record
 from sim2reason.solutions.algebra.digits import simple_fraction
 from sim2reason.solutions.algebra.expressions import (
     ONE,

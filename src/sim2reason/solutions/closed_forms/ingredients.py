@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import isclose
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.solutions.algebra.expressions import Expression, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Absolute
 from sim2reason.solutions.algebra.inverse import substitute

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.scenes.dsl.frames import Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import CollisionPair
 from sim2reason.scenes.dsl.vectors import Vector, dot

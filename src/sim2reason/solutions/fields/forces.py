@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.scenes.bodies.charges import ChargedBead
 from sim2reason.scenes.dsl.fields import Magnetic, Profile, Push, Resistance
 from sim2reason.scenes.dsl.mechanism import Force, Mechanism

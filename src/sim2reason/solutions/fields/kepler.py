@@ -8,7 +8,7 @@ c₁ r₀ + c₂ v₀ with Lagrange's coefficients (Bate, Mueller and White, *Fu
 from collections.abc import Callable
 from math import cos, pi, sin
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.vectors import minus
 from sim2reason.solutions.algebra.evaluated import NumericRoot

@@ -2,7 +2,7 @@
 
 from functools import reduce
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Product, Symbol, multiplied
 from sim2reason.solutions.algebra.functions import Call, Power, Root, vector_length
 from sim2reason.solutions.fields.forces import AXES, TURNS, ElectricAcceleration, Fields

@@ -2,7 +2,7 @@
 
 from abc import ABC, abstractmethod
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.fields.forces import AXES, ElectricAcceleration, Fields

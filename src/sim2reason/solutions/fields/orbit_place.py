@@ -3,7 +3,7 @@
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.fields.kepler import TWO, KeplerOrbit

@@ -1,6 +1,6 @@
 """Position and velocity of a body in orbit after its polar angle has increased by 90° or 180°."""
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
 from sim2reason.solutions.fields.kepler import TWO, KeplerOrbit

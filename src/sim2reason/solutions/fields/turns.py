@@ -2,7 +2,7 @@
 
 from math import radians
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.functionals.kinematics import GreatestXAxisDistance, GreatestYAxisDistance
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.fields import AcrossField, VelocityReturned, VelocityTurned

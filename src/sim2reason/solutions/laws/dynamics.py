@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.scenes.dsl.vectors import dot
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total

@@ -4,7 +4,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 import numpy as np
 
-from sim2reason.grading.evaluate import compiled
+from sim2reason.grading.formula import compiled
 from sim2reason.questions.regimes.directions import MovesOneWay
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Absolute

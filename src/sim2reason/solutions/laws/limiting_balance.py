@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import reduce
 from operator import mul
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.scenes.dsl.fields import Push
 from sim2reason.scenes.dsl.frames import Frames, initial_frames
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Line, Mechanism

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Attraction, MassEjection, Mechanism

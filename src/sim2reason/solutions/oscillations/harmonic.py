@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from math import atan2, cos, pi, sin, sqrt
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.solutions.algebra.closed_roots import fraction
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.fractions import reduced_quotient

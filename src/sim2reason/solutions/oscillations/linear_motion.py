@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
 from sim2reason.scenes.dsl.state import Array

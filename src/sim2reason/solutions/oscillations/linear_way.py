@@ -2,7 +2,7 @@
 
 from abc import abstractmethod
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.scenes.dsl.vectors import Vector, dot
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.elimination import solve_linear

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import hypot
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.strings import MostCompressed, MostStretched, NaturalLength
 from sim2reason.scenes.dsl.frames import initial_frames

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.evaluated import NumericFormula, QuadraticRoot
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol

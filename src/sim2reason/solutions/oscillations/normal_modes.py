@@ -6,7 +6,7 @@ from math import inf
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.phrasing import SPEEDS, PeriodQuery
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.elimination import solve_linear

@@ -5,7 +5,7 @@ from typing import Self
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.scenes.bodies.simple_machines import Track
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.expressions import Number, Symbol

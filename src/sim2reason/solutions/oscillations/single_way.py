@@ -4,7 +4,7 @@ from abc import abstractmethod
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.scenes.dsl.state import Array

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.engines.exact.lengths import RowKind

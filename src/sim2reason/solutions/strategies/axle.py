@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from math import cos
 from typing import ClassVar
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.dsl.mechanism import Mechanism

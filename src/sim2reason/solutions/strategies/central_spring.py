@@ -9,7 +9,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.strings import MostCompressed, MostStretched, NaturalLength
 from sim2reason.scenes.dsl.mechanism import Mechanism

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import Expression, Symbol

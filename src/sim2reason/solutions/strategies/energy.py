@@ -7,7 +7,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.moments.contacts import StoppedSlipping
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.strings import MostCompressed, MostStretched, NaturalLength

@@ -1,6 +1,6 @@
 """Forces at the start: Newton's law with the initial forces of springs and attracting bodies."""
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Elastic, Line, Mechanism

@@ -6,7 +6,7 @@ See Lapidus, Motion of a harmonic oscillator with sliding friction, American Jou
 from collections.abc import Sequence
 from math import pi
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.strings import NaturalLength
 from sim2reason.questions.moments.times import AtTime

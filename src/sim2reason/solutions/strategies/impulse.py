@@ -5,7 +5,7 @@ from math import inf
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.difficulty import Need
 from sim2reason.questions.moments.bounces import Bounced, Landed
 from sim2reason.questions.moments.contacts import Collided, LastCollision

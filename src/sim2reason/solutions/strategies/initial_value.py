@@ -1,6 +1,6 @@
 """Initial value: a speed or a kinetic energy at the start, where it is the extreme one of a stretch of motion."""
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import Symbol

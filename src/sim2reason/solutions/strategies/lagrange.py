@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.difficulty import Need
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.strings import MostCompressed, MostStretched, NaturalLength

@@ -1,6 +1,6 @@
 """Orbit: a light body around a fixed one, by energy, angular momentum and Kepler's laws."""
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.angles import Orbited
 from sim2reason.questions.moments.distances import Away, Closest, Farthest

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.aggregates import Extreme
 from sim2reason.questions.kinds.stretches import StretchQuery

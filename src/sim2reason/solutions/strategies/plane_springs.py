@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import atan2, pi, sin
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.difficulty import Need
 from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.dsl.frames import initial_frames

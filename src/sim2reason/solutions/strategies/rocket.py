@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtStart, AtTime, BurnedOut

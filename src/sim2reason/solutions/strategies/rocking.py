@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from math import hypot, inf
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.dsl.mechanism import Mechanism

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import ClassVar
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.strings import WentTaut
 from sim2reason.questions.moments.times import AtTime

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from math import acos, sqrt
 from typing import ClassVar
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.distances import Away
 from sim2reason.questions.moments.strings import MostCompressed, MostStretched, NaturalLength

@@ -5,7 +5,7 @@ See any textbook, such as Kleppner and Kolenkow, An Introduction to Mechanics, c
 
 from collections.abc import Mapping
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import Symbol

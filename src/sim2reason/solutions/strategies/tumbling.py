@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from math import radians
 from typing import ClassVar
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.moments.angles import TurnedThrough
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint

@@ -6,7 +6,7 @@ from math import atan2, hypot, pi
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.regimes.directions import SideOfCenterOfMass
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Mechanism

@@ -5,7 +5,7 @@ Mechanics, chapters 5 and 6, and Landau and Lifshitz, Mechanics, section 5, prob
 accelerates all bodies: in the frame with this acceleration, momentum is conserved and inertial forces do work.
 """
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.moments.angles import Deflected
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root, sum_of_squares

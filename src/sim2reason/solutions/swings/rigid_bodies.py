@@ -6,7 +6,7 @@ from math import ceil, pi
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.quantities.subjects.rotating_parts import ACROSS

@@ -5,7 +5,7 @@ from math import cos
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.simulation.trace import Event
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, ratio
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, sum_of_squares

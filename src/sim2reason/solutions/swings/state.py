@@ -4,7 +4,7 @@ from math import cos
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added, multiplied, ratio

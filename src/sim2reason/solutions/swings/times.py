@@ -6,7 +6,7 @@ k ω₀ t = F(θ, 1/k).
 
 from math import sin
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.solutions.algebra.evaluated import Amplitude, CompleteElliptic, IncompleteElliptic, SpecialFunction
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root

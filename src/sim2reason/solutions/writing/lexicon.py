@@ -15,8 +15,7 @@ from typing import cast
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
-from sim2reason.base.record import record
+from sim2reason.base.records import cached_property, record
 from sim2reason.errors import SceneError
 from sim2reason.scenes.dsl.measures import MIN_PLAIN_NUMBER, VAST
 from sim2reason.scenes.dsl.mechanism import Mechanism

@@ -1,4 +1,4 @@
-"""The checks of the conformance kit, one file each."""
+"""The checks of the conformance kit."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator

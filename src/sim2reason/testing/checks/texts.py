@@ -1,20 +1,81 @@
-"""Checks of texts: wordings, symbols, and indispensable numbers."""
+"""Checks of texts and files: wordings, symbols, true statements, and the round trip from a scene and back."""
 
-from collections.abc import Iterator
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from typing import get_args
 
-from sim2reason.errors import TextError
+from sim2reason.errors import SceneError, TextError
 from sim2reason.scenes.dsl.choices import reachable
 from sim2reason.scenes.dsl.entity import Part
+from sim2reason.scenes.dsl.fields import Resistance
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.structure import weighs
 from sim2reason.scenes.dsl.template import PartLines, Topic, variants
+from sim2reason.scenes.files import load
 from sim2reason.testing.checks import Check, check
-from sim2reason.testing.checks.round_trip import meaning, meant
 from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import Specimen, Specimens, changed, stated_by_word, stated_numbers
-from sim2reason.text.parsing import parse_scene
+from sim2reason.text.parsing import ParsedScene, parse_scene
+from sim2reason.text.parsing.equivalence import Signature, signature
+from sim2reason.text.parsing.ordinary.textbook import AIRLESS
 from sim2reason.text.parsing.sentences import pieces
 from sim2reason.text.prose.description import Description, describe
 from sim2reason.text.prose.voices import hiding, symbolic
+
+WORDINGS = 3
+
+
+@check
+class RoundTripCheck(Check):
+    """Check that files and texts, in several wordings, parse back to the same scene."""
+
+    name = "round trip"
+
+    def findings(self, specimens: Specimens) -> Iterator[Finding]:
+        """Write and parse all scenes, each in several wordings."""
+        for found in specimens.members:
+            yield from self._file(found)
+            wordings = range(found.seed, found.seed + WORDINGS)
+            yield from (lost for seed in wordings for lost in self._text(found, describe(found.scene, seed)))
+
+    def _file(self, found: Specimen) -> Iterator[Finding]:
+        expected, remedy = "the file of a scene loads as that scene", "declare all that build uses as fields"
+        try:
+            if load(found.file) != found.scene:
+                yield found.finding(self.name, expected, "it loads as another one", remedy)
+        except SceneError as error:
+            yield found.finding(self.name, expected, f"it is refused: {error}", remedy)
+
+    def _text(self, found: Specimen, description: Description) -> Iterator[Finding]:
+        expected = "the text is read back as the scene that it tells"
+        remedy = "let lines differ in their words where they differ in meaning, and say all that build uses"
+        try:
+            parsed = parse_scene(description.text)
+        except SceneError as error:
+            yield found.finding(self.name, expected, f"{error}\n  text: {description.text}", remedy)
+            return
+        if meant(parsed) != meaning(description) or numbers(parsed.scene) != numbers(description.scene):
+            other = "it is read as another scene"
+            yield found.finding(self.name, expected, f"{other}\n  text: {description.text}", remedy)
+
+
+def meaning(description: Description) -> Signature:
+    """Return the equivalence signature of a described scene, by the names in its text."""
+    scene = description.scene
+    return signature(scene, {address: description.mention(address) for address in scene.bodies})
+
+
+def meant(parsed: ParsedScene) -> Signature:
+    """Return the equivalence signature of a parsed text."""
+    return signature(parsed.scene, parsed.mentions)
+
+
+def numbers(scene: Scene) -> list[tuple[str, float]]:
+    """Return all stated numbers; a massless pulley may belong to an entity or to a string."""
+    said = [(p.measure.name, p.value) for p in scene.parameters if not p.hidden and p.value is not None]
+    return sorted(number for number in said if number != ("pulley mass", 0.0))
+
 
 MIN_WORDINGS = 3
 
@@ -147,3 +208,84 @@ def without_one(parts: list[str]) -> Iterator[tuple[str, str]]:
 def together(parts: list[str]) -> str:
     """Return sentences and tables joined to one text."""
     return "".join(f"\n\n{part}\n\n" if part.startswith("|") else f" {part}" for part in parts).strip()
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """A claim that something is absent, in the words of texts, and the scenes that it is false of."""
+
+    absent: str
+    pattern: re.Pattern[str]
+    is_false: Callable[[Scene], bool]
+
+
+def _has_drag(scene: Scene) -> bool:
+    return any(isinstance(force.law, Resistance) for force in scene.mechanism.forces)
+
+
+def _has_friction(scene: Scene) -> bool:
+    return any(face.friction > 0.0 for face in scene.mechanism.faces)
+
+
+def _has_motion_at_the_start(scene: Scene) -> bool:
+    return not scene.starts_from_rest
+
+
+def _has_weight(scene: Scene) -> bool:
+    return weighs(scene.mechanism)
+
+
+_NEGLIGIBLE = r"(?:is|are|can be|may be) (?:negligible|neglected|ignored|absent)"
+CLAIMS = (
+    Claim(
+        "resistance of a medium",
+        re.compile("|".join((*AIRLESS, r"in (?:a )?vacuum")), re.IGNORECASE),
+        _has_drag,
+    ),
+    Claim(
+        "friction",
+        re.compile(
+            rf"friction {_NEGLIGIBLE}|(?:neglect|ignore) (?:all )?friction"
+            r"|there is no friction(?! (?:at|in|between|on))|(?:all|the) surfaces are (?:smooth|frictionless)",
+            re.IGNORECASE,
+        ),
+        _has_friction,
+    ),
+    Claim(
+        "initial motion",
+        re.compile(
+            r"(?:everything|the system|the motion|the bodies|all bodies) (?:is|are|starts?|begins?) "
+            r"(?:released from rest|from rest|held at rest)",
+            re.IGNORECASE,
+        ),
+        _has_motion_at_the_start,
+    ),
+    Claim(
+        "gravity",
+        re.compile(
+            rf"gravity {_NEGLIGIBLE}|(?:neglect|ignore) gravity|(?:no|without) gravity|weightless", re.IGNORECASE
+        ),
+        _has_weight,
+    ),
+)
+"""Claims about a whole scene; a claim about one body, as *a smooth plane*, is a word of that body."""
+
+
+@check
+class ClaimsCheck(Check):
+    """Check that no sentence says that something is absent which the scene has, such as the resistance of the air."""
+
+    name = "claims"
+
+    def findings(self, specimens: Specimens) -> Iterator[Finding]:
+        """Yield each sentence that denies what its scene has."""
+        for found in specimens.members:
+            yield from self._false_claims(found)
+
+    def _false_claims(self, found: Specimen) -> Iterator[Finding]:
+        for sentence in found.description.sentences:
+            for claim in CLAIMS:
+                if claim.pattern.search(sentence) and claim.is_false(found.scene):
+                    expected = f"no sentence denies the {claim.absent} of the scene"
+                    remedy = "say that sentence only where it is true, or leave out what it denies"
+                    yield found.finding(self.name, expected, f"{sentence!r}", remedy)

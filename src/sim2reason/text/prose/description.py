@@ -8,7 +8,7 @@ from functools import cache
 
 import numpy as np
 
-from sim2reason.base.record import abridged
+from sim2reason.base.records import abridged
 from sim2reason.errors import SceneError
 from sim2reason.scenes.dsl.body import BODIES, Body
 from sim2reason.scenes.dsl.measures import join_unit

@@ -5,7 +5,7 @@ from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.errors import SceneError, UnknownNameError
 from sim2reason.scenes.dsl.model import Parameter, parameters
 from sim2reason.scenes.dsl.scene import Scene

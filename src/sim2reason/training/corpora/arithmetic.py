@@ -9,9 +9,8 @@ from annotated_types import Ge, Le
 from pydantic import Field, field_validator
 
 from sim2reason.generation.certified import worked_solution
-from sim2reason.generation.item_search import ItemSearch
+from sim2reason.generation.item_search import ItemSearch, generator
 from sim2reason.generation.make import item_of
-from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.request import Request
 from sim2reason.training.corpora import CORPORA, Corpus, Row
 from sim2reason.training.corpora.parts.drawing import drawn_rows

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from copy import deepcopy
 from typing import Any, TypeAlias
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.evaluation.policies.parts.decoding import Decoder, check_recordable
 from sim2reason.training.extras import library
 

@@ -1,6 +1,6 @@
 """A random control reward."""
 
-from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.item_search import generator
 from sim2reason.training.problem import Problem
 from sim2reason.training.rewards import REWARDS, Reward
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from sim2reason.errors import TrainingError
-from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.item_search import generator
 from sim2reason.training.extras import External, library
 from sim2reason.training.models import Loaded
 from sim2reason.training.optimizers import muon_with_adamw

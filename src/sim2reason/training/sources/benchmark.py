@@ -6,11 +6,11 @@ from typing import Annotated, Any
 from annotated_types import Ge, Le
 from pydantic import field_validator
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.errors import Sim2ReasonError
 from sim2reason.evaluation.benchmarks import Benchmark, BenchmarkItem, benchmark_from, items_of
 from sim2reason.evaluation.benchmarks.scoring import SCORINGS
-from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.item_search import generator
 from sim2reason.generation.request import LARGEST
 from sim2reason.training.problem import Problem
 from sim2reason.training.sources import SOURCES, ProblemSource

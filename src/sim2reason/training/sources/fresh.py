@@ -7,7 +7,7 @@ from typing import Annotated, Self
 from annotated_types import Ge, Le
 from pydantic import Field, field_validator, model_validator
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.base.settings import validated
 from sim2reason.datasets.duplicates import variant
 from sim2reason.datasets.plan import Chosen, Config, difficulties_named, modes_named, recipes_named

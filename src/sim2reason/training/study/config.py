@@ -7,7 +7,7 @@ from typing import Annotated, Any, NamedTuple, Self, cast
 from annotated_types import Ge, Le, MinLen
 from pydantic import BaseModel, BeforeValidator, ConfigDict, TypeAdapter, model_validator
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.base.settings import configuration, settings_in
 from sim2reason.errors import Sim2ReasonError, TrainingError
 from sim2reason.evaluation.policies import Name

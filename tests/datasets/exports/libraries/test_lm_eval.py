@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import sim2reason
-from sim2reason.datasets.exports.multiple_choice import LETTERS
+from sim2reason.datasets.exports.formats import LETTERS
 from sim2reason.generation.item import Item
 
 LEAST = 100  # rows

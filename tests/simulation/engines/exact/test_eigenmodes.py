@@ -6,7 +6,7 @@ from math import cos, radians, sin, sqrt
 import numpy as np
 import pytest
 
-from sim2reason.datasets.solve import solve
+from sim2reason.datasets.scene_questions import solve
 from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.state import Array

@@ -3,7 +3,7 @@
 import re
 from typing import Final, cast
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.evaluation.benchmarks.scoring import SCORINGS, Award, Reference, Scoring
 from sim2reason.evaluation.benchmarks.scoring.parts.answers import (
     agrees,
@@ -18,8 +18,7 @@ from sim2reason.evaluation.benchmarks.scoring.parts.answers import (
 from sim2reason.evaluation.benchmarks.scoring.parts.killable import Killable
 from sim2reason.evaluation.benchmarks.scoring.parts.matching import paired
 from sim2reason.evaluation.benchmarks.scoring.parts.verify_math import verified
-from sim2reason.generation.grade_answer import grade_answer
-from sim2reason.generation.item import Answer
+from sim2reason.generation.item import Answer, grade_answer
 from sim2reason.grading import Outcome, number
 
 __all__ = ["MathVerify", "Numeric", "OwnGrader", "Physics"]

@@ -10,7 +10,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.scenes.dsl.vectors import Number
 from sim2reason.simulation.engines.exact.eigenpairs import Complex, eigenpairs

@@ -1,6 +1,6 @@
 """The main loop of the exact engine: impacts, forces, and motion to the next event, repeated until the end."""
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array

@@ -5,7 +5,7 @@ from math import inf, isfinite, pi
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact import dop853

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.simulation.engines.exact.affine import LinearEquations
 from sim2reason.simulation.engines.exact.dop853 import Rate
 

@@ -9,7 +9,7 @@ import numpy as np
 import pyarrow as pa
 
 from sim2reason.errors import TrainingError
-from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.item_search import generator
 from sim2reason.training.corpora import CORPORA, Corpus, Row
 from sim2reason.training.extras import External
 

@@ -4,7 +4,7 @@ from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from sim2reason.base.lazy import cached_property
+from sim2reason.base.records import cached_property
 from sim2reason.errors import TrainingError
 from sim2reason.evaluation.policies.parts.hub import explained, loading
 from sim2reason.training.extras import External, library

@@ -6,17 +6,15 @@ from functools import lru_cache
 from typing import Final
 
 from sim2reason.grading import FormulaError, Outcome, arithmetic, formula, number
-from sim2reason.grading.arithmetic import Node
-from sim2reason.grading.extract import MAX_ANSWER, closed_boxes, content, response_text
-from sim2reason.grading.hiding import fault_of_box
+from sim2reason.grading.arithmetic import Node, draw_points
+from sim2reason.grading.extract import MAX_ANSWER, closed_boxes, content, fault_of_box, response_text
 from sim2reason.grading.number import unit_stated
 from sim2reason.grading.parser import parse
-from sim2reason.grading.points import draw_points
 from sim2reason.grading.score import Refused
 from sim2reason.grading.sides import flattened
 from sim2reason.grading.spelling import spelled
 from sim2reason.grading.tokens import Token, tokenize
-from sim2reason.grading.unit_spelling import unit_in
+from sim2reason.grading.units import unit_in
 from sim2reason.scenes.dsl.units import Unit, UnitError, parse_unit
 
 __all__ = [

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sim2reason.base.record import record
+from sim2reason.base.records import record
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.trace import Budget
 

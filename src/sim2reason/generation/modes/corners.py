@@ -1,0 +1,187 @@
+"""Search for numbers at which a formula ceases to be valid, or has no value."""
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import chain, islice
+from math import inf
+
+import numpy as np
+
+from sim2reason.generation.modes.problem_formula import Variation
+from sim2reason.generation.modes.variations import Variations
+from sim2reason.scenes.dsl.state import Array
+from sim2reason.scenes.dsl.structure import changing
+from sim2reason.solutions.algebra.expressions import Expression
+from sim2reason.solutions.algebra.functions import array_values
+
+Margin = Callable[[Variation], float | None]
+"""How far a scene is from where something is no longer done; None where that says nothing."""
+
+GUESSES, CORNER_SEED = 4000, 0  # combinations of range ends for which margins are estimated
+STARTS = 2  # known scenes from which the search starts, beside the best guess
+CLOSE = 0.1  # margin; if one start does not come closer to zero, others rarely do (2 of 230 searches)
+FINE = 5  # factors tried for the question's own numbers
+UNCHANGED_MARGIN = 1e-9  # smaller changes of a margin count as none
+
+
+def find_corner(
+    variations: Variations, margin: Margin, others: Sequence[Margin], known: Sequence[Variation]
+) -> Variation | None:
+    """Return the scene with numbers at the ends of their ranges that comes closest to violating an assumption.
+
+    The ends are guessed by adding the effects of the single numbers, taken from the `known` variations. Starting from
+    the best guess, and from some `known` scenes, each number is tried at both ends. None if nothing is known about the
+    margin.
+    """
+    own = variations.own()
+    here = [each(own) for each in (margin, *others)] if own is not None else [None]
+    if own is None or here[0] is None:
+        return None
+    told = [each for each, found in zip((margin, *others), here, strict=True) if found is not None]
+    factors, changes = _alone(variations, told, known, own)
+    ends = np.random.default_rng(CORNER_SEED).integers(0, factors.shape[1], (GUESSES, len(factors)))
+    for n, held in enumerate(variations.symbols):  # what is asked about comes sooner, where that is all the same
+        if not held.path and np.abs(changes[0, n]).max() <= UNCHANGED_MARGIN:
+            ends[:, n] = np.argmin(factors[n])
+    start = np.array([found for found in here if found is not None])
+    guessed = start[:, None] + changes[:, np.arange(len(factors)), ends].sum(2)
+    fitting = np.flatnonzero((guessed[1:] > 0.0).all(0))
+    starts = _least(told, known, own)
+    if fitting.size:
+        starts.append(factors[np.arange(len(factors)), ends[fitting[np.argmin(guessed[0, fitting])]]].tolist())
+    best: tuple[Variation | None, float] = None, inf
+    for times in starts:
+        best = min(best, _descended(variations, told, factors, times), key=lambda found: found[1])
+        if best[1] <= 0.0 or CLOSE < best[1] < inf:
+            break
+    return best[0]
+
+
+def _least(told: Sequence[Margin], known: Sequence[Variation], own: Variation) -> list[list[float]]:
+    """Return the factors on all numbers for the known scenes that come closest to violating a condition."""
+    within = [other for other in known if all((each(other) or 0.0) > 0.0 for each in told[1:])]
+    margins = {n: found for n, other in enumerate(within) if (found := told[0](other)) is not None}
+    least = sorted(margins, key=lambda n: margins[n])[:STARTS]
+    return [[by / own.values[symbol] for symbol, by in within[n].values.items()] for n in least]
+
+
+def _alone(
+    variations: Variations, told: Sequence[Margin], known: Sequence[Variation], own: Variation
+) -> tuple[Array, Array]:
+    """Return the factors tried on each number, (n, s), and the change of each margin by each alone, (m, n, s).
+
+    The first factor is 1; shorter lists are padded with 1.
+    """
+    here, single = np.array([each(own) or 0.0 for each in told]), list[dict[float, Array]]()
+    for held in variations.symbols:
+        others = [other for other in known if _moved(other, own) == [held.symbol]]
+        gained = {o.values[held.symbol] / own.values[held.symbol]: [each(o) or 0.0 for each in told] for o in others}
+        single.append({1.0: 0.0 * here, **{by: np.array(found) - here for by, found in gained.items() if by > 0.0}})
+    most = max(map(len, single))
+    factors = np.array([[*found, *([1.0] * (most - len(found)))] for found in single])
+    changes = np.array([[found.get(by, 0.0 * here) for by in row] for found, row in zip(single, factors, strict=True)])
+    return factors, changes.transpose(2, 0, 1)
+
+
+def _moved(other: Variation, own: Variation) -> list[str]:
+    return [symbol for symbol, value in other.values.items() if value != own.values[symbol]]
+
+
+def _descended(
+    variations: Variations, told: Sequence[Margin], factors: Array, times: list[float]
+) -> tuple[Variation | None, float]:
+    """Return the scene after a change of one number at a time towards violation, and its distance from it.
+
+    One pass suffices. For numbers of the question, intermediate factors are tried too, because an event may fail to
+    occur at both ends.
+    """
+
+    def at(times: Sequence[float]) -> tuple[Variation | None, float]:
+        found = variations.having([held.value * by for held, by in zip(variations.symbols, times, strict=True)], [])
+        if found is None or any((each(found) or 0.0) < 0.0 for each in told[1:]):
+            return found, inf
+        least = told[0](found)
+        return found, inf if least is None else least
+
+    found = at(times)
+    for n, held in enumerate(variations.symbols):
+        for factor in _steps(factors[n], fine=not held.path):
+            if found[1] <= 0.0:
+                return found
+            other = [*times[:n], factor, *times[n + 1 :]]
+            if other != times and (better := at(other))[1] < found[1]:
+                times, found = other, better
+    return found
+
+
+def _steps(factors: Array, *, fine: bool) -> list[float]:
+    least, most = float(factors.min()), float(factors.max())
+    between: list[float] = np.geomspace(least, most, FINE).tolist()
+    return between if fine else [least, 1.0, most]
+
+
+DRAWN, COUNTEREXAMPLE_SEED = 2000, 0  # sets of numbers for which the formula is evaluated
+CHANGED = 0.3  # fraction of numbers changed in every second set
+SIMULATED = (
+    600,
+    60,
+)  # of those where it is negative, and of those without a value, at most; where motions are integrated
+CLOSEST, SCATTERED = 8, 8  # of either kind first; the search ends if none of these scenes has an answer
+OTHER_SIGN = 3.0  # distance assigned to a change of sign, equal to that of a factor e³
+TINY = 1e-9  # of the answer; smaller magnitudes count as zero
+
+
+def counterexample(
+    variations: Variations,
+    formula: Expression,
+    is_counterexample: Callable[[Variation], bool],
+    width: float,
+    *,
+    signed: bool,
+) -> Variation | None:
+    """Return a scene with other numbers for which the formula fails, such as by its sign; None if none is found.
+
+    All or some numbers are multiplied by factors with logarithms of at most `width`; half of the sets have random
+    signs.
+    """
+    own = variations.own()
+    if own is None:
+        return None
+    drawn = _drawn(variations, width)
+    found = array_values(formula, variations.columns(drawn))
+    negative = drawn[:0] if signed else drawn[found < -TINY * abs(own.answer)]
+    each = (_tried(variations, unfit, is_counterexample) for unfit in (negative, drawn[np.isnan(found)]))
+    return next((other for other in each if other is not None), None)
+
+
+def _tried(variations: Variations, unfit: Array, is_counterexample: Callable[[Variation], bool]) -> Variation | None:
+    """Return the first scene, among sets of numbers (n, s), in which the formula fails; None if none does."""
+    here, answered = np.array([held.value for held in variations.symbols]), False
+    distance = (np.abs(np.log(np.abs(unfit / here))) + OTHER_SIGN * (unfit * here < 0.0)).sum(1)
+    most = SIMULATED[bool(changing(variations.study.mechanism))]
+    for tried, number in enumerate(_in_turn(np.argsort(distance, kind="stable").tolist(), most)):
+        if tried == CLOSEST + SCATTERED and not answered:
+            return None
+        other = variations.having(unfit[number].tolist(), [])
+        if other is not None and is_counterexample(other):
+            return other
+        answered = answered or other is not None
+    return None
+
+
+def _in_turn(closest: list[int], most: int) -> Iterator[int]:
+    """Yield at most `most` of the given indices: the first few, then some spread over the rest, then the others."""
+    first, beyond = closest[:CLOSEST], closest[CLOSEST:]
+    scattered = beyond[:: max(1, len(beyond) // SCATTERED)][:SCATTERED]
+    rest = (number for number in beyond if number not in scattered)
+    yield from islice(chain(first, scattered, rest), most)
+
+
+def _drawn(variations: Variations, width: float) -> Array:
+    """Return random sets of the numbers of a problem, (n, s), around the stated ones, without repetitions."""
+    rng, here = np.random.default_rng(COUNTEREXAMPLE_SEED), np.array([held.value for held in variations.symbols])
+    changed = rng.random((DRAWN, len(here))) < np.where(np.arange(DRAWN) % 2, CHANGED, 1.0)[:, None]
+    drawn = here * np.exp(np.where(changed, rng.uniform(-width, width, changed.shape), 0.0))
+    may = np.array([held.signed for held in variations.symbols])
+    drawn[DRAWN // 2 :] *= np.where(may, rng.choice((-1.0, 1.0), (DRAWN - DRAWN // 2, len(here))), 1.0)
+    found: Array = np.unique(drawn, axis=0)
+    return found

@@ -1,1 +1,0 @@
-"""Verification of worked solutions, from their data and from their text alone."""

@@ -1,0 +1,48 @@
+"""Corners: numbers at ends of their ranges where something is no longer so, while something else is."""
+
+import pytest
+
+from plain_scenes import ramp
+from sim2reason.generation.modes.corners import find_corner
+from sim2reason.generation.modes.problem_formula import ProblemSymbol, Variation
+from sim2reason.generation.modes.variations import Variations
+from sim2reason.generation.question_search import QuestionSearch
+from sim2reason.questions import Query
+from sim2reason.questions.moments.distances import Moved
+
+WIDTH = 1.1
+
+
+@pytest.fixture(scope="module")
+def varied() -> Variations:
+    """How long a block of 2 kg takes for 0.5 m down a slope."""
+    symbols = [ProblemSymbol("m", "kg", 2.0, "ramp.blocks.0.mass"), ProblemSymbol("d", "m", 0.5)]
+    return Variations(
+        QuestionSearch(ramp(), 0).study, Query("time_to_event", None, Moved("ramp.blocks.0", 0.5)), symbols
+    )
+
+
+def heavy_and_near(other: Variation) -> float:
+    """Of no meaning: less for what is heavy and goes not far."""
+    return other.values["d"] / other.values["m"]
+
+
+def test_the_least_margin_is_at_a_corner(varied: Variations) -> None:
+    known = list(varied.one_by_one(WIDTH, []))
+    found = find_corner(varied, heavy_and_near, [], known)
+    assert found is not None
+    assert found.values["m"] == max(other.values["m"] for other in known)
+    assert found.values["d"] == min(other.values["d"] for other in known)
+
+
+def test_what_is_told_is_kept(varied: Variations) -> None:
+    """A block must weigh less than 5 kg: at the far end of its range, 6 kg, it does not."""
+    known = list(varied.one_by_one(WIDTH, []))
+    found = find_corner(varied, heavy_and_near, [lambda other: 5.0 - other.values["m"]], known)
+    assert found is not None
+    assert found.values["m"] < 5.0
+    assert found.values["d"] == min(other.values["d"] for other in known)
+
+
+def test_nothing_leads_out_of_what_no_margin_tells(varied: Variations) -> None:
+    assert find_corner(varied, lambda _: None, [], []) is None

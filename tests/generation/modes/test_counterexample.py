@@ -1,0 +1,86 @@
+"""Counterexamples: numbers for which a formula has no value, or a size is negative, though all that is told holds."""
+
+from dataclasses import replace
+
+import pytest
+
+from plain_scenes import ramp
+from sim2reason.generation.modes.corners import CLOSEST, SCATTERED, SIMULATED, counterexample
+from sim2reason.generation.modes.problem_formula import ProblemSymbol, Variation
+from sim2reason.generation.modes.variations import Variations
+from sim2reason.generation.question_search import QuestionSearch
+from sim2reason.questions import Query
+from sim2reason.questions.moments.distances import Moved
+from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import Root
+
+WIDTH = 1.1
+LEFT = Number(3.0) - Symbol("m")  # negative for masses of more than 3 kg
+
+
+@pytest.fixture(scope="module")
+def varied() -> Variations:
+    """How long a block of 2 kg takes for 0.5 m down a slope."""
+    symbols = [ProblemSymbol("m", "kg", 2.0, "ramp.blocks.0.mass"), ProblemSymbol("d", "m", 0.5)]
+    study = QuestionSearch(ramp(), 0).study
+    return Variations(study, Query("time_to_event", None, Moved("ramp.blocks.0", 0.5)), symbols)
+
+
+def is_light(other: Variation) -> bool:
+    """Of what is told, that the block weighs less than 4 kg."""
+    return other.values["m"] < 4.0
+
+
+def test_a_size_is_negative_though_what_is_told_holds(varied: Variations) -> None:
+    found = counterexample(varied, LEFT, is_light, WIDTH, signed=False)
+    assert found is not None
+    assert 3.0 < found.values["m"] < 4.0
+
+
+def test_what_has_a_sign_may_be_negative(varied: Variations) -> None:
+    assert counterexample(varied, LEFT, is_light, WIDTH, signed=True) is None
+
+
+@pytest.mark.parametrize("signed", [True, False])
+def test_a_root_of_what_is_negative_has_no_value(varied: Variations, signed: bool) -> None:
+    found = counterexample(varied, Root(LEFT), is_light, WIDTH, signed=signed)
+    assert found is not None
+    assert 3.0 < found.values["m"] < 4.0
+
+
+@pytest.mark.parametrize("formula", [LEFT, Root(Symbol("d"))])
+def test_there_is_none_where_what_is_told_excludes_it(varied: Variations, formula: Expression) -> None:
+    assert counterexample(varied, formula, lambda other: other.values["m"] < 3.0, WIDTH, signed=False) is None
+
+
+def test_the_closest_numbers_are_tried_first(varied: Variations) -> None:
+    seen: list[float] = []
+    counterexample(varied, LEFT, lambda other: bool(seen.append(other.values["m"] / 2.0)), WIDTH, signed=False)
+    assert CLOSEST + SCATTERED < len(seen) <= SIMULATED[0]
+    assert max(seen[:CLOSEST]) < 1.7  # though factors reach 3.0
+    assert max(seen) > 2.5  # and some are from everywhere
+
+
+def test_few_are_tried_where_none_has_an_answer_and_none_twice(
+    varied: Variations, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    tried: list[tuple[float, ...]] = []
+    monkeypatch.setattr(Variations, "having", lambda _, numbers, __: tried.append(tuple(numbers)))
+    signed = replace(varied, symbols=[replace(held, signed=True) for held in varied.symbols])
+    assert counterexample(signed, LEFT, lambda _: True, WIDTH, signed=False) is None
+    assert len(tried) == len(set(tried)) == CLOSEST + SCATTERED
+    assert any(value < 0.0 for numbers in tried for value in numbers)
+
+
+def test_what_is_negative_is_tried_before_what_has_no_value(
+    varied: Variations, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Where half of all numbers have none, close to the scene's own, they are no reason to give up."""
+    tried: list[tuple[float, ...]] = []
+    monkeypatch.setattr(Variations, "having", lambda _, numbers, __: tried.append(tuple(numbers)))
+    rooted = LEFT * Root(Number(0.51) - Symbol("d"))
+    assert counterexample(varied, rooted, lambda _: True, WIDTH, signed=False) is None
+    first, last = tried[: CLOSEST + SCATTERED], tried[CLOSEST + SCATTERED :]
+    assert len(last) == CLOSEST + SCATTERED
+    assert all(mass > 3.0 and distance < 0.51 for mass, distance in first)
+    assert all(distance > 0.51 for _, distance in last)
