@@ -49,7 +49,7 @@ test-all: test test-slow ## both
 
 # Unit tests of each package, what all registries share, and an item of each recipe and of each mode.
 QUICK := tests/acceptance/test_same_items.py tests/evaluation/benchmarks/test_files.py tests/scenes/bodies tests/cli/test_list.py \
-	tests/cli/test_results.py tests/scenes/connections tests/datasets/test_plan.py tests/datasets/test_rows.py \
+	tests/cli/test_files.py tests/scenes/connections tests/datasets/test_plan.py tests/datasets/test_rows.py \
 	tests/datasets/test_store.py tests/scenes/dsl tests/scenes/entities/test_projectile.py tests/scenes/entities/test_touching.py \
 	tests/datasets/exports/test_rewards.py tests/figures/scaled/test_scale.py tests/figures/test_vectors.py tests/generation/filters \
 	tests/grading/test_cases.py tests/generation/modes/test_assumptions.py tests/generation/modes/test_corners.py \

@@ -41,8 +41,8 @@ if TYPE_CHECKING:
     from sim2reason.simulation.trace import Trace
     from sim2reason.text.parsing import parse_scene
     from sim2reason.text.prose import describe
-    from sim2reason.training.sample_solutions import sample_solutions
-    from sim2reason.training.train import train
+    from sim2reason.training import train
+    from sim2reason.training.corpora.solutions import sample_solutions
 
     open = Dataset  # noqa: A001 - as gzip.open
     list = members  # noqa: A001 - named as the command
@@ -76,14 +76,14 @@ _HOMES = {
     "parse_scene": "text.parsing",
     "plot": "figures.drawing",
     "sample": "datasets.items",
-    "sample_solutions": "training.sample_solutions",
+    "sample_solutions": "training.corpora.solutions",
     "schema": "scenes.files.schema",
     "show": "datasets.inspection",
     "simulate": "simulation.scenes",
     "solve": "datasets.scene_questions",
     "stats": "datasets.inspection",
     "stream": "datasets.items",
-    "train": "training.train",
+    "train": "training",
     "verify": "datasets.dataset",
 }
 """Module of each public name; after a colon, the name in that module where it differs."""

@@ -61,7 +61,7 @@ def parameters(function: Callable[..., object]) -> Iterator[str]:
 @pytest.mark.parametrize("name", COMMANDS)
 def test_a_public_function_has_its_name_and_its_options(name: str) -> None:
     called = name.replace("-", "_")
-    assert called in dir(sim2reason), f"a function sim2reason.{called}, beside cli/{called}.py"
+    assert called in dir(sim2reason), f"a function sim2reason.{called}, beside the command"
     function = getattr(sim2reason, called)
     only_command, only_function = OTHERWISE.get(name, (set(), set()))
     assert set(taken(command(name))) - only_command == set(parameters(function)) - only_function

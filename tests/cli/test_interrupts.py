@@ -10,7 +10,7 @@ from contextlib import suppress
 
 import pytest
 
-from sim2reason.cli import interrupts
+from sim2reason.cli import process
 from sim2reason.datasets.processes import SIGNALS, deaf_children
 
 pytestmark = pytest.mark.usefixtures("heed_interrupts")
@@ -22,7 +22,7 @@ def interrupt(number: signal.Signals = signal.SIGINT) -> None:
 
 @pytest.mark.parametrize("number", SIGNALS)
 def test_what_was_swallowed_is_raised_again(monkeypatch: pytest.MonkeyPatch, number: signal.Signals) -> None:
-    monkeypatch.setattr(interrupts, "PATIENCE", 0.05)
+    monkeypatch.setattr(process, "PATIENCE", 0.05)
     reached = list[str]()
 
     def work() -> None:
@@ -31,16 +31,16 @@ def test_what_was_swallowed_is_raised_again(monkeypatch: pytest.MonkeyPatch, num
         reached.append("after it")
         time.sleep(10.0)
 
-    with pytest.raises(KeyboardInterrupt), interrupts.handled_interrupts():
+    with pytest.raises(KeyboardInterrupt), process.handled_interrupts():
         work()
     assert reached == ["after it"]
 
 
 def test_afterwards_all_is_as_before(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(interrupts, "PATIENCE", 0.05)
+    monkeypatch.setattr(process, "PATIENCE", 0.05)
     heeded = *SIGNALS, signal.SIGALRM
     before = [signal.getsignal(number) for number in heeded]
-    with pytest.raises(KeyboardInterrupt), interrupts.handled_interrupts():
+    with pytest.raises(KeyboardInterrupt), process.handled_interrupts():
         interrupt()
     assert [signal.getsignal(number) for number in heeded] == before
     time.sleep(0.2)  # no alarm is left
@@ -48,7 +48,7 @@ def test_afterwards_all_is_as_before(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_what_a_library_says_of_being_interrupted_is_not_shown() -> None:
     before = list(warnings.filters)
-    with interrupts.handled_interrupts():
+    with process.handled_interrupts():
         with suppress(KeyboardInterrupt):
             interrupt()
         warnings.warn("a value of another type", stacklevel=1)
@@ -59,7 +59,7 @@ def test_what_a_library_says_of_being_interrupted_is_not_shown() -> None:
 def test_where_it_is_ignored_it_stays_so(number: signal.Signals) -> None:
     before = signal.signal(number, signal.SIG_IGN)
     try:
-        with interrupts.handled_interrupts():
+        with process.handled_interrupts():
             interrupt(number)
             assert signal.getsignal(number) is signal.SIG_IGN
     finally:
@@ -73,7 +73,7 @@ def test_children_hear_nothing_and_their_parent_does(number: signal.Signals) -> 
         child = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
     child.send_signal(number)
     assert child.communicate()[0] == "whole\n"
-    with pytest.raises(KeyboardInterrupt), interrupts.handled_interrupts():
+    with pytest.raises(KeyboardInterrupt), process.handled_interrupts():
         interrupt(number)
 
 

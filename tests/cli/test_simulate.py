@@ -9,7 +9,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from sim2reason.cli import main
-from sim2reason.cli.sandbox import sandboxed
+from sim2reason.cli.simulation import sandboxed
 from sim2reason.errors import SceneError, SimulationError
 from sim2reason.scenes.files import load
 from sim2reason.simulation import trace_files

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
-from sim2reason.cli.solve import command
+from sim2reason.cli.questions import solve_command
 from sim2reason.scenes.dsl.units import parse_unit
 
 DATA = Path(__file__).parents[1] / "data"
@@ -19,7 +19,7 @@ EXACT = 1e-6  # relative
 
 def answered(*options: str) -> dict[str, Any]:
     """Run the command with --json and return its output."""
-    found = CliRunner().invoke(command, [*options, "--json"])
+    found = CliRunner().invoke(solve_command, [*options, "--json"])
     assert found.exit_code == 0, found.output
     read: dict[str, Any] = json.loads(found.stdout)
     return read

@@ -11,7 +11,7 @@ import pytest
 
 from fake_makers import steady
 from sim2reason.datasets import store
-from sim2reason.evaluation.benchmarks.parts import files
+from sim2reason.evaluation.benchmarks import files
 from sim2reason.generation.request import Request
 
 

@@ -16,7 +16,7 @@ import pytest
 
 from sim2reason.errors import PolicyError
 from sim2reason.evaluation.policies import Policy, SampleRequest, policy_from
-from sim2reason.evaluation.policies.samples.journal import finished
+from sim2reason.evaluation.policies.journal import finished
 from sim2reason.evaluation.reports.evaluation import evaluate
 
 SERVERS = {"llama": ("xllamacpp", "gguf"), "vllm": ("vllm",)}  # with the modules that each needs

@@ -9,7 +9,7 @@ from click.testing import CliRunner
 
 from fake_makers import steady
 from sim2reason.cli import main
-from sim2reason.cli.grade import command
+from sim2reason.cli.evaluation import grade_command
 from sim2reason.datasets.build import build
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.grade import GradedResponse, Response, Tallies, grade, graded, line, responses
@@ -97,7 +97,7 @@ def test_tallies_by_recipe_and_kind(item: Item) -> None:
 
 def test_the_command_writes_scores_and_a_summary(data: Path, said: Path, tmp_path: Path) -> None:
     scores = tmp_path / "scores.jsonl"
-    result = CliRunner().invoke(command, [str(data), "--responses", str(said), "-o", str(scores)])
+    result = CliRunner().invoke(grade_command, [str(data), "--responses", str(said), "-o", str(scores)])
     assert result.exit_code == 0, result.output
     assert "wrong unit" in result.output
     assert "0.500" in result.output
@@ -107,7 +107,7 @@ def test_the_command_writes_scores_and_a_summary(data: Path, said: Path, tmp_pat
 
 
 def test_the_command_speaks_json(data: Path, said: Path) -> None:
-    result = CliRunner().invoke(command, [str(data), "--responses", str(said), "--json", "--lenient"])
+    result = CliRunner().invoke(grade_command, [str(data), "--responses", str(said), "--json", "--lenient"])
     rows = json.loads(result.output)
     assert rows[0]["by"] == "all"
     assert rows[0]["reward"] == 0.75
@@ -134,7 +134,7 @@ def test_a_bad_line_is_named(bad: str, tmp_path: Path) -> None:
 
 def test_an_unknown_id_is_an_error(data: Path, said: Path) -> None:
     said.write_text(Response(id="nobody", response="").model_dump_json(), encoding="utf-8")
-    result = CliRunner().invoke(command, [str(data), "--responses", str(said)])
+    result = CliRunner().invoke(grade_command, [str(data), "--responses", str(said)])
     assert isinstance(result.exception, DatasetError)
     assert "'nobody' is no item of" in str(result.exception)
 
@@ -148,7 +148,7 @@ def test_splits_are_graded_alone(tmp_path: Path) -> None:
     given.write_text("\n".join([*lines["train"], *lines["test"]]), encoding="utf-8")
     for name, mine in lines.items():
         args = [str(data.path), "--responses", str(given), "--split", name, "--json"]
-        assert json.loads(CliRunner().invoke(command, args).stdout)[0]["responses"] == len(mine) > 0
+        assert json.loads(CliRunner().invoke(grade_command, args).stdout)[0]["responses"] == len(mine) > 0
     given.write_text("\n".join(lines["train"]), encoding="utf-8")
     args = ["grade", str(data.path), "--responses", str(given), "--split"]
     for name, told in (

@@ -12,7 +12,7 @@ from sim2reason.datasets.generate import generate
 from sim2reason.errors import DatasetError, TrainingError, UnknownNameError
 from sim2reason.grading import Outcome
 from sim2reason.training.corpora import Row, corpus_from
-from sim2reason.training.corpora.parts.mix import EncodedRow, Limits, encoded, encoded_table, mixed, templated
+from sim2reason.training.corpora.rows import EncodedRow, Limits, encoded, encoded_table, mixed, templated
 
 installed = pytest.mark.skipif(
     not all(map(find_spec, ("torch", "transformers", "tokenizers", "accelerate"))),
@@ -116,7 +116,7 @@ def test_a_line_is_bounded_and_a_surrogate_is_marked(tmp_path: Path, monkeypatch
     path.write_text(json.dumps({"prompt": "\ud800?", "completion": "b" * 100}))
     settings = {"kind": "jsonl", "file": str(path)}
     assert next(corpus_from(settings).rows(Counter())).prompt == "??"
-    monkeypatch.setattr("sim2reason.training.corpora.parts.lines.LONGEST", 50)
+    monkeypatch.setattr("sim2reason.training.corpora.rows.LONGEST", 50)
     with pytest.raises(TrainingError, match="more than 50 bytes"):
         list(corpus_from(settings).rows(Counter()))
     with pytest.raises(TrainingError, match="no such file"):
@@ -150,7 +150,7 @@ def test_limits_name_what_is_too_long() -> None:
 
 @pytest.fixture(scope="module")
 def tokenizer() -> Tokenizer:
-    from sim2reason.training.models.parts.tokenizer import train_tokenizer
+    from sim2reason.training.models.language_models import train_tokenizer
 
     return train_tokenizer(["How fast is it? It is fast: 12 m/s.", "<|user|><|model|>"] * 9, 300)
 
@@ -169,7 +169,7 @@ def test_plain_rows_are_encoded_apart_and_ended_once(tokenizer: Tokenizer) -> No
 
 @installed
 def test_a_table_holds_what_is_within_the_limits(tokenizer: Tokenizer, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("sim2reason.training.corpora.parts.mix.TOGETHER", 2)
+    monkeypatch.setattr("sim2reason.training.corpora.rows.ROWS_PER_BATCH", 2)
     rows = [Row("How fast", " is it?"), Row("12" * 9, "1"), Row("1", "2"), Row("12" * 9, "3"), Row("3", "4" * 50)]
     found, left_out = encoded_table(rows, tokenizer, Limits(10, 20, 30), chat=False)
     held = encoded([rows[0], rows[2]], tokenizer, chat=False)

@@ -14,8 +14,7 @@ from sim2reason.generation.item_search import sample
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.text.prose.description import describe
-from sim2reason.training.models import model_from
-from sim2reason.training.models.parts import tokenizer as tokenizers
+from sim2reason.training.models import language_models, model_from
 
 needed = ("torch", "transformers", "tokenizers", "accelerate")
 installed = pytest.mark.skipif(not all(map(find_spec, needed)), reason="needs the libraries of the extra [train]")
@@ -73,7 +72,7 @@ def test_a_missing_library_is_named_with_its_extra(
 @installed
 def test_the_tokenizer_is_lossless_and_keeps_digits_apart() -> None:
     known = texts()
-    tokenizer = tokenizers.train_tokenizer(known, 600)
+    tokenizer = language_models.train_tokenizer(known, 600)
     assert len(tokenizer) == 600
     strange = [
         "",
@@ -88,14 +87,14 @@ def test_the_tokenizer_is_lossless_and_keeps_digits_apart() -> None:
     for text in known + strange:
         assert tokenizer.decode(tokenizer(text)["input_ids"]) == text
     pieces = [tokenizer.decode([number]) for number in range(2, 600)]
-    assert not [piece for piece in pieces if len(piece) > 1 and set(piece) & set(tokenizers.ALONE)]
+    assert not [piece for piece in pieces if len(piece) > 1 and set(piece) & set(language_models.ALONE)]
     assert any(" " in piece.strip() for piece in pieces)
     assert max(len(tokenizer(text)["input_ids"]) / len(text) for text in known[:-1]) < 0.6
 
 
 @installed
 def test_the_tokenizer_joins_what_it_may() -> None:
-    joined = tokenizers.train_tokenizer(["t=12.5; t=12.5"] * 50, 300, alone="")
+    joined = language_models.train_tokenizer(["t=12.5; t=12.5"] * 50, 300, alone="")
     assert len(joined("t=12.5; t=12.5")["input_ids"]) < 5
 
 

@@ -8,11 +8,9 @@ import pytest
 
 from sim2reason.errors import TrainingError
 from sim2reason.evaluation.benchmarks import BenchmarkItem
-from sim2reason.training.prefetch import prefetching
-from sim2reason.training.problem import Problem
-from sim2reason.training.problem_stream import Curriculum, ProblemStream
-from sim2reason.training.sources import ProblemSource
-from sim2reason.training.sources.fresh import Fresh
+from sim2reason.training.problem_stream import Curriculum, ProblemStream, prefetching
+from sim2reason.training.sources import Problem, ProblemSource
+from sim2reason.training.sources.problems import Fresh
 
 
 class Counting(ProblemSource):

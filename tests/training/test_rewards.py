@@ -5,8 +5,8 @@ import pytest
 from sim2reason.datasets.items import item
 from sim2reason.errors import TrainingError, UnknownNameError
 from sim2reason.evaluation.benchmarks.own import benchmark_item
-from sim2reason.training.problem import Problem
 from sim2reason.training.rewards import REWARDS, Reward, reward_from, reward_function
+from sim2reason.training.sources import Problem
 
 
 @pytest.fixture(scope="module")

@@ -9,9 +9,8 @@ import pytest
 
 import short_run
 from sim2reason.errors import Sim2ReasonError, TrainingError
-from sim2reason.training.rl.config import reinforcement_learning_from
-from sim2reason.training.rl.folder import TrainingFolder
-from sim2reason.training.run_plan import RL_PLAN, SFT_PLAN, claim
+from sim2reason.training.rl.config import TrainingFolder, reinforcement_learning_from
+from sim2reason.training.run_files import RL_PLAN, SFT_PLAN, claim
 from sim2reason.training.sft.config import SftFolder, fine_tuning_from
 
 Settings = dict[str, Any]

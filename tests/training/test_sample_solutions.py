@@ -13,9 +13,9 @@ from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.generate import generate
 from sim2reason.errors import DatasetError, EvaluationError, PolicyError, TrainingError
 from sim2reason.evaluation.policies import Completion, Policy, SampleRequest
-from sim2reason.evaluation.solvable import solvable
+from sim2reason.evaluation.policy_pass import solvable
 from sim2reason.training.corpora import corpus_from
-from sim2reason.training.sample_solutions import sample_solutions
+from sim2reason.training.corpora.solutions import sample_solutions
 
 
 class Teacher(Policy):

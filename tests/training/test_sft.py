@@ -13,10 +13,10 @@ from typing import Any
 import pytest
 
 from sim2reason.errors import DatasetError, MissingExtraError, TrainingError, UnknownNameError
+from sim2reason.training import train
 from sim2reason.training.sft.config import FineTuning, SftFolder, fine_tuning_from
 from sim2reason.training.sft.run import NEEDED, train_sft
 from sim2reason.training.sft.trainer import batches_by_length
-from sim2reason.training.train import train
 
 installed = pytest.mark.skipif(not all(map(find_spec, NEEDED)), reason="needs the libraries of the extra [train]")
 TINY = {"kind": "scratch", "layers": 1, "width": 32, "heads": 2, "vocabulary": 300, "context": 128}
@@ -197,8 +197,8 @@ def test_only_completions_are_learned_whatever_their_prompts_say(settings: Setti
 
     settings |= {"steps": 1, "batch": 32, "learning_rate": 1e-9, "micro_batch": 8}
     train_sft(settings)
-    from sim2reason.training.corpora.parts.mix import encoded
-    from sim2reason.training.models.parts.checkpoint import Checkpoint
+    from sim2reason.training.corpora.rows import encoded
+    from sim2reason.training.models.checkpoints import Checkpoint
 
     folder = SftFolder(Path(settings["out"]))
     loaded = Checkpoint(str(folder.initial)).load()
@@ -292,7 +292,7 @@ def test_adapters_are_merged_and_kept(settings: Settings) -> None:
     found = train_sft({**settings, "lora": {"rank": 2, "targets": ["q_proj", "v_proj"]}})
     out = Path(settings["out"])
     assert (out / "adapter/adapter_config.json").is_file()
-    from sim2reason.training.models.parts.checkpoint import Checkpoint
+    from sim2reason.training.models.checkpoints import Checkpoint
 
     before, after = (Checkpoint(str(out / each)).load().model for each in ("initial", "model"))
     assert after.num_parameters() == before.num_parameters() == found.parameters

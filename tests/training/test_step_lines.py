@@ -1,6 +1,6 @@
 from pathlib import Path
 
-from sim2reason.training.step_lines import StepLines
+from sim2reason.training.run_files import StepLines
 
 
 def test_lines_go_back_to_a_step_and_lose_a_cut_one(tmp_path: Path) -> None:

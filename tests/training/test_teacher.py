@@ -12,7 +12,7 @@ import yaml
 
 from faulty_endpoint import FAULTS, KEY, Said, answer, serving
 from sim2reason import generate
-from sim2reason.training.corpora.parts.lines import rows_in
+from sim2reason.training.corpora.rows import rows_in
 
 pytest.importorskip("trl")
 MODEL = {"kind": "scratch", "layers": 1, "width": 32, "heads": 2, "vocabulary": 600, "context": 1024}

@@ -1,4 +1,4 @@
-"""Output of the commands: tables, JSON, progress, and errors in one line."""
+"""Output of the commands: tables, JSON, problems as readable text, progress, and errors in one line."""
 
 import json
 import sys
@@ -7,13 +7,17 @@ from collections.abc import Generator, Iterable, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from math import isfinite
 from pathlib import Path
+from textwrap import fill, indent
 from threading import Event, Thread
-from typing import Any, Protocol, Self
+from typing import TYPE_CHECKING, Any, Protocol, Self
 
 import click
 
-from sim2reason.cli import streams
+from sim2reason.cli import process
 from sim2reason.errors import Sim2ReasonError
+
+if TYPE_CHECKING:
+    from sim2reason.generation.item import Item
 
 RESULT = click.Path(path_type=Path, dir_okay=False, allow_dash=True)
 """The file that a command writes; it may be there already, but not as a folder. A dash is standard output."""
@@ -22,6 +26,7 @@ RESULT = click.Path(path_type=Path, dir_okay=False, allow_dash=True)
 SELDOM, OFTEN = 15.0, 1.0  # s between lines about work where there is no terminal; the second with --verbose
 VERBOSE = "sim2reason.verbose"
 """Where a context keeps whether all is to be told."""
+WIDTH = 88  # characters of a line of a problem
 LONGEST_TIMER = 1e6  # s, some days: timers of systems go no further
 
 
@@ -63,7 +68,7 @@ def explained(error: BaseException) -> str | None:
         case Sim2ReasonError():
             line = f"sim2reason: {error}"
         case OSError():
-            where = f"{streams.name(error)}: ".removeprefix(": ")
+            where = f"{process.file_of(error)}: ".removeprefix(": ")
             reason = error.strerror or error
             checked = "the path" if isinstance(error, FileNotFoundError) else "its permissions and the free space"
             line = f"sim2reason: {where}{reason}; check {checked}"
@@ -95,6 +100,20 @@ def table(head: Sequence[str], rows: Sequence[Sequence[object]], *, err: bool = 
     for line in [list(head), ["-" * width for width in widths], *cells]:
         padded = (c.rjust(w) if r else c.ljust(w) for c, w, r in zip(line, widths, right, strict=True))
         click.echo("  ".join(padded).rstrip(), err=err)
+
+
+def tell_problem(item: "Item", *, scene: bool = False, solution: bool = False) -> None:
+    """Print a problem and its answer, optionally with its scene and solution."""
+    click.secho(item.id, bold=True)
+    for line in item.prompt.splitlines():
+        click.echo(fill(line, WIDTH, break_long_words=False, break_on_hyphens=False))
+    click.echo(f"\nAnswer: {item.answer.shown}")
+    click.echo(f"Needs: {item.needs}\n")
+    if solution:
+        told = item.solution.text if item.solution is not None else item.unsolved
+        click.echo(f"{told or 'No solution was asked for: sim2reason generate OUT --solutions'}\n")
+    if scene:
+        click.echo(indent(item.scene, "    "))
 
 
 def comma_separated(option: str) -> tuple[str, ...]:

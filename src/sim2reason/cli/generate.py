@@ -97,7 +97,7 @@ are to be had than are asked for.
 @options.to_json("Print the manifest for a program to read.")
 @click.option("--patience", type=console.Seconds(0.1, console.LONGEST_TIMER), default=PATIENCE, hidden=True)
 @click.option("--maker", default=MAKER, hidden=True)
-def command(
+def generate_command(
     out: Path,
     part: str | None,
     workers: int | None,

@@ -9,7 +9,7 @@ import click
 from sim2reason.cli import console, options
 
 if TYPE_CHECKING:
-    from sim2reason.training.rl.folder import Trained
+    from sim2reason.training.rl.config import Trained
     from sim2reason.training.rl.run import Stage
 
 EXAMPLE = """\b
@@ -69,11 +69,11 @@ UNTIL_DATA = "Only what comes before the first step and needs no GPU; the same c
 
 
 @click.group("train", epilog=EXAMPLE)
-def command() -> None:
+def train_command() -> None:
     """Train a model as a configuration says."""
 
 
-@command.command("sft", epilog=SFT_EXAMPLE)
+@train_command.command("sft", epilog=SFT_EXAMPLE)
 @click.argument("config", type=click.Path(path_type=Path))
 @click.option("-o", "--out", type=FOLDER, default=None, help="The folder of the run. [default: as CONFIG says]")
 @click.option("--until", type=click.Choice(["data"]), default=None, help=UNTIL_DATA)
@@ -106,7 +106,7 @@ def sft_command(config: Path, out: Path | None, until: str | None, to_json: bool
         click.echo(f"The model: {settings.out / found.model}")
 
 
-@command.command("rl", epilog=RL_EXAMPLE)
+@train_command.command("rl", epilog=RL_EXAMPLE)
 @click.argument("config", type=click.Path(path_type=Path))
 @click.option("-o", "--out", type=FOLDER, default=None, help="The folder of the run. [default: as CONFIG says]")
 @click.option("--until", type=click.Choice(["data", "warm-start"]), default=None, help=UNTIL)
@@ -115,8 +115,8 @@ def sft_command(config: Path, out: Path | None, until: str | None, to_json: bool
 def rl_command(config: Path, out: Path | None, until: "Stage | None", to_json: bool) -> None:
     """Train a model on problems by GSPO with our grader as the reward, as the file CONFIG says; needs [train]."""
     from sim2reason.training.extras import is_main_process, quiet
-    from sim2reason.training.reports.held_out import answer_before, report_training
     from sim2reason.training.rl.config import reinforcement_learning_from
+    from sim2reason.training.rl.report import answer_before, report_training
     from sim2reason.training.rl.run import prepare_rl, train_rl
 
     settings = reinforcement_learning_from(config, out)
@@ -149,7 +149,7 @@ def rl_command(config: Path, out: Path | None, until: "Stage | None", to_json: b
     click.echo(f"The model: {settings.out / found.model}")
 
 
-@command.command("study", epilog=STUDY_EXAMPLE)
+@train_command.command("study", epilog=STUDY_EXAMPLE)
 @click.argument("config", type=click.Path(path_type=Path))
 @click.option("-o", "--out", type=FOLDER, default=None, help="The folder of the study. [default: as CONFIG says]")
 @click.option("--until", type=click.Choice(["data", "warm-start"]), default=None, help=UNTIL)
@@ -157,8 +157,8 @@ def rl_command(config: Path, out: Path | None, until: "Stage | None", to_json: b
 @click.option("--json", "to_json", is_flag=True, help="Print what came of each run for a program to read.")
 def study_command(config: Path, out: Path | None, until: "Stage | None", to_json: bool) -> None:
     """Train by `train rl` in several arms and with several seeds, as the file CONFIG says; needs [train]."""
-    from sim2reason.training.reports.study import report_study
     from sim2reason.training.study.config import study_from
+    from sim2reason.training.study.report import report_study
     from sim2reason.training.study.run import prepare_study, train_study
 
     study = study_from(config, out)

@@ -6,7 +6,7 @@ from typing import Any
 
 from sim2reason.base.optional import optional
 from sim2reason.errors import MissingExtraError
-from sim2reason.evaluation.policies.parts.hub import quiet
+from sim2reason.evaluation.policies.network import quiet
 
 __all__ = ["EXTRA", "External", "is_main_process", "library", "quiet", "require", "versions", "without_cudnn_attention"]
 

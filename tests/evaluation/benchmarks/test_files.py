@@ -122,7 +122,7 @@ def test_the_hub_is_asked_through_its_own_library(tmp_path: Path, monkeypatch: p
     with pytest.raises(MissingExtraError, match=r"pip install .*'math-verify"):
         items_of(benchmark_from(settings))
     hub, path = ModuleType("huggingface_hub"), written(tmp_path, "jsonl")
-    monkeypatch.setattr("sim2reason.evaluation.benchmarks.parts.files.out_of_reach", lambda *_: False)
+    monkeypatch.setattr("sim2reason.evaluation.benchmarks.files.out_of_reach", lambda *_: False)
     hub.hf_hub_download = lambda *_, **__: str(path)  # type: ignore[attr-defined]
     monkeypatch.setitem(sys.modules, "huggingface_hub", hub)
     assert len(items_of(benchmark_from(settings))) == 2

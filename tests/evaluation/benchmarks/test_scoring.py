@@ -10,9 +10,8 @@ from hypothesis import strategies as st
 
 from sim2reason.errors import MissingExtraError
 from sim2reason.evaluation.benchmarks.scoring import SCORINGS
-from sim2reason.evaluation.benchmarks.scoring.parts.answers import boxes, parts
-from sim2reason.evaluation.benchmarks.scoring.parts.killable import Killable
-from sim2reason.evaluation.benchmarks.scoring.parts.matching import paired
+from sim2reason.evaluation.benchmarks.scoring.answers import boxes, paired, parts
+from sim2reason.evaluation.benchmarks.scoring.math_verify import Killable
 from sim2reason.evaluation.benchmarks.scoring.single_answers import JUDGED
 from sim2reason.grading.extract import boxed
 from sim2reason.grading.score import Refused

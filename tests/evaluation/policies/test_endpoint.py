@@ -12,7 +12,7 @@ from faulty_endpoint import FAULTS, KEY, Said, answer, serving
 from sim2reason.errors import PolicyError
 from sim2reason.evaluation.policies import Completion, SampleRequest, policy_from
 from sim2reason.evaluation.policies.endpoint import Endpoint
-from sim2reason.evaluation.policies.parts.http import delay
+from sim2reason.evaluation.policies.network import delay
 from sim2reason.evaluation.policies.samples import NoAnswerError
 
 REQUEST = SampleRequest("a", 0, "How fast?", 5)
@@ -167,8 +167,8 @@ def test_a_silent_server_and_no_server_are_no_answer() -> None:
 
 
 def test_no_more_requests_are_in_flight_than_allowed(tmp_path: Path) -> None:
-    from sim2reason.evaluation.policies.samples.ask import ask, requests_for
-    from sim2reason.evaluation.policies.samples.journal import SampleJournal
+    from sim2reason.evaluation.policies.journal import SampleJournal
+    from sim2reason.evaluation.policies.samples import ask, requests_for
 
     def slow(*_: object) -> Said:
         time.sleep(0.02)

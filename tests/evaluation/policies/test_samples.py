@@ -11,9 +11,8 @@ from pydantic import PrivateAttr
 
 from sim2reason.errors import EvaluationError, PolicyError
 from sim2reason.evaluation.policies import Completion, Policy, SampleRequest
-from sim2reason.evaluation.policies.samples import NoAnswerError
-from sim2reason.evaluation.policies.samples.ask import MAX_FAILURES, ask, requests_for, sample_seed
-from sim2reason.evaluation.policies.samples.journal import SampleJournal, finished
+from sim2reason.evaluation.policies.journal import SampleJournal, finished
+from sim2reason.evaluation.policies.samples import MAX_FAILURES, NoAnswerError, ask, requests_for, sample_seed
 
 
 class Parrot(Policy):

@@ -9,8 +9,7 @@ import pytest
 
 from sim2reason.errors import EvaluationError
 from sim2reason.evaluation.benchmarks import benchmark_from
-from sim2reason.evaluation.benchmarks.runs.config import Evaluation
-from sim2reason.evaluation.benchmarks.runs.folder import RunFolder
+from sim2reason.evaluation.benchmarks.runs.config import Evaluation, RunFolder
 from sim2reason.evaluation.reports.comparison import compare, correlate
 from sim2reason.evaluation.reports.evaluation import evaluate
 from sim2reason.evaluation.reports.results import wilson

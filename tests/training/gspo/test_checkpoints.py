@@ -5,8 +5,16 @@ from pathlib import Path
 import pytest
 
 from sim2reason.errors import TrainingError
-from sim2reason.training.gspo.checkpoints import Cursor, clear_behind, last_checkpoint, mark, read_cursor, unmark
-from sim2reason.training.gspo.step_log import StepLog, StepRecord
+from sim2reason.training.run_files import (
+    Cursor,
+    StepLog,
+    StepRecord,
+    clear_behind,
+    last_checkpoint,
+    mark,
+    read_cursor,
+    unmark,
+)
 
 
 def saved(out: Path, updates: int) -> Path:

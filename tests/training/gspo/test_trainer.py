@@ -13,9 +13,9 @@ import pytest
 
 from sim2reason.errors import TrainingError
 from sim2reason.training.gspo import StepLog, last_checkpoint, make_trainer
-from sim2reason.training.gspo.checkpoints import read_cursor
-from sim2reason.training.lora import Lora
 from sim2reason.training.models import Checkpoint
+from sim2reason.training.optimization import Lora
+from sim2reason.training.run_files import read_cursor
 
 pytest.importorskip("trl")
 

@@ -8,8 +8,8 @@ import pytest
 import yaml
 
 from sim2reason.errors import Sim2ReasonError, TrainingError
-from sim2reason.training.models.pretrained import Pretrained
-from sim2reason.training.rewards.random import Random
+from sim2reason.training.models.language_models import Pretrained
+from sim2reason.training.rewards.answers import Random
 from sim2reason.training.rl.config import reinforcement_learning_from
 from sim2reason.training.sft.config import fine_tuning_from
 from sim2reason.training.study.config import study_from

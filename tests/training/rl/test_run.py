@@ -17,11 +17,11 @@ from sim2reason.errors import TrainingError
 from sim2reason.evaluation.policies.local_model import LocalModel
 from sim2reason.training.models import Checkpoint
 from sim2reason.training.problem_stream import ProblemStream
-from sim2reason.training.reports import held_out
-from sim2reason.training.reports.held_out import report_training
+from sim2reason.training.rl import report
 from sim2reason.training.rl.config import reinforcement_learning_from
+from sim2reason.training.rl.report import report_training
 from sim2reason.training.rl.run import prepare_rl, train_rl
-from sim2reason.training.sources.fresh import Fresh
+from sim2reason.training.sources.problems import Fresh
 
 pytest.importorskip("trl")
 
@@ -170,11 +170,11 @@ def test_settings_of_a_model_reach_the_trainer_and_the_evaluation(
     with pytest.raises(TrainingError, match="far enough"):
         train_rl(given)
     assert told == [Checkpoint(path, "v1", "bfloat16", "eager")]
-    policy = held_out._policy(reinforcement_learning_from(given), "before", path, "v1", 0.0)
+    policy = report._policy(reinforcement_learning_from(given), "before", path, "v1", 0.0)
     assert isinstance(policy, LocalModel)
     assert (policy.revision, policy.chat, policy.batch_size, policy.precision) == ("v1", False, 64, "auto")
     quick = {**given, "gspo": {**given["gspo"], "precision": "bfloat16"}, "answers_together": 512}
-    policy = held_out._policy(reinforcement_learning_from(quick), "before", path, "v1", 0.0)
+    policy = report._policy(reinforcement_learning_from(quick), "before", path, "v1", 0.0)
     assert isinstance(policy, LocalModel)
     assert (policy.batch_size, policy.precision) == (512, "bfloat16")
 

@@ -9,9 +9,9 @@ import pytest
 
 from short_run import settings
 from sim2reason.errors import TrainingError
-from sim2reason.evaluation.benchmarks.runs.folder import RunFolder
-from sim2reason.training.reports.study import report_study
+from sim2reason.evaluation.benchmarks.runs.config import RunFolder
 from sim2reason.training.study.config import study_from
+from sim2reason.training.study.report import report_study
 from sim2reason.training.study.run import prepare_study, train_study
 
 pytest.importorskip("trl")

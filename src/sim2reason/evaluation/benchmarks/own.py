@@ -14,8 +14,7 @@ from sim2reason.datasets.items import stream
 from sim2reason.datasets.plan import Chosen, modes_named
 from sim2reason.errors import EvaluationError
 from sim2reason.evaluation.benchmarks import BENCHMARKS, Benchmark, BenchmarkItem
-from sim2reason.evaluation.benchmarks.parts.files import rows
-from sim2reason.evaluation.benchmarks.parts.questions import QuestionFile
+from sim2reason.evaluation.benchmarks.files import QuestionFile, rows
 from sim2reason.generation.item import Item
 from sim2reason.generation.request import LARGEST
 

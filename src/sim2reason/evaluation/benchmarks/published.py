@@ -3,11 +3,9 @@
 from pydantic import JsonValue
 
 from sim2reason.evaluation.benchmarks import BENCHMARKS, BenchmarkItem
-from sim2reason.evaluation.benchmarks.parts.file_benchmark import FileBenchmark
-from sim2reason.evaluation.benchmarks.parts.files import Row
-from sim2reason.evaluation.benchmarks.parts.questions import QuestionFile
+from sim2reason.evaluation.benchmarks.files import FileBenchmark, QuestionFile, Row
+from sim2reason.evaluation.benchmarks.scoring.answers import boxes
 from sim2reason.evaluation.benchmarks.scoring.exams import INTEGER, NUMERIC, ONE, SEVERAL, TYPES, expected_parts
-from sim2reason.evaluation.benchmarks.scoring.parts.answers import boxes
 
 __all__ = ["ConceptsOfPhysics", "HiPhOFile", "JEEBenchFile", "Mathematics", "OlympiadBenchFile", "UniversityPhysics"]
 

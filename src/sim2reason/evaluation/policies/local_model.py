@@ -1,4 +1,7 @@
-"""Policies from the transformers library, in this process; they need the packages of the extra ``train``."""
+"""Policies in this process: models of the transformers library, and a constant text as a baseline.
+
+Models need the packages of the extra ``train``.
+"""
 
 # transformers and torch are an extra, and are spoken to in this module alone:
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
@@ -13,10 +16,22 @@ from sim2reason.base.optional import optional
 from sim2reason.base.records import cached_property
 from sim2reason.errors import PolicyError
 from sim2reason.evaluation.policies import POLICIES, Completion, Finish, Policy, SampleRequest
-from sim2reason.evaluation.policies.parts.decoding import Decoder
-from sim2reason.evaluation.policies.parts.hub import explained, loading, quiet
+from sim2reason.evaluation.policies.decoding import Decoder
+from sim2reason.evaluation.policies.network import explained, loading, quiet
 
-__all__ = ["LocalModel"]
+__all__ = ["Constant", "LocalModel"]
+
+
+@POLICIES.register("constant")
+class Constant(Policy):
+    """The same text for every prompt."""
+
+    text: str
+
+    def complete(self, requests: Sequence[SampleRequest]) -> Sequence[Completion]:
+        """Return the text for each request, with zero tokens."""
+        return [Completion(text=self.text, finish="stop", prompt_tokens=0, completion_tokens=0) for _ in requests]
+
 
 AHEAD = 2**24  # random numbers generated together
 WISHES = {

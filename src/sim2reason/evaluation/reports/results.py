@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict
 
 from sim2reason.evaluation.benchmarks import BenchmarkItem
-from sim2reason.evaluation.benchmarks.runs.folder import RunFolder
-from sim2reason.evaluation.benchmarks.runs.outcomes import Ending, SampleOutcome
+from sim2reason.evaluation.benchmarks.runs.config import RunFolder
+from sim2reason.evaluation.benchmarks.runs.run import Ending, SampleOutcome
 
 __all__ = [
     "Estimate",

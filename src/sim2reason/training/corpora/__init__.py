@@ -1,6 +1,6 @@
 """Corpora: sources of prompts with completions for fine-tuning, one module each.
 
-Corpus (settings) ↦ Row (prompt, completion) ── parts.mix ── parts.encoding ── a trainer of supervised fine-tuning
+Corpus (settings) ↦ Row (prompt, completion) ── mixed ── encoded ── a trainer of supervised fine-tuning
 """
 
 from abc import ABC, abstractmethod

@@ -1,8 +1,14 @@
-"""Corpora of arithmetic solutions and of drills."""
+"""Corpora of arithmetic solutions and of drills.
 
+Problems may have other numbers, solved by their formulas, and solutions may have planted errors.
+"""
+
+import re
 from collections import Counter
-from collections.abc import Callable, Iterator
-from typing import Annotated
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from math import copysign, degrees, isclose, isfinite, log, radians
+from typing import Annotated, Final
 
 import numpy as np
 from annotated_types import Ge, Le
@@ -12,13 +18,155 @@ from sim2reason.generation.certified import worked_solution
 from sim2reason.generation.item_search import ItemSearch, generator
 from sim2reason.generation.make import item_of
 from sim2reason.generation.request import Request
+from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Sum
+from sim2reason.solutions.algebra.functions import Call
+from sim2reason.solutions.solution import Solution
 from sim2reason.training.corpora import CORPORA, Corpus, Row
-from sim2reason.training.corpora.parts.drawing import drawn_rows
-from sim2reason.training.corpora.parts.operations import Definitions, arithmetic, plain_number
-from sim2reason.training.corpora.parts.renumbering import SLIPS, renumbered, slipped
-from sim2reason.training.sources.fresh import Fresh, fingerprint
+from sim2reason.training.corpora.operations import Definitions, arithmetic, definitions, given, plain_number
+from sim2reason.training.corpora.rows import drawn_rows
+from sim2reason.training.sources.problems import Fresh, fingerprint
 
-__all__ = ["Arithmetic", "Drills"]
+__all__ = ["SLIPS", "Arithmetic", "Drills", "renumbered", "slipped"]
+
+Changes = Callable[[Expression], Iterator[Expression]]
+"""All ways in which a formula, apart from its parts, is changed by one slip."""
+
+
+def _function(held: Expression) -> Iterator[Expression]:
+    """Yield the expression with sine and cosine exchanged."""
+    match held:
+        case Call("sin", angle):
+            yield Call("cos", angle)
+        case Call("cos", angle):
+            yield Call("sin", angle)
+        case _:
+            pass
+
+
+def _factor(held: Expression) -> Iterator[Expression]:
+    """Yield the expression without its numeric factor, such as one half."""
+    match held:
+        case Product((Number(x), *rest)) if abs(x) != 1.0:
+            yield Number(1.0 if x > 0.0 else -1.0) * held.built_of(rest)
+        case _:
+            pass
+
+
+def _sign(held: Expression) -> Iterator[Expression]:
+    """Yield the expression with the sign of one term changed."""
+    match held:
+        case Sum(terms):
+            for place in range(1, len(terms)):
+                yield held.built_of([-term if n == place else term for n, term in enumerate(terms)])
+        case _:
+            pass
+
+
+def _term(held: Expression) -> Iterator[Expression]:
+    """Yield the expression without one term."""
+    match held:
+        case Sum(terms):
+            for place in range(len(terms)):
+                yield held.built_of([term for n, term in enumerate(terms) if n != place])
+        case _:
+            pass
+
+
+SLIPS: Final[Mapping[str, Changes]] = {"factor": _factor, "function": _function, "sign": _sign, "term": _term}
+"""The kinds of slips by name."""
+
+
+def slipped(held: Definitions, shares: Mapping[str, float], rng: np.random.Generator) -> Definitions:
+    """Return the formulas of a solution with random errors, each kind of error with its own probability."""
+    for kind, share in sorted(shares.items()):
+        wrong = rng.random() < share
+        ways = [(name, way) for name, formula in held.items() for way in _anywhere(formula, SLIPS[kind])]
+        if wrong and ways:
+            name, way = ways[int(rng.integers(len(ways)))]
+            held = {**held, name: way}
+    return held
+
+
+def _anywhere(held: Expression, changes: Changes) -> Iterator[Expression]:
+    """Yield the variants of a formula with one error, in itself or in one of its parts."""
+    yield from changes(held)
+    for place, part in enumerate(held.parts):
+        for changed in _anywhere(part, changes):
+            yield held.built_of([changed if n == place else other for n, other in enumerate(held.parts)])
+
+
+WIDEST: Final = log(2.5)  # logarithm of the largest factor on a number
+STEEPEST: Final = 85.0  # degrees
+TRIES: Final = 6
+CONSTANTS: Final = frozenset({"g", "G"})  # constants of nature, which stay unchanged
+Place = tuple[tuple[int, int], str]
+"""Where a number stands in a text, and how."""
+_NUMBER = re.compile(r"(?<![\w.,])\d+(?:\.\d+)?(?![\w]*[.,]?\d)")
+
+
+def renumbered(prompt: str, solution: Solution, rng: np.random.Generator) -> tuple[str, Solution] | None:
+    """Return a prompt and its solution with other numbers; None if no numbers keep the signs of all results.
+
+    Only numbers that the prompt states once, in the digits of the problem, are changed.
+    """
+    for _ in range(TRIES):
+        text, numbers = _changed(prompt, solution, rng)
+        values = _values(solution, numbers)
+        if values is not None:
+            assert solution.answer is not None
+            answer = values[solution.goal] * solution.answer / solution.values[solution.goal]
+            return text, replace(solution, values=values, answer=answer)
+    return None
+
+
+def _changed(prompt: str, solution: Solution, rng: np.random.Generator) -> tuple[str, dict[str, float]]:
+    """Return the prompt with other numbers, and the new given values."""
+    places = [(found.span(), found.group()) for found in _NUMBER.finditer(prompt)]
+    numbers, changes = dict(given(solution)), list[Place]()
+    for name, value in numbers.items():
+        said, found = abs(value), _positions(places, abs(value))
+        if angle := not found:
+            said = degrees(said)
+            found = _positions(places, said)
+        if name in CONSTANTS or len(found) != 1 or not value:
+            continue
+        span, text = found[0]
+        new = _like(text, said * float(np.exp(rng.uniform(-WIDEST, WIDEST))))
+        if float(new) == 0.0 or (angle and float(new) > STEEPEST):
+            continue
+        changes.append((span, new))
+        numbers[name] = copysign(radians(float(new)) if angle else float(new), value)
+    for (start, end), new in sorted(changes, reverse=True):
+        prompt = prompt[:start] + new + prompt[end:]
+    return prompt, numbers
+
+
+def _positions(places: list[Place], value: float) -> list[Place]:
+    """Return the positions in a text at which a given number occurs."""
+    return [(span, text) for span, text in places if isclose(float(text), value, rel_tol=1e-9)]
+
+
+def _like(text: str, value: float) -> str:
+    """Return a number with as many significant digits as a text."""
+    digits = len(text.replace(".", "").lstrip("0")) or 1
+    rounded = float(f"{value:.{digits - 1}e}")
+    decimals = max(0, digits - 1 - int(np.floor(np.log10(rounded))))
+    return f"{rounded:.{decimals}f}"
+
+
+def _values(solution: Solution, numbers: Mapping[str, float]) -> dict[str, float] | None:
+    """Return the results of a solution's formulas for other numbers; None if a sign changes or one is undefined."""
+    values = dict(numbers)
+    for name, formula in definitions(solution).items():
+        try:
+            found = formula.value(values)
+        except (ArithmeticError, ValueError):
+            return None
+        if isinstance(found, complex) or not isfinite(found) or found * solution.values[name] <= 0.0:
+            return None
+        values[name] = found
+    return values if solution.goal in values else None
+
 
 Share = Annotated[float, Ge(0.0), Le(1.0)]
 

@@ -4,9 +4,8 @@ PromptStream ── rounds of completions and rewards ↦ groups of unequal rewa
 """
 
 from sim2reason.training.gspo.assembly import make_trainer
-from sim2reason.training.gspo.checkpoints import last_checkpoint
 from sim2reason.training.gspo.settings import GSPOSettings, PromptStream, VllmSettings
-from sim2reason.training.gspo.step_log import StepLog, StepRecord, StepSeconds
+from sim2reason.training.run_files import StepLog, StepRecord, StepSeconds, last_checkpoint
 
 __all__ = [
     "GSPOSettings",

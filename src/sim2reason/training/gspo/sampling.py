@@ -8,9 +8,9 @@ from time import perf_counter
 from typing import Literal, Protocol
 
 from sim2reason.errors import TrainingError
-from sim2reason.training.gspo.batches import Group
+from sim2reason.training.gspo.rollouts import Group
 from sim2reason.training.gspo.settings import Drawn, Row
-from sim2reason.training.gspo.step_log import StepRecord, StepSeconds
+from sim2reason.training.run_files import StepRecord, StepSeconds
 
 __all__ = ["Answered", "Filled", "Meter", "Place", "Sampler", "balance", "collapse", "fill", "has_spread", "round_size"]
 

@@ -8,7 +8,7 @@ from annotated_types import Ge, Gt, Le
 from pydantic import BaseModel, ConfigDict, FiniteFloat, JsonValue, model_validator
 
 from sim2reason.errors import TrainingError
-from sim2reason.training.lora import Lora
+from sim2reason.training.optimization import Lora
 
 __all__ = ["Drawn", "GSPOSettings", "PromptStream", "VllmSettings", "draw"]
 

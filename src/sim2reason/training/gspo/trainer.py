@@ -4,8 +4,8 @@ It overrides private methods of TRL 1.16, and refuses other minor versions.
 """
 
 # torch, trl and transformers are an extra and ship no types to an environment without them:
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
-# pyright: reportUntypedBaseClass=false
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUntypedBaseClass=false
+# pyright: reportUnknownArgumentType=false
 
 import logging
 from collections.abc import Sequence
@@ -15,10 +15,12 @@ from typing import Any, TypeAlias
 
 from sim2reason.errors import TrainingError
 from sim2reason.training.extras import library
-from sim2reason.training.gspo.batches import Group, cut, filler, join, moved
-from sim2reason.training.gspo.callbacks import BetweenUpdates
-from sim2reason.training.gspo.checkpoints import (
+from sim2reason.training.gspo.rollouts import Group, Rollouts, cut, filler, join, moved, score
+from sim2reason.training.gspo.sampling import Answered, Filled, Meter, Place, balance, collapse, fill
+from sim2reason.training.gspo.settings import Drawn, GSPOSettings, PromptStream, Row, draw
+from sim2reason.training.run_files import (
     Cursor,
+    StepLog,
     clear_behind,
     folder_of,
     last_checkpoint,
@@ -26,12 +28,29 @@ from sim2reason.training.gspo.checkpoints import (
     read_cursor,
     unmark,
 )
-from sim2reason.training.gspo.rollouts import Rollouts, score
-from sim2reason.training.gspo.sampling import Answered, Filled, Meter, Place, balance, collapse, fill
-from sim2reason.training.gspo.settings import Drawn, GSPOSettings, PromptStream, Row, draw
-from sim2reason.training.gspo.step_log import StepLog
 
-__all__ = ["GSPOTrainer"]
+__all__ = ["BetweenUpdates", "GSPOTrainer"]
+
+
+class BetweenUpdates(library("transformers").TrainerCallback):
+    """Callbacks of transformers' training loop for a `GSPOTrainer`."""
+
+    def __init__(self, trainer: Any) -> None:  # noqa: ANN401 - ours, which imports this module
+        """Store the trainer, whose state tells short steps and an exhausted stream."""
+        self.trainer = trainer
+
+    def on_pre_optimizer_step(self, *_: object, **__: object) -> None:
+        """Exempt weights with zero gradients from the update, which momentum and decay would otherwise change."""
+        if self.trainer.short:
+            for weights in self.trainer.model.parameters():
+                if weights.grad is not None and not weights.grad.any():
+                    weights.grad = None
+
+    def on_step_end(self, _: object, state: Any, control: Any, **__: object) -> None:  # noqa: ANN401 - transformers' own
+        """Stop the run, and save a checkpoint, after the step in which the prompt stream ended."""
+        if self.trainer.exhausted and state.global_step % self.trainer.settings.minibatches == 0:
+            control.should_training_stop = control.should_save = True
+
 
 SUPPORTED = "1.16"
 Tensor: TypeAlias = Any

@@ -14,7 +14,7 @@ from sim2reason.base.registry import Registry
 from sim2reason.base.settings import build_member
 from sim2reason.errors import TrainingError
 from sim2reason.training.extras import External
-from sim2reason.training.models.parts.checkpoint import Checkpoint, Loaded
+from sim2reason.training.models.checkpoints import Checkpoint, Loaded
 
 __all__ = ["MODELS", "Checkpoint", "Loaded", "ModelSettings", "model_from", "model_given", "uses_chat_template"]
 

@@ -10,7 +10,7 @@ from pydantic import BaseModel, ConfigDict
 from sim2reason.base.registry import Registry
 from sim2reason.base.settings import build_member
 from sim2reason.errors import TrainingError
-from sim2reason.training.problem import Problem
+from sim2reason.training.sources import Problem
 
 __all__ = ["REWARDS", "Reward", "reward_from", "reward_function"]
 

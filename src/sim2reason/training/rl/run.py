@@ -13,12 +13,10 @@ from sim2reason.base.atomic_files import working_in
 from sim2reason.training.extras import External, library, quiet, require, without_cudnn_attention
 from sim2reason.training.gspo import make_trainer
 from sim2reason.training.models import Checkpoint, uses_chat_template
-from sim2reason.training.prefetch import prefetching
-from sim2reason.training.problem_stream import ProblemStream
+from sim2reason.training.problem_stream import ProblemStream, prefetching
 from sim2reason.training.processes import Advance, Begun, in_processes, launched
 from sim2reason.training.rewards import reward_function
-from sim2reason.training.rl.config import ReinforcementLearning, reinforcement_learning_from
-from sim2reason.training.rl.folder import Trained, TrainingFolder
+from sim2reason.training.rl.config import ReinforcementLearning, Trained, TrainingFolder, reinforcement_learning_from
 from sim2reason.training.sft.config import FineTuning
 from sim2reason.training.sft.run import prepare_sft, train_sft
 

@@ -16,12 +16,10 @@ from sim2reason.base.settings import build_each, configuration
 from sim2reason.errors import TrainingError
 from sim2reason.generation.item import Record
 from sim2reason.training.corpora import CORPORA, Corpus, Row, corpus_from
-from sim2reason.training.corpora.parts.lines import rows_in
-from sim2reason.training.corpora.parts.mix import mixed
-from sim2reason.training.lora import Lora
+from sim2reason.training.corpora.rows import mixed, rows_in
 from sim2reason.training.models import MODELS, ModelSettings, model_given
-from sim2reason.training.run_plan import SFT_PLAN, claim, finish, result_in
-from sim2reason.training.step_lines import StepLines
+from sim2reason.training.optimization import Lora
+from sim2reason.training.run_files import SFT_PLAN, StepLines, claim, finish, result_in
 
 __all__ = ["FineTuned", "FineTuning", "SftFolder", "fine_tuning_from"]
 

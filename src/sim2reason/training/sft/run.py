@@ -11,10 +11,10 @@ from pathlib import Path
 from sim2reason.base.atomic_files import working_in
 from sim2reason.errors import TrainingError
 from sim2reason.training.corpora import Row
-from sim2reason.training.corpora.parts.mix import Limits, counted, encoded_table
+from sim2reason.training.corpora.rows import Limits, counted, encoded_table
 from sim2reason.training.extras import External, library, quiet, require, without_cudnn_attention
 from sim2reason.training.models import Loaded, uses_chat_template
-from sim2reason.training.models.parts.checkpoint import context_of
+from sim2reason.training.models.checkpoints import context_of
 from sim2reason.training.sft.config import FineTuned, FineTuning, SftFolder, fine_tuning_from
 from sim2reason.training.sft.trainer import arguments, trainer
 

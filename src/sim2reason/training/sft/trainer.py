@@ -1,5 +1,9 @@
 """Trainer of supervised fine-tuning with batches of rows of similar length."""
 
+# TRL, transformers and torch are an extra:
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUntypedBaseClass=false
+# pyright: reportUnknownArgumentType=false
+
 import json
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -13,13 +17,10 @@ from sim2reason.errors import TrainingError
 from sim2reason.generation.item_search import generator
 from sim2reason.training.extras import External, library
 from sim2reason.training.models import Loaded
-from sim2reason.training.optimizers import muon_with_adamw
+from sim2reason.training.optimization import muon_with_adamw
 from sim2reason.training.sft.config import FineTuning, SftFolder
 
 __all__ = ["arguments", "batches_by_length", "sampler_by_length", "trainer"]
-
-# torch is an extra:
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUntypedBaseClass=false
 
 
 AMONG = 50  # batches sorted together: more of them mean less padding and a less random order
@@ -60,11 +61,6 @@ def _sampler() -> External:
             return iter(batches_by_length(self.lengths, self.batch, self.seed, self.epoch))
 
     return ByLength
-
-
-# TRL, transformers and torch are an extra:
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
-# pyright: reportUntypedBaseClass=false
 
 
 SMALL = 2**15  # vocabulary size up to which all logits fit in memory

@@ -2,7 +2,7 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from typing import Annotated
+from typing import Annotated, Any
 
 from annotated_types import Gt
 from pydantic import BaseModel, ConfigDict
@@ -10,10 +10,28 @@ from pydantic import BaseModel, ConfigDict
 from sim2reason.base.registry import Registry
 from sim2reason.base.settings import build_member
 from sim2reason.errors import TrainingError
+from sim2reason.evaluation.benchmarks import BenchmarkItem
 from sim2reason.evaluation.policies import Name
-from sim2reason.training.problem import Problem
 
-__all__ = ["SOURCES", "ProblemSource", "source_from"]
+__all__ = ["SOURCES", "Problem", "ProblemSource", "source_from"]
+
+
+class Problem(BaseModel):
+    """A prompt with its answer and scoring rule, its origin, and its cell in the curriculum."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    item: BenchmarkItem
+    source: str
+    """The name of its source."""
+    cell: str
+    fingerprint: str = ""
+    """What the same problem of the same numbers has, too, in whatever words; empty where it is not known."""
+
+    def row(self, *, chat: bool) -> dict[str, Any]:
+        """Return the problem as a row for trainers; with `chat` the prompt is a list of messages."""
+        prompt: Any = [{"role": "user", "content": self.item.prompt}] if chat else self.item.prompt
+        return {"prompt": prompt, "problem": self.model_dump_json()}
 
 
 class ProblemSource(BaseModel, ABC):

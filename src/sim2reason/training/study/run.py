@@ -14,9 +14,9 @@ from subprocess import STDOUT, Popen
 
 from sim2reason.base.atomic_files import canonical, put_text, working_in
 from sim2reason.errors import Sim2ReasonError, TrainingError
-from sim2reason.evaluation.benchmarks.runs.folder import RUN, copy_answers
+from sim2reason.evaluation.benchmarks.runs.config import RUN, copy_answers
 from sim2reason.training.extras import require
-from sim2reason.training.rl.folder import Trained, TrainingFolder
+from sim2reason.training.rl.config import Trained, TrainingFolder
 from sim2reason.training.rl.run import NEEDED, Stage
 from sim2reason.training.study.config import Arm, TrainingStudy, study_from
 

@@ -5,10 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from sim2reason.evaluation.benchmarks.runs.config import evaluation_from
-from sim2reason.evaluation.benchmarks.runs.folder import RunFolder, copy_answers
+from sim2reason.evaluation.benchmarks.runs.config import RunFolder, copy_answers, evaluation_from
 from sim2reason.evaluation.benchmarks.runs.run import run
-from sim2reason.evaluation.policies.samples.journal import finished
+from sim2reason.evaluation.policies.journal import finished
 
 
 @pytest.fixture

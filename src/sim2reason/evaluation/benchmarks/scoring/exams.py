@@ -8,7 +8,7 @@ from typing import Final, NamedTuple, cast
 from pydantic import JsonValue
 
 from sim2reason.evaluation.benchmarks.scoring import SCORINGS, Award, Reference, Scoring
-from sim2reason.evaluation.benchmarks.scoring.parts.answers import (
+from sim2reason.evaluation.benchmarks.scoring.answers import (
     boxes,
     chosen,
     equal_expressions,
@@ -16,13 +16,13 @@ from sim2reason.evaluation.benchmarks.scoring.parts.answers import (
     in_box,
     is_equation,
     name_of,
+    paired,
     parts,
     read,
     same_text,
     unboxed_options,
     unit_or_none,
 )
-from sim2reason.evaluation.benchmarks.scoring.parts.matching import paired
 from sim2reason.grading import number
 
 __all__ = ["HiPhO", "JEEBench", "OlympiadBench", "expected_parts"]

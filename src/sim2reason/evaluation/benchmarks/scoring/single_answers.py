@@ -5,19 +5,18 @@ from typing import Final, cast
 
 from sim2reason.base.records import cached_property
 from sim2reason.evaluation.benchmarks.scoring import SCORINGS, Award, Reference, Scoring
-from sim2reason.evaluation.benchmarks.scoring.parts.answers import (
+from sim2reason.evaluation.benchmarks.scoring.answers import (
     agrees,
     boxes,
     equal_expressions,
     equivalent_equations,
     in_box,
     is_equation,
+    paired,
     read,
     same_text,
 )
-from sim2reason.evaluation.benchmarks.scoring.parts.killable import Killable
-from sim2reason.evaluation.benchmarks.scoring.parts.matching import paired
-from sim2reason.evaluation.benchmarks.scoring.parts.verify_math import verified
+from sim2reason.evaluation.benchmarks.scoring.math_verify import Killable, verified
 from sim2reason.generation.item import Answer, grade_answer
 from sim2reason.grading import Outcome, number
 

@@ -1,1 +1,0 @@
-"""Helpers shared by scoring rules: answers, numbers, expressions, equations and lists."""

@@ -1,1 +1,0 @@
-"""Helpers shared by policies: secrets, HTTP requests, endpoint replies, delays and budgets."""

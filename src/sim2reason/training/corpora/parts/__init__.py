@@ -1,1 +1,0 @@
-"""Helpers shared by corpora: reading and mixing of rows, tokenization, arithmetic solutions."""

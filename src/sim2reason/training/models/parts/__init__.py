@@ -1,1 +1,0 @@
-"""Helpers shared by models: loading of checkpoints, and construction of tokenizers."""

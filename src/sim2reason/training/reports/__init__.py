@@ -1,1 +1,0 @@
-"""Reports on training runs: held-out accuracy and studies."""
