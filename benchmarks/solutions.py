@@ -34,7 +34,7 @@ from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.solutions import STRATEGIES, ProblemContext, Solution, solve, solve_with
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data
-from sim2reason.solutions.multipart.in_sequence import results_of
+from sim2reason.solutions.multipart import results_of
 from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.solution import ANSWER_RTOL, RELATION_RTOL
 from sim2reason.solutions.verification import verification_fault

@@ -27,8 +27,8 @@ from sim2reason.scenes.entities.spring_blocks import SpringBlock
 from sim2reason.solutions import Solution, solve
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.closed_forms import closed_form
+from sim2reason.solutions.derivation import may_have_solution
 from sim2reason.solutions.laws.nested import inserted
-from sim2reason.solutions.shortest import may_have_solution
 from sim2reason.solutions.writing.steps import SolutionBuilder
 from sim2reason.testing.solution_text import read
 from sim2reason.testing.solution_verification import SEEN, faults

@@ -7,8 +7,7 @@ from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.other_roots import OtherRoots, Sides
 from sim2reason.solutions.solution import Relation
-from sim2reason.solutions.writing.comparing import why_this_time
-from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError, why_this_time
 
 X, A = Symbol("x"), Symbol("a")
 

@@ -6,8 +6,7 @@ import pytest
 
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.multipart.recall import recall_results
-from sim2reason.solutions.parts import chosen
-from sim2reason.solutions.solution import Relation, Solution, Step
+from sim2reason.solutions.solution import Relation, Solution, Step, chosen
 
 
 def test_the_letter_of_an_option_stands_in_a_paragraph_of_its_own() -> None:

@@ -21,7 +21,7 @@ from sim2reason.scenes.entities.stacked_mass_plane import StackedMassPlane
 from sim2reason.solutions import ProblemContext, Solution, solve
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.algebra.functions import Power
-from sim2reason.solutions.algebra.inverse import other_solutions
+from sim2reason.solutions.algebra.root_finding import other_solutions
 from sim2reason.testing.solution_verification import faults
 from worked import asked, solution_text
 

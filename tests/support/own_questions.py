@@ -8,7 +8,7 @@ import sim2reason
 from sim2reason.datasets.scene_questions import SolvedProblem
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data
-from sim2reason.solutions.writing.unit_latex import latex
+from sim2reason.solutions.writing.notation import latex
 from sim2reason.testing.solution_text import read
 from sim2reason.testing.solution_verification import faults
 

@@ -20,8 +20,8 @@ from sim2reason.questions.words import spoken_of
 from sim2reason.scenes.dsl.entity import Entity, Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.solutions import ProblemContext, Solution, solve
-from sim2reason.solutions.multipart.in_sequence import sequential_solutions
-from sim2reason.solutions.parts import combine_parts
+from sim2reason.solutions.multipart import sequential_solutions
+from sim2reason.solutions.solution import combine_parts
 from sim2reason.solutions.solve import setting_of
 from sim2reason.testing.solution_text import read
 from sim2reason.testing.solution_verification import faults

@@ -12,9 +12,8 @@ from sim2reason.questions.spoken_units import system_named
 from sim2reason.simulation.certify import Certificate
 from sim2reason.solutions import ProblemContext, Solution, solve
 from sim2reason.solutions.difficulty import SolutionDifficulty, measure_difficulty, number_of_events
-from sim2reason.solutions.multipart.in_sequence import sequential_solutions
-from sim2reason.solutions.parts import chosen, combine_parts
-from sim2reason.solutions.writing.asked_units import convert_answer
+from sim2reason.solutions.multipart import sequential_solutions
+from sim2reason.solutions.solution import chosen, combine_parts, convert_answer
 from sim2reason.text.prose.description import Description
 
 

@@ -21,7 +21,7 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.structure import changing
 from sim2reason.scenes.dsl.template import Topic
 from sim2reason.simulation.certify import Certificate, certify_trace
-from sim2reason.solutions.shortest import may_have_solution, shortest_solution
+from sim2reason.solutions.derivation import may_have_solution, shortest_solution
 from sim2reason.text.prose.description import Description, describe
 
 SAMPLES = 41

@@ -1,15 +1,21 @@
-"""Arguments that exclude the opposite sign of a quantity of which a question states only the magnitude."""
+"""The sign of a quantity of which a question states only the magnitude: why the opposite sign is excluded."""
 
 from collections.abc import Iterator, Sequence
 
+from sim2reason.solutions.algebra.evaluated import Chain
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Sum, Symbol
 from sim2reason.solutions.algebra.functions import Absolute, Call, Root
-from sim2reason.solutions.algebra.inverse import substitute_all
-from sim2reason.solutions.algebra.reached import is_restitution
+from sim2reason.solutions.algebra.root_finding import (
+    is_explicit,
+    is_restitution,
+    range_text,
+    substitute_all,
+    values_with,
+)
+from sim2reason.solutions.other_roots import OtherRoots
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.solution import with_unit
-from sim2reason.solutions.writing.comparing import record_inequality
-from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError
+from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError, record_inequality
 
 SQUARES = frozenset({"kinetic energy", "rotational kinetic energy", "translational kinetic energy"})  # never negative
 ONLY = "Only a magnitude is given;"
@@ -115,3 +121,27 @@ def _inner_first(held: Expression) -> Iterator[Expression]:
     for part in held.parts:
         yield from _inner_first(part)
     yield held
+
+
+OPPOSITE = f"{ONLY} with the opposite sign, for which {{}} would be {{}}"
+"""Beginning of the sentence that excludes a value of the unknown with which the goal has the opposite sign."""
+
+
+def write_sign_reason(
+    roots: OtherRoots, step: StepBuilder, chain: Chain | None, found: Sequence[tuple[str, Expression]]
+) -> None:
+    """Write why the opposite sign of the goal is excluded: the unknown would have no value or an impossible value.
+
+    The `chain` leads from the unknown to the goal, and is None where the sign is known. If one of its formulas is a
+    root that was found numerically, no other values are searched for.
+    """
+    if chain is None:
+        return
+    goal, _ = chain.formulas[-1]
+    if exclude_opposite_sign(roots.book, step, goal, found) or not is_explicit(chain):
+        return
+    others = values_with(chain, -float(chain.value(roots.book.values).real), roots.unknown, roots.book)
+    if not others:
+        what = range_text(roots.unknown, roots.book)
+        step.add_text(f"{ONLY} no {what} gives $-{goal}$ in place of ${goal}$.")
+    roots.schedule_exclusion(others, OPPOSITE)

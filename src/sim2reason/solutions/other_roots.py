@@ -7,13 +7,11 @@ from math import inf, pi
 from sim2reason.solutions.algebra.evaluated import Chain
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Root
-from sim2reason.solutions.algebra.inverse import substitute
-from sim2reason.solutions.algebra.reached import is_explicit, range_text, values_with
-from sim2reason.solutions.algebra.single_sine import beyond_right_angle
+from sim2reason.solutions.algebra.root_finding import is_explicit, range_text, substitute, values_with
+from sim2reason.solutions.algebra.standard_equations import beyond_right_angle
 from sim2reason.solutions.solution import ANSWER_RTOL, with_unit
-from sim2reason.solutions.writing.comparing import record_inequality
-from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import DEGREES, SECONDS
+from sim2reason.solutions.writing.notation import DEGREES, SECONDS
+from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError, record_inequality
 
 Sides = tuple[Expression, Expression]
 """The left and right sides of an equation."""

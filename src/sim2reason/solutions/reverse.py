@@ -18,28 +18,30 @@ from sim2reason.solutions.algebra.evaluated import (
     numeric_parts,
 )
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Quotient, Symbol, added
-from sim2reason.solutions.algebra.inverse import (
+from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.algebra.root_finding import (
     evaluate_known_parts,
     numeric_root,
     other_solutions,
     solved_for,
     substitute,
 )
-from sim2reason.solutions.algebra.polynomials import Polynomial
-from sim2reason.solutions.algebra.single_sine import closed_root, fraction_in, single_sine, trend
-from sim2reason.solutions.algebra.stated_equations import (
+from sim2reason.solutions.algebra.standard_equations import (
     as_one_fraction,
     as_power,
+    closed_root,
     found_by_double_angle,
+    fraction_in,
     half_angles,
+    single_sine,
     stated_equation,
+    trend,
 )
-from sim2reason.solutions.collisions.placing import SOLVE_KIND
-from sim2reason.solutions.opposite_values import write_sign_reason
+from sim2reason.solutions.equivalent_questions import at_end, at_named_moment
+from sim2reason.solutions.opposite_sign import write_sign_reason
 from sim2reason.solutions.other_roots import OtherRoots, Sides
-from sim2reason.solutions.reached_values import at_named_moment
 from sim2reason.solutions.setting import ProblemContext, join_words
-from sim2reason.solutions.stretch_ends import at_end
+from sim2reason.solutions.writing.arrangement import SOLVE_KIND
 from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError
 
 PAIR = 2  # number of terms of an equation whose root can be read off

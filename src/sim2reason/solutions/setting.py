@@ -17,7 +17,7 @@ from sim2reason.simulation.engines.exact.motion import Motion
 from sim2reason.simulation.quantities.subjects.interactions import line_phrases, pulleys, springs
 from sim2reason.simulation.trace import events_before
 from sim2reason.solutions.writing.lexicon import Lexicon, StatedNumber
-from sim2reason.solutions.writing.unit_latex import latex
+from sim2reason.solutions.writing.notation import latex
 from sim2reason.text.prose.description import Description
 from sim2reason.text.prose.voices import numeric
 

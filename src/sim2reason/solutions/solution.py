@@ -1,18 +1,20 @@
-"""The parts of a worked solution: steps with their relations, phases and the answer."""
+"""The parts of a worked solution: steps with their relations, phases and the answer; solutions of several parts."""
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, fields, replace
 from math import degrees
 from typing import Literal
 
 from sim2reason.base.records import abridged, cached_property, counted
+from sim2reason.grading.parts import LABELS
 from sim2reason.questions.difficulty import Need, most_advanced
-from sim2reason.solutions.algebra.digits import DIGITS, rounded_latex
+from sim2reason.questions.spoken_units import SpokenUnits
 from sim2reason.solutions.algebra.evaluated import NumericRoot, SpecialFunction
-from sim2reason.solutions.algebra.expressions import Expression, Number
-from sim2reason.solutions.algebra.needs import need_of
+from sim2reason.solutions.algebra.expressions import DIGITS, Expression, Number, rounded_latex
+from sim2reason.solutions.algebra.functions import need_of
 from sim2reason.solutions.algebra.plain_latex import plain_latex
-from sim2reason.solutions.writing.unit_latex import DEGREES
+from sim2reason.solutions.writing.notation import DEGREES, latex
 
 Role = Literal["given", "law", "derived", "result", "verified", "exceeds", "trial", "condition"]
 CHECKS = frozenset({"verified", "exceeds"})  # roles of relations on which no other relation depends
@@ -238,3 +240,96 @@ class Solution:
 def with_unit(value: float, unit: str, digits: int = DIGITS) -> str:
     """Return a number with its unit, in LaTeX; angles in degrees are passed in radians."""
     return f"{rounded_latex(degrees(value) if unit == DEGREES else value, digits)}{unit}"
+
+
+_BOX = re.compile(r"\\boxed\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}")
+
+
+@dataclass(frozen=True, slots=True)
+class PartsSolution(Solution):
+    """The combined solution of all parts; its goal and answer are those of the last part."""
+
+    parts: tuple[Solution, ...] = ()
+
+    @property
+    def derived(self) -> bool:
+        """Return whether the answers to all parts are derived in closed form."""
+        return bool(self.parts) and all(part.derived for part in self.parts)
+
+    @property
+    def text(self) -> str:
+        """Return the solutions of all parts with their labels, and all answers in one box."""
+        told = [f"({label}) {_unboxed_text(part)}" for label, part in zip(LABELS, self.parts, strict=False)]
+        if self.answer is not None:
+            boxes = (_BOX.search(part.text) for part in self.parts)
+            said = "; ".join(f"({label}) {box[1] if box else ''}" for label, box in zip(LABELS, boxes, strict=False))
+            told.append(rf"Answers: $\boxed{{{said}}}$.")
+        return "\n\n".join(told)
+
+
+@dataclass(frozen=True, slots=True)
+class ChosenSolution(Solution):
+    """A solution of a multiple-choice question, whose answer is the letter of an option."""
+
+    letter: str = ""
+
+    @property
+    def text(self) -> str:
+        """Return the solution of the question without options, followed by the letter in a box."""
+        text = _BOX.sub(r"\1", super(ChosenSolution, self).text)
+        return f"{text}\n\n" + rf"That is option $\boxed{{\text{{{self.letter}}}}}$."
+
+
+def chosen(solution: Solution, letter: str) -> Solution:
+    """Return the solution of a multiple-choice question from the solution of the plain question."""
+    held = {each.name: getattr(solution, each.name) for each in fields(Solution)}
+    return ChosenSolution(**held, letter=letter)
+
+
+def combine_parts(parts: Sequence[Solution]) -> Solution:
+    """Return one solution of all parts; if a part has no answer, one without an answer whose reason names this part."""
+    for label, part in zip(LABELS, parts, strict=False):
+        if part.answer is None:
+            return Solution("", reason=f"part ({label}): {part.reason}")
+    names = dict.fromkeys(part.strategy for part in parts)
+    last = parts[-1]
+    return PartsSolution(
+        "; ".join(names),
+        tuple(_in_one_row(parts)),
+        last.values,
+        last.goal,
+        answer=last.answer,
+        unit=last.unit,
+        parts=tuple(parts),
+    )
+
+
+def _unboxed_text(part: Solution) -> str:
+    """Return the text of one part without the box around its answer."""
+    return _BOX.sub(r"\1", part.text)
+
+
+def _in_one_row(parts: Sequence[Solution]) -> Iterator[Step]:
+    """Yield the steps of all parts with consecutive numbers from zero."""
+    count = 0
+    for part in parts:
+        for step in part.steps:
+            yield replace(step, id=step.id + count, needs=tuple(need + count for need in step.needs))
+        count += len(part.steps)
+
+
+GIVEN = "Given: "
+
+
+def convert_answer(system: SpokenUnits, solution: Solution, unit: str) -> Solution:
+    """Return a solution in SI units that ends with a conversion to the unit in which the prompt asks for the answer."""
+    other, factor = system.spelled(unit)
+    if solution.answer is None or solution.formula or not system.says_otherwise:
+        return solution
+    steps = tuple(
+        replace(step, text=step.text.replace(GIVEN, "Given, in SI units: ", 1)) if step.kind == "givens" else step
+        for step in solution.steps
+    )
+    return replace(
+        solution, steps=steps, asked_unit=(latex(other), float(factor)) if other != unit else solution.asked_unit
+    )

@@ -1,5 +1,6 @@
 """The search for the worked solution of a query about a scene."""
 
+import re
 from collections.abc import Mapping
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
@@ -13,27 +14,25 @@ from sim2reason.questions.prompt import ParsedPrompt, parse_prompt
 from sim2reason.questions.words import Words
 from sim2reason.solutions.algebra.evaluated import is_special, numeric_parts
 from sim2reason.solutions.algebra.expressions import Number, Symbol
-from sim2reason.solutions.closed_forms.ingredients import with_final_algebra
-from sim2reason.solutions.collisions.long_chains import group_steps, without_repeats
-from sim2reason.solutions.collisions.placing import SOLVE_KIND, in_order
-from sim2reason.solutions.laws.either_way import needs_modulus
+from sim2reason.solutions.closed_forms.symbolic_answers import needs_modulus, with_final_algebra
+from sim2reason.solutions.equivalent_questions import number_unit, tell_reason
 from sim2reason.solutions.laws.strings_and_pulleys import after_what_they_rest_on
-from sim2reason.solutions.multipart.renaming import renumber_times
+from sim2reason.solutions.multipart.names import rename_solution
 from sim2reason.solutions.opposite_sign import states_only_magnitude
-from sim2reason.solutions.reached_values import number_unit
 from sim2reason.solutions.reverse import Inversion, forward
 from sim2reason.solutions.setting import ProblemContext, join_words
 from sim2reason.solutions.solution import ANSWER_RTOL, Relation, Solution, Step
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, applicable_strategies, strategies_for_kind
-from sim2reason.solutions.stretch_ends import tell_reason
 from sim2reason.solutions.verification import verify_solution
+from sim2reason.solutions.writing.arrangement import SOLVE_KIND, group_steps, in_order, merged, without_repeats
 from sim2reason.solutions.writing.lexicon import UnreadError
-from sim2reason.solutions.writing.merging import merged
+from sim2reason.solutions.writing.notation import DEGREES
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import DEGREES
 from sim2reason.text.prose.phrases import Names
 from sim2reason.text.prose.voices import numeric
 from sim2reason.text.prose.writer import Writer
+
+TIME = re.compile(r"t(?:_(?:(\d)|\{(\d+)\}))?")  # the symbol t, with its number if it has one
 
 
 def solve(setting: ProblemContext, *, derived: bool = False, checked: bool = True) -> Solution:
@@ -273,3 +272,17 @@ def _renumbered(steps: list[Step]) -> tuple[Step, ...]:
         replace(step, id=number, needs=tuple(place[n] for n in step.needs if n in place))
         for number, step in enumerate(steps)
     )
+
+
+def renumber_times(solution: Solution) -> Solution:
+    """Return a solution whose times t₁, t₂, … are numbered in the order of the steps that give them."""
+    given = [name for step in solution.steps for name in step.gives if TIME.fullmatch(name)]
+    names = [name for name in dict.fromkeys(given) if name not in solution.stated]
+    exchanged = dict(zip(names, sorted(names, key=_number), strict=True))
+    return rename_solution(solution, exchanged)
+
+
+def _number(name: str) -> int:
+    match = TIME.fullmatch(name)
+    assert match is not None
+    return int(match[1] or match[2] or 0)

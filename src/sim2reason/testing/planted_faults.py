@@ -18,9 +18,9 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from math import isclose
 from typing import Any
 
+from sim2reason.solutions.checking import COMPARED
 from sim2reason.solutions.checking.equation import Equation
 from sim2reason.solutions.checking.integration import PARTS, formulas
-from sim2reason.solutions.checking.recompute import COMPARED
 from sim2reason.solutions.checking.trees import Tree, symbols, value
 from sim2reason.solutions.solution import RELATION_RTOL
 

@@ -12,7 +12,7 @@ from sim2reason.grading.parser import parse
 from sim2reason.grading.score import Outcome, Refused
 from sim2reason.grading.tokens import Token, canonical, tokenize
 from sim2reason.scenes.dsl.units import parse_unit
-from sim2reason.solutions.writing.unit_latex import DEGREES, unit_of
+from sim2reason.solutions.writing.notation import DEGREES, unit_of
 from sim2reason.testing.solution_verification import LabelSum, label_sums
 
 FORMULA = re.compile(r"\$((?:(?!\\boxed)[^$])*=(?:(?!\\boxed)[^$])*)\$")

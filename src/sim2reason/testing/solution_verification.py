@@ -11,13 +11,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.solutions.algebra.digits import DIGITS, round_to_digits
 from sim2reason.solutions.algebra.evaluated import gradient
-from sim2reason.solutions.algebra.expressions import Expression, Sum, Symbol
+from sim2reason.solutions.algebra.expressions import DIGITS, Expression, Sum, Symbol, round_to_digits
 from sim2reason.solutions.checking import recompute
-from sim2reason.solutions.collisions.long_chains import TIME
 from sim2reason.solutions.data import as_data
 from sim2reason.solutions.solution import CHECKS, RELATION_RTOL, Relation, Solution
+from sim2reason.solutions.writing.arrangement import TIME
 
 FAINT = 1e-8  # relative residual of a combination of laws for a row that follows from them
 ROUNDING = 1e-13  # SI units: rounding error of numbers that cancel

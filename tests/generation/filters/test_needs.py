@@ -12,7 +12,7 @@ from sim2reason.generation.question_search import UNSUITED, QuestionSearch
 from sim2reason.questions import MODES
 from sim2reason.questions.difficulty import EVERY, Need
 from sim2reason.solutions import Solution
-from sim2reason.solutions.shortest import shortest_solution
+from sim2reason.solutions.derivation import shortest_solution
 
 SIMPLE = frozenset(need for need in Need if need <= Need.INVERSE_FUNCTION)
 
@@ -79,7 +79,7 @@ def test_a_solution_that_can_not_be_shown_is_replaced_before_a_question_is_kept(
     before = candidate.solution
     assert before is not None
     assert candidate.checked is candidate
-    monkeypatch.setattr("sim2reason.solutions.shortest.verify_solution", lambda *_: Solution("", reason="not shown"))
+    monkeypatch.setattr("sim2reason.solutions.derivation.verify_solution", lambda *_: Solution("", reason="not shown"))
     other = candidate.checked
     assert other is not candidate
     assert other.solution is not None

@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.solutions.algebra.digits import pure_number
+from sim2reason.solutions.algebra.expressions import pure_number
 
 
 @pytest.mark.parametrize(

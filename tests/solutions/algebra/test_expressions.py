@@ -9,9 +9,17 @@ from hypothesis import strategies as st
 from sim2reason.grading import arithmetic
 from sim2reason.grading.parser import parse
 from sim2reason.grading.tokens import tokenize
-from sim2reason.solutions.algebra.digits import round_to_digits, rounded_latex
 from sim2reason.solutions.algebra.evaluated import NumericFormula, NumericRoot, gradient
-from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.algebra.expressions import (
+    Expression,
+    Number,
+    Symbol,
+    added,
+    multiplied,
+    ratio,
+    round_to_digits,
+    rounded_latex,
+)
 from sim2reason.solutions.algebra.fractions import reduced_quotient
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total

@@ -9,9 +9,8 @@ from hypothesis import strategies as st
 from sim2reason.questions.difficulty import Need
 from sim2reason.solutions.algebra.evaluated import Chain
 from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Symbol
-from sim2reason.solutions.algebra.functions import Call, Power, Root
-from sim2reason.solutions.algebra.needs import need_of
-from sim2reason.solutions.algebra.single_sine import closed_root
+from sim2reason.solutions.algebra.functions import Call, Power, Root, need_of
+from sim2reason.solutions.algebra.standard_equations import closed_root
 
 X, M, G = Symbol("x"), Symbol("m"), Symbol("g")
 SIZES = st.floats(0.2, 8.0)

@@ -20,8 +20,7 @@ from sim2reason.solutions.algebra.evaluated import (
     QuadraticRoot,
 )
 from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Quotient, Symbol
-from sim2reason.solutions.algebra.functions import Call, Power, Root
-from sim2reason.solutions.algebra.needs import need_of, operation
+from sim2reason.solutions.algebra.functions import Call, Power, Root, need_of, operation
 
 X, HALF = Symbol("x"), Number(0.5)
 KEPLER = X - HALF * Call("sin", X) - ONE

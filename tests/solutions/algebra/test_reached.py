@@ -7,9 +7,9 @@ import pytest
 from sim2reason.solutions.algebra.evaluated import Chain
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.algebra.functions import Call
-from sim2reason.solutions.algebra.reached import range_text, values_with
+from sim2reason.solutions.algebra.root_finding import range_text, values_with
+from sim2reason.solutions.writing.notation import DEGREES
 from sim2reason.solutions.writing.steps import SolutionBuilder
-from sim2reason.solutions.writing.unit_latex import DEGREES
 
 X = Symbol("x")
 

@@ -11,9 +11,9 @@ from sim2reason.scenes.dsl.connection import CONNECTIONS
 from sim2reason.scenes.dsl.entity import ENTITIES
 from sim2reason.scenes.dsl.model import field_types
 from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Quotient, Sum, Symbol
-from sim2reason.solutions.algebra.factors import factors_of, has_fraction, never_negative
 from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Power, Root
 from sim2reason.solutions.algebra.plain_latex import has_nested_fraction, plain_latex, without_nested_fractions
+from sim2reason.solutions.algebra.transformations import factors_of, has_fraction, never_negative
 
 M, K, V, G, R, X, Y, D = (Symbol(name) for name in ("m", "k", "v", "g", "R", "x", "y", "d"))
 MU, HEAVY = Symbol(r"\mu"), Symbol("M")

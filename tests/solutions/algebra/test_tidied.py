@@ -5,7 +5,12 @@ import pytest
 from sim2reason.solutions.algebra.evaluated import NumericFormula
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
-from sim2reason.solutions.algebra.stated_equations import as_one_fraction, as_power, found_by_double_angle, half_angles
+from sim2reason.solutions.algebra.standard_equations import (
+    as_one_fraction,
+    as_power,
+    found_by_double_angle,
+    half_angles,
+)
 
 A, B, X = map(Symbol, ("a", "b", "x"))
 AT = {"a": 1.5, "b": 0.8, "x": 0.6}

@@ -8,8 +8,7 @@ import pytest
 from sim2reason.solutions.algebra.evaluated import NumericFormula, NumericRoot
 from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Function, Power, Root
-from sim2reason.solutions.closed_forms import ClosedFormError, closed_form, combined_formula
-from sim2reason.solutions.closed_forms.closed_form import hopeless
+from sim2reason.solutions.closed_forms import ClosedFormError, closed_form, combined_formula, hopeless
 from sim2reason.solutions.closed_forms.rewriting import latex_length, shortest_form
 from sim2reason.solutions.closed_forms.tidying import tidy
 from sim2reason.solutions.solution import Relation, Solution, Step

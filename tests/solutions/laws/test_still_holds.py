@@ -3,9 +3,8 @@
 import pytest
 
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, added, multiplied
-from sim2reason.solutions.laws.second_case import verify_again
-from sim2reason.solutions.writing.comparing import record_inequality
-from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
+from sim2reason.solutions.laws.nested import verify_again
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError, record_inequality
 
 STEPS = 60  # names, each of which has the one before it twice: 2⁶⁰ symbols if all are inserted
 

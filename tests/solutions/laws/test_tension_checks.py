@@ -4,7 +4,7 @@ import re
 
 from sim2reason.questions.prompt_formats import parse_parts
 from sim2reason.solutions import solve, solve_prompt
-from sim2reason.solutions.multipart.in_sequence import sequential_solutions
+from sim2reason.solutions.multipart import sequential_solutions
 from sim2reason.solutions.solve import setting_of
 from sim2reason.testing.solution_text import read
 from sim2reason.testing.solution_verification import faults

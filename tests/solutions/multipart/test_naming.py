@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
-from sim2reason.solutions.multipart.in_sequence import naming_fault, unify_names
+from sim2reason.solutions.multipart import naming_fault, unify_names
 from sim2reason.solutions.multipart.recall import EARLIER, recall_results
 from sim2reason.solutions.solution import Relation, Solution, Step
 

@@ -4,8 +4,8 @@ import re
 from collections import Counter
 
 from sim2reason.solutions.multipart.quoting import quote_earlier_parts
-from sim2reason.solutions.multipart.renaming import renumber_times
 from sim2reason.solutions.solution import Solution, Step
+from sim2reason.solutions.solve import renumber_times
 from worked import solution_text
 
 INERTIA = r"whose moment of inertia is $\tfrac{1}{2} m R^{2}$, divided by its radius $R$:"

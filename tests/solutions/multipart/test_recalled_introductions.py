@@ -3,7 +3,7 @@
 from plain_scenes import row
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.turning_points import Halted
-from sim2reason.solutions.multipart.in_sequence import unify_names
+from sim2reason.solutions.multipart import unify_names
 from sim2reason.solutions.multipart.quoting import quote_earlier_parts
 from sim2reason.solutions.multipart.recall import recall_results
 from worked import derived, solution_text

@@ -3,7 +3,7 @@
 from plain_scenes import nested_atwood
 from sim2reason.solutions import Solution, solve
 from sim2reason.solutions.algebra.expressions import Symbol
-from sim2reason.solutions.multipart.in_sequence import sequential_solutions
+from sim2reason.solutions.multipart import sequential_solutions
 from sim2reason.solutions.multipart.quoting import without_unused
 from sim2reason.solutions.solution import Relation, Step
 from worked import asked

@@ -14,7 +14,7 @@ from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import Halted, Stopped
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.solutions import Solution, solve
-from sim2reason.solutions.multipart.in_sequence import unify_names
+from sim2reason.solutions.multipart import unify_names
 from sim2reason.solutions.multipart.recall import recall_results
 from sim2reason.solutions.solve import solve_prompt
 from worked import derived, settings_of

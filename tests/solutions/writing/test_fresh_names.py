@@ -7,7 +7,7 @@ import pytest
 from sim2reason.grading.tokens import canonical, tokenize
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.functions import Power
-from sim2reason.solutions.writing.subscripts import NameAllocator, numbered, primed
+from sim2reason.solutions.writing.notation import NameAllocator, numbered, primed
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.solutions.writing.unit_latex import magnitude_words
+from sim2reason.solutions.writing.notation import magnitude_words
 from worked import solution_text
 
 

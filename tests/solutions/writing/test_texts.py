@@ -28,10 +28,10 @@ from sim2reason.solutions import ProblemContext, Solution, solve, solve_prompt
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.algebra.fractions import CrossElimination, SymbolicEquation
 from sim2reason.solutions.algebra.polynomials import Polynomial
-from sim2reason.solutions.writing.asked_units import convert_answer
-from sim2reason.solutions.writing.merging import merged
+from sim2reason.solutions.solution import convert_answer
+from sim2reason.solutions.writing.arrangement import merged
+from sim2reason.solutions.writing.notation import latex, unit_of
 from sim2reason.solutions.writing.steps import SolutionBuilder
-from sim2reason.solutions.writing.unit_latex import latex, unit_of
 from sim2reason.testing.solution_text import read
 from sim2reason.testing.solution_verification import faults
 from worked import asked

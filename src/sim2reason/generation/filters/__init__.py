@@ -15,9 +15,14 @@ from sim2reason.questions.study import TIME_MARGIN
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.solutions import Solution
-from sim2reason.solutions.derivation import derivation, is_derived
+from sim2reason.solutions.derivation import (
+    derivation,
+    is_derived,
+    is_solved,
+    shortest_solution,
+    shortest_verified_solution,
+)
 from sim2reason.solutions.difficulty import SolutionDifficulty, measure_difficulty, number_of_events
-from sim2reason.solutions.shortest import is_solved, shortest_solution, shortest_verified_solution
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,8 @@ from sim2reason.solutions.algebra.expressions import (
     added,
     multiplied,
 )
-from sim2reason.solutions.algebra.factors import (
+from sim2reason.solutions.algebra.functions import Absolute, Power, Root, is_difference, with_plain_signs
+from sim2reason.solutions.algebra.transformations import (
     LARGEST_DENOMINATOR,
     Factors,
     factor_rank,
@@ -26,7 +27,6 @@ from sim2reason.solutions.algebra.factors import (
     integer_sides,
     never_negative,
 )
-from sim2reason.solutions.algebra.functions import Absolute, Power, Root, is_difference, with_plain_signs
 
 
 def without_nested_fractions(held: Expression) -> Expression:

@@ -1,6 +1,8 @@
 """Polynomials in symbols: sums of products with like terms combined."""
 
+import math
 from collections.abc import Collection, Iterable, Mapping
+from itertools import product
 from typing import Self
 
 from sim2reason.base.records import record
@@ -308,3 +310,19 @@ def balance(forces: Polynomial) -> tuple[Expression, Expression]:
     positive = Polynomial({m: part for m, part in forces.terms.items() if part > 0.0})
     negative = Polynomial({m: -part for m, part in forces.terms.items() if part < 0.0})
     return positive.expression(), negative.expression()
+
+
+SUMMANDS = 5  # terms of the root, at most
+
+
+def square_root(inside: Polynomial, at: Mapping[str, float]) -> Polynomial | None:
+    """Return the square root of a polynomial, positive for the known values `at`; None if it is no perfect square."""
+    plain = [(m, part) for m, part in inside.terms.items() if part > 0.0 and all(power % 2 == 0 for _, power in m)]
+    if not 1 <= len(plain) <= SUMMANDS:
+        return None
+    roots = [Polynomial({tuple((atom, power // 2) for atom, power in m): math.sqrt(part)}) for m, part in plain]
+    for signs in product((1.0, -1.0), repeat=len(roots) - 1):
+        found = total(root.scaled(sign) for root, sign in zip(roots, (1.0, *signs), strict=True))
+        if not (found * found - inside):
+            return found if found.value(at) > 0.0 else found.scaled(-1.0)
+    return None

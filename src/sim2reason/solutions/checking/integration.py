@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.polynomial.chebyshev import chebroots
 
-from sim2reason.solutions.checking.collocation import COEFFICIENTS, Piece, pieces, state_at, tail
 from sim2reason.solutions.checking.equation import Equation, LinearSystem
+from sim2reason.solutions.checking.numerical_methods import COEFFICIENTS, Piece, pieces, state_at, tail
 from sim2reason.solutions.checking.relations import zero
 from sim2reason.solutions.checking.trees import (
     Array,

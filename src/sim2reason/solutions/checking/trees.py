@@ -16,7 +16,7 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from sim2reason.solutions.checking import elliptic
+from sim2reason.solutions.checking.numerical_methods import ELLIPTIC_ARITY, ELLIPTIC_FUNCTIONS
 
 Tree: TypeAlias = float | str | list["Tree"]
 Values = Mapping[str, float]
@@ -43,7 +43,7 @@ FUNCTIONS: Mapping[str, tuple[Callable[[float], float], Callable[[float], float]
     "exp": (math.exp, math.exp),
 }  # functions with their derivatives
 VECTORS: Mapping[str, Callable[[Any], Any]] = {name: getattr(np, {"ln": "log"}.get(name, name)) for name in FUNCTIONS}
-ARITY = {**elliptic.ARITY, "/": 2, "^": 2, "pi": 0, "worked": 2, "root": 3, "solve": 1} | dict.fromkeys(FUNCTIONS, 1)
+ARITY = {**ELLIPTIC_ARITY, "/": 2, "^": 2, "pi": 0, "worked": 2, "root": 3, "solve": 1} | dict.fromkeys(FUNCTIONS, 1)
 
 
 class TreeError(ValueError):
@@ -116,7 +116,7 @@ def compiled_for_many(tree: Tree) -> EvaluateAll:
     operation, *rest = tree
     if operation == "pi":
         return _constant(math.pi)
-    if operation in ("root", "solve") or operation in elliptic.SPECIAL:
+    if operation in ("root", "solve") or operation in ELLIPTIC_FUNCTIONS:
         raise TreeError(f"the operation {operation!r} can't stand here")
     parts = [compiled_for_many(part) for part in rest]
     if operation == "^":
@@ -174,8 +174,8 @@ def _operated(operation: str, parts: Sequence[float]) -> float:
             return parts[0] / parts[1]
         case name if name in FUNCTIONS:
             return FUNCTIONS[name][0](parts[0])
-        case name if name in elliptic.SPECIAL:
-            return float(elliptic.SPECIAL[name](*parts)[0])
+        case name if name in ELLIPTIC_FUNCTIONS:
+            return float(ELLIPTIC_FUNCTIONS[name](*parts)[0])
         case name:
             raise TreeError(f"the operation {name!r} can't stand here")
 
@@ -234,8 +234,8 @@ def _combination(operation: str, parts: Sequence[Derived]) -> Derived:
             return reduce(_product, parts)
         case "/", ((x, over), (y, under)):
             return x / y, _combined([(1.0 / y, over), (-x / y**2, under)])
-        case name, _ if name in elliptic.SPECIAL:
-            found, by = elliptic.SPECIAL[name](*(x for x, _ in parts))
+        case name, _ if name in ELLIPTIC_FUNCTIONS:
+            found, by = ELLIPTIC_FUNCTIONS[name](*(x for x, _ in parts))
             return found, _combined((slope, slopes) for slope, (_, slopes) in zip(by, parts, strict=True))
         case _:
             (x, slopes), *_ = parts

@@ -7,7 +7,6 @@ from itertools import combinations
 from math import copysign, gcd, isclose, sqrt
 
 from sim2reason.base.records import record
-from sim2reason.solutions.algebra.digits import simple_fraction
 from sim2reason.solutions.algebra.expressions import (
     ONE,
     ZERO,
@@ -19,6 +18,7 @@ from sim2reason.solutions.algebra.expressions import (
     added,
     multiplied,
     ratio,
+    simple_fraction,
 )
 from sim2reason.solutions.algebra.functions import Power, is_difference
 from sim2reason.solutions.closed_forms.rewriting import latex_length

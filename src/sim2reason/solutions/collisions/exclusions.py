@@ -7,12 +7,11 @@ from math import inf
 from sim2reason.scenes.dsl.mechanism import CollisionPair
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, ratio
 from sim2reason.solutions.algebra.polynomials import NIL
+from sim2reason.solutions.collisions.flights import Impact
 from sim2reason.solutions.collisions.impacts import Impacts
-from sim2reason.solutions.collisions.legs import Impact
 from sim2reason.solutions.setting import join_words
-from sim2reason.solutions.writing.comparing import record_inequality
-from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import SPEED
+from sim2reason.solutions.writing.notation import SPEED
+from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError, record_inequality
 
 
 @dataclass(frozen=True)

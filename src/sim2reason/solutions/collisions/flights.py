@@ -1,7 +1,8 @@
 """Positions and velocities of bodies in free flight between collisions, written on demand."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -11,11 +12,31 @@ from sim2reason.scenes.dsl.mechanism import CollisionPair
 from sim2reason.scenes.dsl.vectors import Vector, dot
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
-from sim2reason.solutions.collisions.legs import Flight, Impact
-from sim2reason.solutions.collisions.long_chains import DISPLACEMENT, TIME, VELOCITY, gap_at_start
 from sim2reason.solutions.setting import ProblemContext
+from sim2reason.solutions.writing.arrangement import DISPLACEMENT, TIME, VELOCITY, gap_at_start
+from sim2reason.solutions.writing.notation import METRES, SECONDS, SPEED
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
+
+
+@dataclass
+class Flight:
+    """A free flight: its start time (None for t = 0), and its initial velocities and positions by coordinate."""
+
+    begins: Symbol | None
+    speeds: Mapping[int, Polynomial]
+    places: dict[int, Polynomial] = field(default_factory=dict[int, Polynomial])
+    after: "Impact | None" = None
+
+
+@dataclass(frozen=True)
+class Impact:
+    """A collision: its index in the motion, time in s and bodies, and the index of this pair in the mechanism."""
+
+    number: int
+    time: float  # s
+    bodies: tuple[str, ...]
+    meeting: int
+
 
 ALIGNED = 1e-9  # a unit vector's component, or its difference from 1, below which directions are aligned
 

@@ -12,16 +12,14 @@ from sim2reason.questions.query import Target
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import Polynomial
-from sim2reason.solutions.collisions.flights import ALIGNED
+from sim2reason.solutions.collisions.flights import ALIGNED, Flight, Impact
 from sim2reason.solutions.collisions.impacts import Impacts
-from sim2reason.solutions.collisions.legs import Flight, Impact
 from sim2reason.solutions.collisions.oblique import Flights
 from sim2reason.solutions.goals import MotionPart
 from sim2reason.solutions.goals.kinematics import squared
 from sim2reason.solutions.setting import ProblemContext, capitalized
-from sim2reason.solutions.writing.comparing import record_inequality
-from sim2reason.solutions.writing.steps import UnsolvedError
-from sim2reason.solutions.writing.unit_latex import METRES
+from sim2reason.solutions.writing.notation import METRES
+from sim2reason.solutions.writing.steps import UnsolvedError, record_inequality
 
 BOUNDS = (("s", r"\text{top}"), ("d", r"\text{max}"))  # names of the highest point and of the largest possible distance
 

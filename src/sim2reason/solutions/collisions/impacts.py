@@ -7,11 +7,10 @@ from sim2reason.scenes.dsl.mechanism import CollisionPair
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Root, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
-from sim2reason.solutions.collisions.flights import ALIGNED, FreeFlights
-from sim2reason.solutions.collisions.legs import Impact
+from sim2reason.solutions.collisions.flights import ALIGNED, FreeFlights, Impact
 from sim2reason.solutions.setting import capitalized
-from sim2reason.solutions.writing.comparing import record_inequality, why_this_time
-from sim2reason.solutions.writing.unit_latex import SECONDS, SPEED
+from sim2reason.solutions.writing.notation import SECONDS, SPEED
+from sim2reason.solutions.writing.steps import record_inequality, why_this_time
 
 
 class Impacts(FreeFlights, ABC):

@@ -6,13 +6,12 @@ from sim2reason.scenes.dsl.vectors import dot, minus
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Power, Root, sum_of_squares, summed
 from sim2reason.solutions.algebra.polynomials import Polynomial
+from sim2reason.solutions.collisions.flights import Impact
 from sim2reason.solutions.collisions.impacts import Impacts
-from sim2reason.solutions.collisions.legs import Impact
 from sim2reason.solutions.setting import capitalized, join_words
-from sim2reason.solutions.writing.comparing import record_inequality
 from sim2reason.solutions.writing.lexicon import DualValue
-from sim2reason.solutions.writing.steps import StepBuilder
-from sim2reason.solutions.writing.unit_latex import IMPULSE, METRES, SECONDS, SPEED, latex
+from sim2reason.solutions.writing.notation import IMPULSE, METRES, SECONDS, SPEED, latex
+from sim2reason.solutions.writing.steps import StepBuilder, record_inequality
 
 RESTITUTION = "Conservation of momentum and restitution along this line"
 INELASTIC = "Conservation of momentum, and no relative velocity along this line after the inelastic collision,"

@@ -19,15 +19,14 @@ from sim2reason.solutions.collisions.exclusions import (
     last_collision_sentence,
     late_values,
 )
+from sim2reason.solutions.collisions.flights import Impact
 from sim2reason.solutions.collisions.impacts import Impacts
-from sim2reason.solutions.collisions.legs import Impact
 from sim2reason.solutions.setting import join_words
-from sim2reason.solutions.writing.comparing import record_inequality
+from sim2reason.solutions.writing.arrangement import ORDER
 from sim2reason.solutions.writing.lexicon import DualValue
-from sim2reason.solutions.writing.steps import StepBuilder
-from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED, latex
+from sim2reason.solutions.writing.notation import METRES, SECONDS, SPEED, latex
+from sim2reason.solutions.writing.steps import StepBuilder, record_inequality
 
-ORDER = "order of collisions"  # kind of these steps
 MIN_RELATIVE_MOTION = 1e-12  # m/s or m²/s: smaller relative motions count as zero
 SPEED_ATOL = 1e-9  # m/s: smaller velocities after a head-on collision are rounding errors
 

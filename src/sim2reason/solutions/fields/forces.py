@@ -12,8 +12,8 @@ from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.algebra.plain_latex import plain_latex
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.setting import ProblemContext, capitalized, join_words
+from sim2reason.solutions.writing.notation import ACCELERATION, ANGULAR_SPEED, PER_SECOND, PER_SECOND_SQUARED, latex
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import ACCELERATION, ANGULAR_SPEED, PER_SECOND, PER_SECOND_SQUARED, latex
 
 AXES = ("x", "y")
 LAW = "Newton's second law"

@@ -4,9 +4,8 @@ from collections.abc import Callable
 
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
-from sim2reason.solutions.writing.comparing import record_inequality
-from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder
-from sim2reason.solutions.writing.unit_latex import RADIANS
+from sim2reason.solutions.writing.notation import RADIANS
+from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, record_inequality
 
 
 class InitialAnomaly:

@@ -14,14 +14,13 @@ from sim2reason.scenes.dsl.vectors import minus
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, sum_of_squares, vector_length
+from sim2reason.solutions.algebra.root_finding import SMALLEST, root_sentence
 from sim2reason.solutions.fields.initial_anomaly import InitialAnomaly
-from sim2reason.solutions.laws.common_rates import gravitational_constant
+from sim2reason.solutions.laws.dynamics import gravitational_constant
 from sim2reason.solutions.setting import ProblemContext, capitalized
-from sim2reason.solutions.writing.comparing import record_inequality
 from sim2reason.solutions.writing.lexicon import DualValue
-from sim2reason.solutions.writing.numeric_roots import SMALLEST, root_sentence
-from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, METRES, RADIANS, SECONDS, latex
+from sim2reason.solutions.writing.notation import ANGULAR_SPEED, METRES, RADIANS, SECONDS, latex
+from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError, record_inequality
 
 PARAMETER, AREAL, AREA = latex("m^3/s^2"), latex("m^2/s"), latex("m^2")
 ROUNDS, PIECES = 60, 720

@@ -8,8 +8,8 @@ from sim2reason.solutions.algebra.functions import Call, Power, Root, vector_len
 from sim2reason.solutions.fields.forces import AXES, TURNS, ElectricAcceleration, Fields
 from sim2reason.solutions.fields.motion import ElectricMotion, FieldMotion
 from sim2reason.solutions.setting import join_words
+from sim2reason.solutions.writing.notation import ACCELERATION, METRES, PER_SECOND_SQUARED, SPEED
 from sim2reason.solutions.writing.steps import UnsolvedError
-from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, PER_SECOND_SQUARED, SPEED
 
 HALF = Number(0.5)
 

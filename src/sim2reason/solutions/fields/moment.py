@@ -10,14 +10,14 @@ from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, sum_of_squares
+from sim2reason.solutions.algebra.root_finding import SMALLEST, root_sentence
 from sim2reason.solutions.fields.forces import AXES, Fields
 from sim2reason.solutions.fields.magnetic_motion import CrossedFieldsMotion, QuadraticDragMotion, RotatingMotion
 from sim2reason.solutions.fields.motion import ElectricMotion, FieldMotion
 from sim2reason.solutions.fields.turns import REACHES, TURNED, FieldTurn, Reach, fastest_at_center
 from sim2reason.solutions.setting import ProblemContext, capitalized, join_words
-from sim2reason.solutions.writing.numeric_roots import SMALLEST, root_sentence
+from sim2reason.solutions.writing.notation import ACCELERATION, JOULES, METRES, SECONDS, SPEED
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import ACCELERATION, JOULES, METRES, SECONDS, SPEED
 
 TWO, HALF = Number(2.0), Number(0.5)
 SAMPLES = 400

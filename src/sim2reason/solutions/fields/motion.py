@@ -6,7 +6,7 @@ from sim2reason.base.records import cached_property
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.fields.forces import AXES, ElectricAcceleration, Fields
-from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, METRES, PER_SECOND
+from sim2reason.solutions.writing.notation import ANGULAR_SPEED, METRES, PER_SECOND
 
 HALF, SIXTH = Number(0.5), Number(1.0 / 6.0)
 

@@ -8,13 +8,13 @@ from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.fields import AcrossField, VelocityReturned, VelocityTurned
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
+from sim2reason.solutions.algebra.root_finding import SMALLEST, root_sentence
 from sim2reason.solutions.fields.forces import AXES, TURNS, Fields
 from sim2reason.solutions.fields.magnetic_motion import RotatingMotion
 from sim2reason.solutions.fields.motion import ElectricMotion, FieldMotion
 from sim2reason.solutions.setting import capitalized
-from sim2reason.solutions.writing.numeric_roots import SMALLEST, root_sentence
+from sim2reason.solutions.writing.notation import DEGREES, METRES, SECONDS, SPEED
 from sim2reason.solutions.writing.steps import UnsolvedError
-from sim2reason.solutions.writing.unit_latex import DEGREES, METRES, SECONDS, SPEED
 
 HALF, TWO_AXES = Number(0.5), Number(2.0)
 REACHES = {found.name: found.along for found in (GreatestYAxisDistance, GreatestXAxisDistance)}

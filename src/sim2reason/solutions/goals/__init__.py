@@ -13,11 +13,45 @@ from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
-from sim2reason.solutions.goals.struck import CollisionTerm
-from sim2reason.solutions.laws.either_way import needs_modulus
+from sim2reason.solutions.closed_forms.symbolic_answers import needs_modulus
 from sim2reason.solutions.setting import ProblemContext, capitalized, join_words
+from sim2reason.solutions.writing.notation import QUANTITY_SYMBOLS, unit_of_quantity
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import QUANTITY_SYMBOLS, unit_of_quantity
+
+
+class CollisionTerm(Protocol):
+    """One collision of a motion, with the reasons and formulas for its energy loss and impulse."""
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """Return the names of the colliding bodies."""
+        ...
+
+    @property
+    def told(self) -> str:
+        """Return the name of the collision, such as *the first collision of A and B*."""
+        ...
+
+    @property
+    def loses(self) -> str:
+        """Return the first words of a sentence that gives the energy loss: the reason why kinetic energy is lost."""
+        ...
+
+    @property
+    def pushes(self) -> str:
+        """Return the first words of a sentence that gives the impulse: the laws from which the impulse follows."""
+        ...
+
+    @property
+    def lost(self) -> Expression:
+        """Return the kinetic energy lost, J."""
+        ...
+
+    @property
+    def push(self) -> Expression:
+        """Return the magnitude of the impulse, N s."""
+        ...
+
 
 Components = tuple[Polynomial, Polynomial, Polynomial]
 AXES = ("x", "y", "z")

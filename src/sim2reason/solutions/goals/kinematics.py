@@ -1,4 +1,4 @@
-"""Displacements, velocities, accelerations and rotations."""
+"""Displacements, velocities, accelerations, rotations, distances and heights."""
 
 from abc import abstractmethod
 from collections.abc import Sequence
@@ -6,10 +6,14 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from sim2reason.questions import Target
+from sim2reason.scenes.dsl.mechanism import Z
+from sim2reason.simulation.quantities.positions import Height, HeightAboveStart, height_at_start
 from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.simulation.quantities.subjects.interactions import members
 from sim2reason.solutions.algebra.expressions import Expression, Symbol, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.closed_forms.symbolic_answers import reason_for_negative
 from sim2reason.solutions.goals import (
     GOALS,
     Components,
@@ -20,7 +24,8 @@ from sim2reason.solutions.goals import (
     modulus,
     write_answer,
 )
-from sim2reason.solutions.laws.either_way import reason_for_negative
+from sim2reason.solutions.writing.lexicon import DualValue
+from sim2reason.solutions.writing.notation import METRES
 
 DISPLACEMENTS = VectorName.of("displacement")
 VELOCITIES = VectorName.of("velocity")
@@ -239,3 +244,62 @@ GOALS.add("angular momentum", InertiaTimes(VectorName.of("angular momentum"), "v
 GOALS.add("torque", InertiaTimes(VectorName.of("torque"), "a"))
 GOALS.add("rotational kinetic energy", EnergyOfRim())
 GOALS.add("translational kinetic energy", EnergyOfCenter())
+
+
+@dataclass(frozen=True, slots=True)
+class DistanceGoal(Goal):
+    """The distance between two bodies."""
+
+    @property
+    def uses(self) -> str:
+        """Return ``s``: the distance is derived from displacements."""
+        return "s"
+
+    def bodies(self, target: Target) -> Sequence[str]:
+        """Return the two bodies of the subject."""
+        return members(target.subject)
+
+    def write(self, target: Target, known: KnownMotion) -> Symbol:
+        """Write the initial separation and the displacements since, then the distance."""
+        one, other = members(target.subject)
+        apart, a, b = known.apart(one, other), known.vector("s", one), known.vector("s", other)
+        parts: Components = (apart[0] + b[0] - a[0], apart[1] + b[1] - a[1], apart[2] + b[2] - a[2])
+        noun = VectorName.of("distance", "position")
+        formula = magnitude(parts, known, noun, other, relative_to=known.setting.display_name(one))
+        return write_answer(known, formula, noun, r"\text{rel}", "so the distance is")
+
+
+GOALS.add("distance", DistanceGoal())
+
+
+@dataclass(frozen=True, slots=True)
+class HeightGoal(Goal):
+    """The vertical displacement of a body, from where it starts or from the ground."""
+
+    reference: str
+    from_ground: bool
+
+    @property
+    def uses(self) -> str:
+        """Return ``s``: the height is derived from the displacement."""
+        return "s"
+
+    def write(self, target: Target, known: KnownMotion) -> Symbol:
+        """Write the rise of the body since the start, added to its initial height if measured from the ground."""
+        body, called = target.subject, known.setting.display_name(target.subject)
+        first = self._at_start(body, known) if self.from_ground else NIL
+        height = (first + known.component("s", body, Z)).factored()
+        below, hidden = known.book.value(height) < 0.0, known.book.is_hidden(height)
+        side = "below" if below else "above"
+        noun, what = VectorName("h", METRES, "height"), f"the distance of {called} {side} {self.reference}"
+        size = (-height if below else height) if hidden else modulus(height, known.book)  # its side is known
+        return write_answer(known, size, noun, known.setting.subscript_of(body), what)
+
+    @staticmethod
+    def _at_start(body: str, known: KnownMotion) -> Polynomial:
+        lexicon = known.setting.lexicon
+        return lexicon.read(DualValue(*(height_at_start(m, body) for m in (lexicon.mechanism, lexicon.twin))))
+
+
+GOALS.add(HeightAboveStart.name, HeightGoal("its starting point", from_ground=False))
+GOALS.add(Height.name, HeightGoal("the ground", from_ground=True))

@@ -15,8 +15,7 @@ from sim2reason.simulation.engines.exact.tape import Symbol as Recorded
 from sim2reason.simulation.engines.exact.tape import Tape
 from sim2reason.solutions.algebra.expressions import Expression, Quotient, Symbol
 from sim2reason.solutions.algebra.functions import Call, Root
-from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
-from sim2reason.solutions.algebra.square_root import square_root
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, square_root, total
 from sim2reason.solutions.writing.lexicon import DualValue, Lexicon, UnreadError
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 

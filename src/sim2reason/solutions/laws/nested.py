@@ -1,6 +1,6 @@
 """Answers to inner questions, derived by the strategies that give a formula."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import reduce
 from math import radians
@@ -8,18 +8,20 @@ from typing import Protocol
 
 from sim2reason.questions import SimulatedScene
 from sim2reason.questions.kinds.nested import NestedQuery
-from sim2reason.solutions.algebra.digits import simple_fraction
 from sim2reason.solutions.algebra.evaluated import NumericFormula
-from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Symbol, multiplied
+from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Symbol, multiplied, simple_fraction
 from sim2reason.solutions.algebra.functions import Power, simplify_inverse
-from sim2reason.solutions.algebra.inverse import substitute_all
-from sim2reason.solutions.closed_forms import ClosedFormError, combined_formula, simplified_form
+from sim2reason.solutions.algebra.root_finding import substitute, substitute_all
+from sim2reason.solutions.closed_forms import ClosedFormError, combined_formula, defined_by, simplified_form
 from sim2reason.solutions.closed_forms.tidying import tidy
 from sim2reason.solutions.setting import ProblemContext, join_words
 from sim2reason.solutions.solution import Relation, Solution, Step
 from sim2reason.solutions.writing.lexicon import UnreadError
-from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import DEGREES
+from sim2reason.solutions.writing.notation import DEGREES, with_subscript
+from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError, record_inequality
+
+MAX_WRITTEN_LENGTH = 200  # characters: longer formulas are checked, but not written
+MAX_SUBSTITUTED_LENGTH = 1000  # characters: no substitution into longer formulas
 
 NEW = r"\text{new}"
 AGAIN = "still holds"  # begins the labels of comparisons that also hold for another value of a number
@@ -194,3 +196,77 @@ def lone_symbol(setting: ProblemContext, path: str) -> str:
 def in_formula_units(value: float, unit: str) -> float:
     """Convert an answer to the unit of formulas: degrees to radians."""
     return radians(value) if unit == DEGREES else value
+
+
+def verify_again(book: SolutionBuilder, symbol: str, changed: Expression, lead: str) -> None:
+    """Write that each comparison that depends on a symbol still holds with `changed` in its place.
+
+    Raises:
+        UnsolvedError: a comparison does not hold.
+    """
+    formulas = {name: formula for name, formula in defined_by(book.steps).items() if name not in book.stated}
+    hanging = _hanging(formulas, symbol)
+    for step in [*book.steps]:
+        for held in step.relations:
+            if held.role == "exceeds" and not {symbol, *hanging}.isdisjoint(held.symbols()):
+                sides = [_changed(side, symbol, changed, hanging) for side in (held.left, held.right)]
+                left, right = sides
+                if left is not None and right is not None:
+                    _verify(book, step, held, (left, right), lead)
+                else:
+                    _exceeds_still(book, held, {symbol: changed, **dict(reversed(hanging.items()))})
+
+
+def _hanging(formulas: Mapping[str, Expression], symbol: str) -> dict[str, Expression]:
+    """Return the formulas of names that depend on a symbol, the last defined first."""
+    found: dict[str, Expression] = {}
+    for name, formula in formulas.items():
+        if not {symbol, *found}.isdisjoint(formula.symbols()):
+            found = {name: formula, **found}
+    return found
+
+
+def _changed(
+    side: Expression, symbol: str, changed: Expression, hanging: Mapping[str, Expression]
+) -> Expression | None:
+    """Return a formula with `changed` in place of a symbol, also in names that depend on it; None if it gets long."""
+    for name, formula in {**hanging, symbol: changed}.items():
+        side = substitute(side, name, formula)
+        if len(side.latex()) > MAX_SUBSTITUTED_LENGTH:
+            return None
+    return side
+
+
+def _exceeds_still(book: SolutionBuilder, held: Relation, formulas: Mapping[str, Expression]) -> None:
+    """Check numerically that an inequality of the solution still holds with other formulas for names.
+
+    Raises:
+        UnsolvedError: the comparison does not hold.
+    """
+    at = dict(book.values)
+    for name, formula in formulas.items():
+        at[name] = book.value(formula, at)
+    if not book.value(held.left, at) > book.value(held.right, at):
+        raise UnsolvedError(f"{held.left.latex()} no longer exceeds {held.right.latex()}")
+
+
+def _verify(book: SolutionBuilder, step: Step, held: Relation, sides: Sequence[Expression], lead: str) -> None:
+    """Write that an inequality from an earlier step still holds for the new values of both sides."""
+    writing, (left, right) = book.begin_step("verify"), sides
+    record_inequality(book, writing, left, right)
+    if max(len(side.latex()) for side in sides) > MAX_WRITTEN_LENGTH:
+        return
+    said = [_told(writing, step, pair) for pair in ((held.left, left), (held.right, right))]
+    writing.add_text(f"{lead}, {said[0]} still exceeds {said[1]}.")
+    writing.label(f"{AGAIN} {len(book.steps)}")
+    writing.close()
+
+
+def _told(writing: StepBuilder, step: Step, sides: tuple[Expression, Expression]) -> str:
+    """Return one side of an inequality as LaTeX: its new value by a new name, or the old name if it is unchanged."""
+    before, after = sides
+    named = next((r for r in step.relations if r.role == "verified" and before in (r.left, r.right)), None)
+    if named is None or before == after:
+        return f"${(after if named is None else named.left).latex()}$"
+    name = Symbol(with_subscript(named.left.latex(), NEW))
+    return writing.verified(name, after, named.unit)

@@ -2,10 +2,9 @@
 
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import Polynomial
-from sim2reason.solutions.laws.common_rates import SharedRate
-from sim2reason.solutions.laws.dynamics import Dynamics
+from sim2reason.solutions.laws.directions import slip_direction_text
+from sim2reason.solutions.laws.dynamics import Dynamics, SharedRate
 from sim2reason.solutions.laws.newton import Newton, Row
-from sim2reason.solutions.laws.sliding import slip_direction_text
 from sim2reason.solutions.setting import ProblemContext, capitalized
 from sim2reason.solutions.writing.lexicon import UnreadError
 

@@ -16,16 +16,14 @@ from sim2reason.solutions.algebra.expressions import (
 )
 from sim2reason.solutions.algebra.functions import Power, Root, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, balance, total
-from sim2reason.solutions.laws.common_rates import RATE_RTOL, SharedRate
-from sim2reason.solutions.laws.either_way import acceleration_over_distance
+from sim2reason.solutions.closed_forms.symbolic_answers import acceleration_over_distance
+from sim2reason.solutions.laws.directions import tell_not_turned, tell_turning_only_later, turned_before
+from sim2reason.solutions.laws.dynamics import RATE_RTOL, SharedRate
 from sim2reason.solutions.laws.rolling_words import arc_words, constant_words, glided_words, speed_words
-from sim2reason.solutions.laws.turning_back import tell_not_turned, tell_turning_only_later, turned_before
 from sim2reason.solutions.laws.written_dynamics import WrittenDynamics
 from sim2reason.solutions.setting import ProblemContext
-from sim2reason.solutions.writing.comparing import why_this_time
-from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.subscripts import subscript
-from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
+from sim2reason.solutions.writing.notation import METRES, SECONDS, SPEED, subscript
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError, why_this_time
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,15 +13,14 @@ from sim2reason.scenes.dsl.vectors import dot, minus
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.goals import MotionPart
+from sim2reason.solutions.laws.directions import rubs_at_rest, sliding_coordinates
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.rolling_words import rolling_way
-from sim2reason.solutions.laws.sliding import rubs_at_rest, sliding_coordinates
 from sim2reason.solutions.laws.stage import Stage
 from sim2reason.solutions.laws.straight_way import StraightMotion
-from sim2reason.solutions.writing.comparing import record_inequality
-from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import SPEED
+from sim2reason.solutions.writing.notation import SPEED
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError, record_inequality
 
 
 class Course(Protocol):

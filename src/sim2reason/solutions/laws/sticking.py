@@ -9,9 +9,8 @@ from sim2reason.solutions.algebra.polynomials import NIL
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Newton, Row
 from sim2reason.solutions.setting import ProblemContext, capitalized
-from sim2reason.solutions.writing.comparing import record_inequality
-from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder
-from sim2reason.solutions.writing.unit_latex import ACCELERATION, NEWTONS
+from sim2reason.solutions.writing.notation import ACCELERATION, NEWTONS
+from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, record_inequality
 
 FRICTION_LIMIT_RATIO = 1.0 + 1e-9  # largest ratio of the needed friction to µ_s N
 

@@ -13,8 +13,8 @@ from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Row
 from sim2reason.solutions.setting import capitalized, join_words
 from sim2reason.solutions.solution import Relation, Step
+from sim2reason.solutions.writing.notation import NEWTONS
 from sim2reason.solutions.writing.steps import StepBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import NEWTONS
 
 TWICE = 2.0
 

@@ -6,8 +6,8 @@ from dataclasses import replace
 from sim2reason.solutions.algebra.elimination import Elimination, Equation, solve_linear
 from sim2reason.solutions.algebra.expressions import Expression, Symbol, multiplied
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, balance, divide_by_term, total
-from sim2reason.solutions.laws.common_rates import SharedRate
-from sim2reason.solutions.laws.dynamics import Dynamics
+from sim2reason.solutions.laws.directions import directions_of_friction, verify_sliding
+from sim2reason.solutions.laws.dynamics import Dynamics, SharedRate
 from sim2reason.solutions.laws.newton import Row
 from sim2reason.solutions.laws.rolling_words import (
     inertia_words,
@@ -19,12 +19,11 @@ from sim2reason.solutions.laws.rolling_words import (
     slipping_words,
     turning_noun,
 )
-from sim2reason.solutions.laws.sliding import directions_of_friction, verify_sliding
 from sim2reason.solutions.laws.sticking import verify_sticking
 from sim2reason.solutions.laws.strings_and_pulleys import balanced_tensions, doubling_reason, needed_laws, verify_taut
 from sim2reason.solutions.setting import capitalized
+from sim2reason.solutions.writing.notation import NEWTONS
 from sim2reason.solutions.writing.steps import StepBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import NEWTONS
 
 
 def tell_unforced(dynamics: Dynamics, goals: Sequence[str]) -> None:

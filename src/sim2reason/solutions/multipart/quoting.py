@@ -5,9 +5,8 @@ from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from sim2reason.grading.parts import LABELS
-from sim2reason.solutions.multipart.quantities import LABEL, introduced_names, names_of
+from sim2reason.solutions.multipart.names import LABEL, introduced_names, names_in_text, names_of
 from sim2reason.solutions.multipart.recall import EARLIER, reduce_givens, renumbered, with_bases
-from sim2reason.solutions.multipart.renaming import names_in_text
 from sim2reason.solutions.setting import join_words
 from sim2reason.solutions.solution import Relation, Solution, Step
 

@@ -5,12 +5,10 @@ from collections.abc import Collection, Container, Iterable, Iterator, Mapping, 
 from dataclasses import replace
 
 from sim2reason.solutions.algebra.expressions import Number, Symbol
-from sim2reason.solutions.collisions.long_chains import SINGULAR
-from sim2reason.solutions.collisions.order import ORDER
-from sim2reason.solutions.multipart.quantities import VALUE_RTOL, introduced_names, names_of, unit_of
-from sim2reason.solutions.multipart.renaming import names_in_text
+from sim2reason.solutions.multipart.names import VALUE_RTOL, introduced_names, names_in_text, names_of, unit_of
 from sim2reason.solutions.setting import join_words
 from sim2reason.solutions.solution import CHECKS, Relation, Solution, Step, with_unit
+from sim2reason.solutions.writing.arrangement import ORDER, SINGULAR
 
 EARLIER = "earlier part"
 SPOKEN = "verify", "extreme", "meaning"  # kinds of steps that give no name, but a reason for one

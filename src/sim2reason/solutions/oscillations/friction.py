@@ -7,7 +7,7 @@ from sim2reason.questions.moments.strings import NaturalLength
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.fractions import reduced_quotient
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
-from sim2reason.solutions.laws.sliding import sliding_coordinates
+from sim2reason.solutions.laws.directions import sliding_coordinates
 from sim2reason.solutions.laws.sticking import friction_formulas
 from sim2reason.solutions.oscillations.harmonic import HarmonicOscillation
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
@@ -15,9 +15,8 @@ from sim2reason.solutions.oscillations.linear_way import LinearMotionModel
 from sim2reason.solutions.oscillations.net_force import collect_stiffness, without_friction
 from sim2reason.solutions.oscillations.single_way import OneCoordinateModel
 from sim2reason.solutions.setting import ProblemContext, capitalized, join_words
-from sim2reason.solutions.writing.comparing import record_inequality
-from sim2reason.solutions.writing.steps import UnsolvedError
-from sim2reason.solutions.writing.unit_latex import METRES, NEWTONS
+from sim2reason.solutions.writing.notation import METRES, NEWTONS
+from sim2reason.solutions.writing.steps import UnsolvedError, record_inequality
 
 REST_TOLERANCE = 1e-6  # relative tolerance of times, and tolerance of positions in m
 

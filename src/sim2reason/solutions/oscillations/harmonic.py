@@ -1,9 +1,10 @@
-"""A harmonic oscillation about an equilibrium: its positions, speeds and times, written as needed."""
+"""A harmonic oscillation about an equilibrium: its positions, speeds, times and period, written as needed."""
 
 from dataclasses import dataclass
 from math import atan2, cos, pi, sin, sqrt
 
 from sim2reason.base.records import cached_property
+from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.solutions.algebra.closed_roots import fraction
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.fractions import reduced_quotient
@@ -12,9 +13,31 @@ from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
 from sim2reason.solutions.oscillations.net_force import collect_stiffness
 from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
+from sim2reason.solutions.writing.notation import (
+    ANGULAR_SPEED,
+    KILOGRAMS,
+    METRES,
+    RADIANS,
+    SECONDS,
+    STIFFNESS,
+    latex,
+    split_name,
+)
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.subscripts import split_name
-from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, KILOGRAMS, METRES, RADIANS, STIFFNESS
+
+TWO = Number(2.0)
+
+
+def measured_period(book: SolutionBuilder, query: PeriodQuery, rate: Expression, said: str = "The period is") -> Symbol:
+    """Write the period, frequency or angular frequency asked for, from ω in rad/s, and return the answer's symbol."""
+    if query.measure == "angular frequency" and isinstance(rate, Symbol):
+        return rate
+    if query.measure == "angular frequency":
+        return book.add_step("period", "The angular frequency is", book.fresh(r"\omega"), rate, ANGULAR_SPEED)
+    if query.measure == "frequency":
+        return book.add_step("period", "The frequency is", book.fresh("f"), rate / (TWO * PI), latex("Hz"))
+    return book.add_step("period", said, book.fresh("T"), TWO * PI / rate, SECONDS)
+
 
 HALF = Number(0.5)
 AMPLITUDE_RTOL = 1e-7  # tolerance relative to the amplitude

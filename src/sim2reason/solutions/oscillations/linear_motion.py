@@ -11,18 +11,71 @@ from dataclasses import replace
 import numpy as np
 
 from sim2reason.base.records import cached_property
-from sim2reason.scenes.dsl.frames import initial_frames
-from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
+from sim2reason.scenes.dsl.frames import Frames, initial_frames
+from sim2reason.scenes.dsl.mechanism import Elastic, Line, Mechanism
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.scenes.dsl.structure import bending, changing
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import ZERO, Expression
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
-from sim2reason.solutions.laws.newton import Row, symbol
-from sim2reason.solutions.laws.springs import SpringLaws
+from sim2reason.solutions.laws.newton import Newton, Row, symbol
 from sim2reason.solutions.setting import ProblemContext
-from sim2reason.solutions.writing.lexicon import UnreadError
+from sim2reason.solutions.writing.lexicon import DualValue, UnreadError
 from sim2reason.solutions.writing.steps import UnsolvedError
+
+
+class SpringLaws(Newton):
+    """Newton's laws in a segment of a motion in which springs act."""
+
+    @property
+    def springs(self) -> list[int]:
+        """Return the indices of the lines that are springs."""
+        return [number for number, line in enumerate(self.mechanism.lines) if isinstance(line.law, Elastic)]
+
+    def tension(self, number: int, line: Line) -> Polynomial:
+        """Return the tension of a line; that of a spring is a symbol of its own."""
+        if not isinstance(line.law, Elastic):
+            return Newton.tension(self, number, line)
+        if line.law.side:
+            raise UnreadError("a spring acts only one way")
+        return symbol("S", number)
+
+    def _elastic(self, number: int, what: str) -> Polynomial:
+        """Return a parameter of a spring, such as the stiffness, in the symbols of the text."""
+        return self.read(lambda m, _: getattr(m.lines[number].law, what))
+
+    def stiffness(self, number: int) -> Polynomial:
+        """Return the stiffness of a spring, N/m."""
+        return self._elastic(number, "stiffness")
+
+    def damping(self, number: int) -> Polynomial:
+        """Return the damping constant of the dashpot parallel to a spring, N s/m."""
+        return self._elastic(number, "damping")
+
+    def strain(self, number: int) -> Polynomial:
+        """Return the initial extension of a spring, m."""
+        return self.read(lambda m, f: _length(m.lines[number], f) - _natural(m, number))
+
+    def length(self, number: int) -> Polynomial:
+        """Return the initial length of a spring, m."""
+        return self.read(lambda m, f: _length(m.lines[number], f))
+
+    def changes(self, number: int, k: int) -> DualValue:
+        """Return the change of a spring's length per unit of a coordinate, as numbers."""
+        return self._stretch(number, k) / self.scale[k]
+
+
+def _length(line: Line, frames: Frames) -> float:
+    """Return the initial length of a line, m."""
+    return sum(float(piece.value) for piece in frames.pieces(line))
+
+
+def _natural(mechanism: Mechanism, number: int) -> float:
+    """Return the natural length of a spring, m."""
+    law = mechanism.lines[number].law
+    assert isinstance(law, Elastic)
+    return law.length
+
 
 RATIO_TOLERANCE = 1e-9  # tolerance of ratios and direction components
 ACCELERATION_RTOL = 1e-7  # relative tolerance of accelerations to the engine's

@@ -13,12 +13,11 @@ from sim2reason.solutions.laws.newton import Newton, Row
 from sim2reason.solutions.laws.rolling_words import rim_inertia_words
 from sim2reason.solutions.laws.straight_way import COMPONENT_ATOL, StraightMotion
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
-from sim2reason.solutions.oscillations.net_force import greatest_target, time_of_greatest
+from sim2reason.solutions.oscillations.net_force import greatest_target, time_of_greatest, write_tension_work
 from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
-from sim2reason.solutions.oscillations.tension_work import write_tension_work
 from sim2reason.solutions.setting import ProblemContext, capitalized, join_words
+from sim2reason.solutions.writing.notation import IMPULSE, NEWTONS
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import IMPULSE, NEWTONS
 
 TIMES = {0.5: "half as far as", 2.0: "twice as far as", 1.0: "as far as"}
 

@@ -1,4 +1,6 @@
-"""Net forces along the only free coordinate of a motion on springs, and greatest values."""
+"""Forces of springs: net forces along the only free coordinate, and the work of a varying tension."""
+
+from collections.abc import Collection
 
 import numpy as np
 
@@ -9,12 +11,14 @@ from sim2reason.questions.query import Target
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.functions import Power
-from sim2reason.solutions.algebra.polynomials import Polynomial, common_monomial
+from sim2reason.solutions.algebra.functions import Power, sum_of_squares, summed
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, common_monomial
+from sim2reason.solutions.laws.straight_way import StraightMotion
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
 from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
 from sim2reason.solutions.setting import ProblemContext, capitalized, join_words
-from sim2reason.solutions.writing.steps import SolutionBuilder
+from sim2reason.solutions.writing.notation import JOULES
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 
 SEARCH_INTERVALS, LEVELS = 64, 4  # intervals of a search for a greatest value, and number of refinements
 
@@ -173,3 +177,40 @@ def told_extensions(motion: LinearMotion | RelativeMotion, place: Expression, se
         size, what = (-stretched, "compression") if stretched.negative else (stretched, "extension")
         said.append(f"the {what} of {setting.spring_phrases[setting.mechanism.lines[n].name]} is ${size.latex()}$")
     return f"{capitalized(join_words(said))}." if said else ""
+
+
+def write_tension_work(way: StraightMotion, springs: Collection[int], body: str) -> Symbol:
+    """Write the work of a tension on a body and return its symbol; UnsolvedError if other forces vary.
+
+    `springs` are the indices of all lines that are springs; their work and that of the weight are known.
+    """
+    (k, *others), target, goal = way.moving([body]), way.target, way.goal
+    if others or target is None or goal is None:
+        raise UnsolvedError("the body moves along no line of its own")
+    row, asked = way.newton.newton(k), goal.force(target, way.setting)
+    pulling = [n for n in springs if f"S{n}" in row.forces.names()]
+    steady = row.forces.without([asked, *(f"S{n}" for n in pulling)])
+    unknown = any(name[0] in "TNf" and name[1:].isdigit() for name in steady.names())
+    if unknown or not all(_is_fixed(way, n) for n in pulling):
+        raise UnsolvedError("other forces than the tension change, too")
+    found, speed, before = way.book.fresh("W"), way.rate("v", k), way.first_speeds.get(k, NIL)
+    gained = (row.inertia.coefficient(f"q{k}") * (speed * speed - before * before)).scaled(0.5).expression()
+    rest = (steady * way.rate("s", k)).expression() + summed(_given_off(way, n) for n in pulling)
+    step, who = way.book.begin_step("work"), way.setting.display_name(body)
+    law = step.law(found + rest, gained)
+    said = f"The work of all forces on {who} is its kinetic energy: {law}, so"
+    step.add_text(f"{said} {step.result(found, gained - rest, JOULES)}.")
+    step.close()
+    return found
+
+
+def _is_fixed(way: StraightMotion, number: int) -> bool:
+    """Return whether a spring is fixed at one end."""
+    return any(way.mechanism.site[site].body is None for site in way.mechanism.lines[number].through)
+
+
+def _given_off(way: StraightMotion, number: int) -> Expression:
+    """Return the energy that a spring has given off, J."""
+    line = way.mechanism.lines[number].name
+    strain, growth = way.spring("strain", line).expression(), way.growth("s", line).expression()
+    return HALF * way.spring("stiffness", line).expression() * (sum_of_squares([strain]) - Power(strain + growth, 2))

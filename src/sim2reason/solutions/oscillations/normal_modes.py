@@ -14,12 +14,9 @@ from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symb
 from sim2reason.solutions.algebra.fractions import cramer
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
-from sim2reason.solutions.oscillations.mode import Mode, place
-from sim2reason.solutions.oscillations.mode_laws import PAIR, ModeLaws, dotted
+from sim2reason.solutions.oscillations.mode_laws import PAIR, Mode, ModeLaws, dotted, place
 from sim2reason.solutions.setting import join_words
-from sim2reason.solutions.writing.comparing import record_inequality
-from sim2reason.solutions.writing.steps import StepBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import (
+from sim2reason.solutions.writing.notation import (
     ACCELERATION,
     ANGULAR_SPEED,
     KILOGRAMS,
@@ -27,6 +24,7 @@ from sim2reason.solutions.writing.unit_latex import (
     PER_SECOND_SQUARED,
     SPEED,
 )
+from sim2reason.solutions.writing.steps import StepBuilder, UnsolvedError, record_inequality
 
 SMALLER = {"slower": "smaller", "faster": "greater", "slowest": "smallest", "fastest": "greatest"}
 

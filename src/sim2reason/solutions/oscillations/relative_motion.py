@@ -12,11 +12,10 @@ from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.algebra.fractions import reduced_quotient
 from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
-from sim2reason.solutions.laws.springs import SpringLaws
-from sim2reason.solutions.oscillations.linear_motion import LinearMotion
+from sim2reason.solutions.oscillations.linear_motion import LinearMotion, SpringLaws
 from sim2reason.solutions.setting import DIRECTION_TOLERANCE, ProblemContext
+from sim2reason.solutions.writing.notation import KILOGRAMS
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import KILOGRAMS
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,8 +15,8 @@ from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.oscillations.linear_way import LinearMotionModel
 from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
 from sim2reason.solutions.setting import capitalized
+from sim2reason.solutions.writing.notation import ACCELERATION, METRES, SPEED
 from sim2reason.solutions.writing.steps import UnsolvedError
-from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, SPEED
 
 
 def signed(held: Expression) -> Polynomial:

@@ -13,15 +13,14 @@ from sim2reason.solutions.algebra.fractions import reduced_quotient
 from sim2reason.solutions.algebra.functions import PI, Call, Power, summed
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.goals import MotionPart
-from sim2reason.solutions.laws.turning_back import later_words
+from sim2reason.solutions.laws.directions import later_words
 from sim2reason.solutions.oscillations.harmonic import HarmonicOscillation
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion
 from sim2reason.solutions.oscillations.linear_way import LinearMotionModel
 from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
 from sim2reason.solutions.setting import ProblemContext, capitalized
-from sim2reason.solutions.writing.comparing import record_inequality
-from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, NEWTONS, SECONDS
+from sim2reason.solutions.writing.notation import ACCELERATION, METRES, NEWTONS, SECONDS
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError, record_inequality
 
 
 def tell_first_move(way: LinearMotionModel, motion: LinearMotion | RelativeMotion) -> None:

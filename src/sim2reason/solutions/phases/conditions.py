@@ -23,8 +23,8 @@ from sim2reason.solutions.phases.equations import PhaseEquations
 from sim2reason.solutions.setting import join_words
 from sim2reason.solutions.solution import Condition
 from sim2reason.solutions.writing.lexicon import DualValue
+from sim2reason.solutions.writing.notation import DEGREES, METRES, SECONDS
 from sim2reason.solutions.writing.steps import UnsolvedError
-from sim2reason.solutions.writing.unit_latex import DEGREES, METRES, SECONDS
 
 SAMPLES = 2000  # instants of a phase at which a condition is evaluated
 NOTHING = 1e-12  # in SI units: tolerance of zero

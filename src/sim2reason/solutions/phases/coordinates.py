@@ -13,16 +13,17 @@ from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.laws.equations_of_motion import Names
 from sim2reason.solutions.setting import DIRECTION_TOLERANCE, ProblemContext, join_words
 from sim2reason.solutions.writing.lexicon import DualValue, Lexicon, UnreadError
-from sim2reason.solutions.writing.steps import SolutionBuilder
-from sim2reason.solutions.writing.subscripts import split_name, with_subscript
-from sim2reason.solutions.writing.unit_latex import (
+from sim2reason.solutions.writing.notation import (
     ACCELERATION,
     ANGULAR_ACCELERATION,
     ANGULAR_SPEED,
     METRES,
     RADIANS,
     SPEED,
+    split_name,
+    with_subscript,
 )
+from sim2reason.solutions.writing.steps import SolutionBuilder
 
 DEFLECTION = r"\varphi"  # prefix of the symbols of angles with the downward vertical
 AXES = {0: "x", 1: "y", 2: "z"}

@@ -20,8 +20,8 @@ from sim2reason.solutions.phases.equations import PhaseEquations
 from sim2reason.solutions.phases.extremes import quantity_of
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.writing.lexicon import DualValue
+from sim2reason.solutions.writing.notation import METRES
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import METRES
 
 
 class EndState(StraightMotion):

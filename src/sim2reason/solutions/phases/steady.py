@@ -11,15 +11,14 @@ from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied
 from sim2reason.solutions.algebra.functions import Power
-from sim2reason.solutions.algebra.inverse import solved_for, substitute
+from sim2reason.solutions.algebra.root_finding import solved_for, substitute
 from sim2reason.solutions.laws.equations_of_motion import Names
 from sim2reason.solutions.phases.equations import PhaseEquations
-from sim2reason.solutions.phases.explicit import explicit_formulas
+from sim2reason.solutions.phases.forces import explicit_formulas
 from sim2reason.solutions.setting import capitalized, join_words
 from sim2reason.solutions.solution import Relation, Step, with_unit
+from sim2reason.solutions.writing.notation import SECONDS, split_name
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.subscripts import split_name
-from sim2reason.solutions.writing.unit_latex import SECONDS
 
 LAWS, STATE = "steady laws", "steady state"  # kinds of steps of which parts may be left out
 WEIGHT_RTOL = 1e-9  # relative to the largest weight: rounding errors

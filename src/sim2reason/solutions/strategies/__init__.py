@@ -1,4 +1,4 @@
-"""Strategies, one per module: each states which problems it can solve at which cost, and writes the solution."""
+"""Strategies for worked solutions: each states which problems it can solve at which cost, and writes the solution."""
 
 from abc import ABC, abstractmethod
 from typing import ClassVar

@@ -11,18 +11,18 @@ from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, sum_of_squares
-from sim2reason.solutions.oscillations.measured_period import measured_period
+from sim2reason.solutions.oscillations.harmonic import measured_period
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import SMALL, Way
 from sim2reason.solutions.swings.arm import Arm, Piece, lone_axle
 from sim2reason.solutions.swings.asked import BOTH, Ends, by_energy, straight, turns_back, unsupported_reason
 from sim2reason.solutions.swings.rigid_bodies import AxleForces, small_oscillations, total_angle
-from sim2reason.solutions.writing.steps import SolutionBuilder
-from sim2reason.solutions.writing.unit_latex import (
+from sim2reason.solutions.writing.notation import (
     ANGULAR_SPEED,
     DEGREES,
 )
+from sim2reason.solutions.writing.steps import SolutionBuilder
 
 HALF, TWO = Number(0.5), Number(2.0)
 

@@ -14,7 +14,7 @@ from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root, sum_of_squares
-from sim2reason.solutions.oscillations.measured_period import measured_period
+from sim2reason.solutions.oscillations.harmonic import measured_period
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import Way
@@ -22,12 +22,12 @@ from sim2reason.solutions.swings.asked import quantity_of
 from sim2reason.solutions.swings.carriage import carriage_system
 from sim2reason.solutions.swings.carriage_angle import TWO
 from sim2reason.solutions.swings.carriage_laws import HALF, CarriageLaws
-from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import (
+from sim2reason.solutions.writing.notation import (
     ANGULAR_SPEED,
     INERTIA,
     KILOGRAMS,
 )
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 
 MOMENTS = (AtStart, Deflected, HighestPoint, LowestPoint, Moved, Stopped, TurnedThrough)
 PATH_LENGTH_RTOL = 1e-6  # relative tolerance between path length and displacement of a motion without turning back

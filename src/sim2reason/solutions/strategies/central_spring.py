@@ -3,7 +3,8 @@
 See any textbook, such as Kleppner and Kolenkow, An Introduction to Mechanics, chapter 10, on central forces.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from math import hypot
 from typing import ClassVar
 
@@ -15,21 +16,33 @@ from sim2reason.questions.moments.strings import MostCompressed, MostStretched, 
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root, sum_of_squares
-from sim2reason.solutions.oscillations.lone_spring import (
-    Launch,
-    SingleSpringBody,
-    ends,
-    passed_words,
-    quantity_of,
-    single_spring_law,
-)
+from sim2reason.solutions.algebra.root_finding import root_sentence
 from sim2reason.solutions.oscillations.net_force import time_of_greatest
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.strategies.spring_line import SingleSpringBody, ends, quantity_of, single_spring_law
 from sim2reason.solutions.swings.angle import Way
-from sim2reason.solutions.writing.numeric_roots import root_sentence
-from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import JOULES, METRES, SPEED, latex
+from sim2reason.solutions.writing.notation import JOULES, METRES, SPEED, latex
+from sim2reason.solutions.writing.steps import (
+    SolutionBuilder,
+    StepBuilder,
+    UnsolvedError,
+    record_inequality,
+    verify_assumed,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Launch:
+    """A body launched across its spring: its velocity, and a function that writes energy and angular momentum.
+
+    `kept` returns the energy, in J, and the angular momentum per unit of mass, in m²/s.
+    """
+
+    body: SingleSpringBody
+    velocity: Sequence[Expression]
+    kept: Callable[[], tuple[Symbol, Expression]]
+
 
 HALF = Number(0.5)
 MOMENTS = (MostCompressed, MostStretched, NaturalLength)
@@ -224,3 +237,82 @@ class _CentralMotion(SingleSpringBody):
         "net force": ("_pull", "The force of the spring is"),
         "acceleration": ("_acceleration", "By Newton's second law, the acceleration is"),
     }
+
+
+def passed_words(launch: Launch, step: StepBuilder) -> str:
+    """Return sentences that the speed is greatest at the natural length of the spring, and why the spring reaches it.
+
+    Raises:
+        UnsolvedError: no argument shows that it is passed.
+    """
+    query = launch.body.setting.query
+    if not isinstance(query, StretchQuery):
+        return ""
+    what = query.functional.partition(" ")[2]
+    passed = "" if isinstance(query.moment, NaturalLength) else f" {_why_passed(launch, step, query)}"
+    return f"The {what} is greatest where the spring stores no energy, at its natural length.{passed}"
+
+
+def _why_passed(launch: Launch, step: StepBuilder, query: StretchQuery) -> str:
+    """Return why the spring passes its natural length before its greatest extension or compression."""
+    body, (u, v) = launch.body, launch.velocity
+    book, (x, y) = body.book, body.apart
+    outward, known = x * u + y * v, not (book.is_hidden(body.length) or book.is_hidden(body.natural))
+    lengthens, stretched = book.value(outward) > 0.0, book.value(body.length) > book.value(body.natural)
+    sides = (body.length, body.natural) if stretched else (body.natural, body.length)
+    relation = f"{body.length.latex()} {'>' if stretched else '<'} {body.natural.latex()}"
+    match query.moment:
+        case MostCompressed() if lengthens and not (stretched and known):
+            why = "and goes on to do so as long as it is compressed; in the end it is compressed"
+            return _passes(book, step, (outward, ZERO), f"{outward.latex()} > 0", "lengthens at first", why)
+        case MostCompressed() if stretched:
+            said = _passes(book, step, sides, relation, "is stretched at first", "and compressed in the end")
+        case MostStretched() if not stretched:
+            said = _passes(book, step, sides, relation, "is compressed at first", "and stretched in the end")
+        case MostStretched() if not lengthens:
+            book.afterwards.append(lambda: _verify_reached(launch))
+            why = "and does not turn back before"
+            return _passes(book, step, (ZERO, outward), f"{outward.latex()} < 0", "shortens at first", why)
+        case _:
+            raise UnsolvedError("nothing shows that it passes its natural length")
+    if known or lengthens == stretched or book.is_hidden(outward):
+        return said
+    record_inequality(book, step, *((outward, ZERO) if lengthens else (ZERO, outward)))
+    state, way = ("compressed", "shortens") if stretched else ("stretched", "lengthens")
+    less = f"${outward.latex()} {'>' if lengthens else '<'} 0$"
+    return f"{said} If it were {state} at first, it would be fastest at the start, as it {way} then, {less}."
+
+
+def _passes(
+    book: SolutionBuilder,
+    step: StepBuilder,
+    sides: tuple[Expression, Expression],
+    relation: str,
+    begins: str,
+    ends: str,
+) -> str:
+    """Return a sentence that the spring passes its natural length, from its initial and final states.
+
+    A `relation` in LaTeX states that the first of two `sides` is larger, which gives the initial state.
+    """
+    if not any(map(book.is_hidden, sides)):
+        record_inequality(book, step, *sides)
+        return f"The spring passes that length, as it {begins}, ${relation}$, {ends}."
+    book.afterwards.append(lambda: verify_assumed(book, *sides, relation))
+    return f"Assume that ${relation}$. Then the spring passes that length, as it {begins} {ends}."
+
+
+def _verify_reached(launch: Launch) -> None:
+    """Write that a spring that shortens at first does so until it has its natural length."""
+    body, (energy, swirl) = launch.body, launch.kept()
+    book = body.book
+    across, name = HALF * body.mass * Power(swirl / body.natural, 2), book.fresh("K", "0")
+    step = book.begin_step("verify")
+    record_inequality(book, step, energy, across)
+    step.add_text(
+        "The energy at a turning point of the length, where the velocity is perpendicular to the spring, is a convex "
+        f"function of that length. It is less than ${energy.latex()}$ for ${body.length.latex()}$, where the spring "
+        f"shortens, and for ${body.natural.latex()}$, where it is {step.verified(name, across, JOULES)}; so the spring "
+        "does not turn back between these."
+    )
+    step.close()

@@ -15,17 +15,17 @@ from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
+from sim2reason.solutions.laws.directions import verify_farther, verify_remaining
 from sim2reason.solutions.laws.dynamics import Dynamics
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.stage import End, Stage
 from sim2reason.solutions.laws.stage_part import StagePart, tell_arcs, verify_still_sliding
 from sim2reason.solutions.laws.sticking import tell_slipping_on
 from sim2reason.solutions.laws.straight_way import COMPONENT_ATOL, StraightMotion
-from sim2reason.solutions.laws.turning_back import verify_farther, verify_remaining
 from sim2reason.solutions.setting import ProblemContext, capitalized
 from sim2reason.solutions.strategies import Strategy, missing_goal, strategy, varying_acceleration
+from sim2reason.solutions.writing.notation import METRES, NEWTONS, SECONDS
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import METRES, NEWTONS, SECONDS
 
 MOMENTS = (AtStart, AtTime, Moved, Stopped, StoppedSlipping)
 

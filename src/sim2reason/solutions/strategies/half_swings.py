@@ -28,8 +28,8 @@ from sim2reason.solutions.oscillations.to_and_fro import (
 from sim2reason.solutions.setting import ProblemContext, capitalized
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
 from sim2reason.solutions.strategies.oscillation import Oscillating, no_oscillation_reason
+from sim2reason.solutions.writing.notation import METRES, SECONDS
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import METRES, SECONDS
 
 
 @strategy

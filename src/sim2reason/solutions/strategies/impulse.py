@@ -16,6 +16,8 @@ from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, ratio
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.algebra.root_finding import root_sentence
+from sim2reason.solutions.collisions.flights import Flight, Impact
 from sim2reason.solutions.collisions.free_flight import (
     FlightPart,
     StruckBodies,
@@ -25,7 +27,6 @@ from sim2reason.solutions.collisions.free_flight import (
     write_nearer_before,
     write_omitted_collisions,
 )
-from sim2reason.solutions.collisions.legs import Flight, Impact
 from sim2reason.solutions.collisions.oblique import Flights, tell_side
 from sim2reason.solutions.collisions.order import CollisionOrder
 from sim2reason.solutions.goals import CollisionTerm, MotionPart
@@ -33,10 +34,8 @@ from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.straight_way import StraightMotion
 from sim2reason.solutions.setting import ProblemContext, capitalized
 from sim2reason.solutions.strategies import Strategy, missing_goal, strategy, varying_acceleration
-from sim2reason.solutions.writing.comparing import why_this_time
-from sim2reason.solutions.writing.numeric_roots import root_sentence
-from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
+from sim2reason.solutions.writing.notation import METRES, SECONDS, SPEED
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError, why_this_time
 
 MOMENTS = (AtStart, AtTime, Collided, Bounced, Moved, Stopped, HighestPoint, Away, Landed, LastCollision)
 

@@ -15,20 +15,20 @@ from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.quantities.subjects.interactions import members
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.algebra.root_finding import root_sentence, roots_sentence
 from sim2reason.solutions.goals import MotionPart
+from sim2reason.solutions.oscillations.harmonic import measured_period
 from sim2reason.solutions.oscillations.linear_motion import min_free_coordinates
 from sim2reason.solutions.oscillations.linear_way import LinearMotionModel
-from sim2reason.solutions.oscillations.measured_period import measured_period
-from sim2reason.solutions.oscillations.mode import Mode, acceleration, jerk, place, plain, speed
+from sim2reason.solutions.oscillations.mode_laws import Mode, acceleration, jerk, place, plain, speed
 from sim2reason.solutions.oscillations.net_force import time_of_greatest
 from sim2reason.solutions.oscillations.normal_modes import Form, NormalModes, natural_frequency
 from sim2reason.solutions.oscillations.to_and_fro import BackAndForthTravel, turning_times
 from sim2reason.solutions.setting import ProblemContext, capitalized, join_words
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, strategy
 from sim2reason.solutions.strategies.oscillation import PAIR, no_oscillation_reason
-from sim2reason.solutions.writing.numeric_roots import root_sentence, roots_sentence
+from sim2reason.solutions.writing.notation import ACCELERATION, METRES, SECONDS, SPEED
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, SECONDS, SPEED
 
 Law = Callable[[list[Mode], int, Symbol], Expression]
 LAWS: tuple[Law, ...] = place, speed, acceleration, jerk  # each is the derivative of the one before

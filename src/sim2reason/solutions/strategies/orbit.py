@@ -1,5 +1,8 @@
 """Orbit: a light body around a fixed one, by energy, angular momentum and Kepler's laws."""
 
+from collections.abc import Callable
+from math import sqrt
+
 from sim2reason.base.records import cached_property
 from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.angles import Orbited
@@ -8,20 +11,114 @@ from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.phrasing import PeriodQuery
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.quantities.subjects.interactions import members
-from sim2reason.solutions.algebra.expressions import Expression, Symbol
-from sim2reason.solutions.algebra.functions import PI
+from sim2reason.solutions.algebra.evaluated import QuadraticRoot
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
-from sim2reason.solutions.fields.given_apsis import given_apsis
 from sim2reason.solutions.fields.kepler import AREA, HALF, TWO, KeplerOrbit
-from sim2reason.solutions.fields.orbit_place import AtAnomaly, OrbitPlace
-from sim2reason.solutions.fields.turned_line import Turned
+from sim2reason.solutions.fields.orbit_place import OrbitPlace, Turned
 from sim2reason.solutions.goals import GOALS, modulus
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.straight_way import StraightMotion
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.writing.notation import METRES, PER_SECOND, SECONDS
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import METRES, SECONDS
+
+
+def given_apsis(orbit: KeplerOrbit, *, far: bool) -> Symbol:
+    """Write the greatest or least distance of an orbit by energy conservation, linear in an unknown central mass."""
+    book, mu, first = orbit.book, orbit.parameter, orbit.radius
+    if book.in_symbols or not book.is_hidden(mu):
+        return orbit.apsis(far=far)
+    name, momentum, square = orbit.named("r"), orbit.momentum, sum_of_squares(orbit.rate)
+    swift = book.magnitude(momentum) / name
+    begun, there = square - TWO * mu / first, Power(swift, 2) - TWO * mu / name
+    step, which = book.begin_step("apsis"), "greatest" if far else "least"
+    law, star = step.law(begun, there), orbit.setting.display_name(orbit.center)
+    step.add_text(
+        f"At the {which} distance ${name.latex()}$ the velocity is perpendicular to the line to {star}, so by"
+    )
+    step.add_text(
+        f"conservation of angular momentum its magnitude is ${swift.latex()}$. By conservation of energy, {law}."
+    )
+    step.result(name, QuadraticRoot(there - begun, name.name, _distance(orbit, far=far)), METRES)
+    step.close()
+    return name
+
+
+def _distance(orbit: KeplerOrbit, *, far: bool) -> float:
+    """Return the value, in m, of the greatest or least distance of an orbiting body from the central body."""
+    mu, r, h, square = map(
+        orbit.book.value, (orbit.parameter, orbit.radius, orbit.momentum, sum_of_squares(orbit.rate))
+    )
+    axis = 1.0 / (2.0 / r - square / mu)
+    shift = sqrt(max(1.0 - h**2 / (mu * axis), 0.0))
+    return axis * (1.0 + shift if far else 1.0 - shift)
+
+
+class AtAnomaly(OrbitPlace):
+    """The position after a known increase of the eccentric anomaly."""
+
+    def __init__(
+        self, orbit: KeplerOrbit, grown: Callable[[], Expression], radius: Callable[[], Symbol] | None = None
+    ) -> None:
+        """Take the increase of the anomaly, and `radius` if the distance is known without the anomaly."""
+        super().__init__(orbit)
+        self._grown, self._radius = grown, radius
+
+    def _anomaly(self) -> Expression:
+        """Return the known increase of the eccentric anomaly."""
+        return self._grown()
+
+    def _distance(self) -> Symbol:
+        """Write the distance r = a (1 − e cos(E₀ + η)) after the increase η of the eccentric anomaly."""
+        if self._radius is not None:
+            return self._radius()
+        orbit, angle = self.orbit, self.grown
+        near = ONE - orbit.e_cos_anomaly * Call("cos", angle) + orbit.e_sin_anomaly * Call("sin", angle)
+        e = rf"${orbit.eccentricity_symbol.latex()} \cos {orbit.anomaly.latex()}$"
+        grown = orbit.e_cos_anomaly * Call("cos", angle) - orbit.e_sin_anomaly * Call("sin", angle)
+        said = f"There {e} is ${grown.latex()}$, so the distance from {self._star} is"
+        return orbit.book.add_step("distance", said, orbit.named("r"), orbit.axis * near, METRES)
+
+    @cached_property
+    def _weights(self) -> dict[str, Symbol]:
+        """Return names for Lagrange's four coefficients of initial position and velocity."""
+        return {number: self.orbit.named("c", number) for number in "1234"}
+
+    def _combined(self, numbers: str, axis: int) -> Expression:
+        """Return a component of a vector: Lagrange's coefficients times initial position and velocity."""
+        orbit, found = self.orbit, ZERO
+        for number, part in zip(numbers, (orbit.place[axis], orbit.rate[axis]), strict=True):
+            if part != ZERO:
+                found = found + self._weight(number) * part
+        return found
+
+    def _weight(self, number: str) -> Symbol:
+        """Write one of Lagrange's coefficients."""
+        orbit, name = self.orbit, self._weights[number]
+        if name.name in orbit.book.values:
+            return name
+        rest = ONE - Call("cos", self.grown)
+        if number in "12":
+            formula = orbit.weights(self.grown)[int(number) - 1]
+        elif number == "3":
+            swift = Root(orbit.parameter * orbit.axis) * Call("sin", self.grown)
+            formula = -(swift / (orbit.radius * self.radius))
+        else:
+            formula = ONE - orbit.axis / self.radius * rest
+        whole, part = "displacement" if number in "12" else "velocity", "position" if number in "13" else "velocity"
+        said = f"By Lagrange's formulas, the coefficient of the initial {part} in the {whole} is"
+        unit = {"2": SECONDS, "3": PER_SECOND}.get(number, "")
+        return orbit.book.add_step("weights", said, name, formula, unit)
+
+    def _moved(self, axis: int) -> Expression:
+        return self._combined("12", axis)
+
+    def _rate(self, axis: int) -> Expression:
+        return self._combined("34", axis)
+
 
 MOMENTS = (AtTime, Away, Closest, Farthest, Orbited)
 QUANTITIES = ("displacement", "velocity", "acceleration", "distance", "relative speed")

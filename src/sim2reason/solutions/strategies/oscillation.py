@@ -20,9 +20,8 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.goals import GOALS, MotionPart
-from sim2reason.solutions.oscillations.harmonic import HarmonicOscillation
+from sim2reason.solutions.oscillations.harmonic import HarmonicOscillation, measured_period
 from sim2reason.solutions.oscillations.linear_motion import min_free_coordinates, nonlinear_reason
-from sim2reason.solutions.oscillations.measured_period import measured_period
 from sim2reason.solutions.oscillations.net_force import greatest_target
 from sim2reason.solutions.oscillations.single_way import OneCoordinateModel, TwoBodyModel, signed
 from sim2reason.solutions.oscillations.to_and_fro import (
@@ -33,8 +32,8 @@ from sim2reason.solutions.oscillations.to_and_fro import (
 )
 from sim2reason.solutions.setting import ProblemContext, capitalized
 from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.writing.notation import ACCELERATION, METRES, SECONDS, SPEED
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, SECONDS, SPEED
 
 SUMS = (
     *("distance travelled", "impulse of the net force", "impulse of a tension", "work of a tension"),

@@ -17,18 +17,17 @@ from sim2reason.simulation.equilibrium import equilibrium
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
-from sim2reason.solutions.algebra.inverse import substitute
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.algebra.root_finding import roots_sentence, substitute
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.straight_way import StraightMotion
-from sim2reason.solutions.oscillations.measured_period import measured_period
+from sim2reason.solutions.oscillations.harmonic import measured_period
 from sim2reason.solutions.setting import DIRECTION_TOLERANCE, ProblemContext, join_words
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.writing.lexicon import DualValue
-from sim2reason.solutions.writing.numeric_roots import roots_sentence
+from sim2reason.solutions.writing.notation import ANGULAR_SPEED, DEGREES, METRES, STIFFNESS
 from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, DEGREES, METRES, STIFFNESS
 
 HALF, TWO = Number(0.5), Number(2.0)
 STEEP = 0.01  # ratio of run to rise below which the tangent would lose too many digits

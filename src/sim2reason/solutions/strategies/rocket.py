@@ -13,12 +13,11 @@ from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
-from sim2reason.solutions.laws.rocket import Burning
-from sim2reason.solutions.laws.rocket_checks import exclude_burning, tell_in_the_air
+from sim2reason.solutions.laws.rocket import Burning, exclude_burning, tell_in_the_air
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, missing_goal, strategy
+from sim2reason.solutions.writing.notation import ACCELERATION, KILOGRAMS, METRES, NEWTONS, SECONDS, SPEED
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import ACCELERATION, KILOGRAMS, METRES, NEWTONS, SECONDS, SPEED
 
 MOMENTS = (AtStart, AtTime, BurnedOut, Moved, Stopped)
 HALF = Number(0.5)

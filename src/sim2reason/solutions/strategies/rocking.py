@@ -11,13 +11,12 @@ from sim2reason.scenes.dsl.solids import Shape
 from sim2reason.scenes.dsl.vectors import applied, dot
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root, sum_of_squares
-from sim2reason.solutions.oscillations.measured_period import measured_period
+from sim2reason.solutions.oscillations.harmonic import measured_period
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swings.mass_spread import candidates, mean_squares
+from sim2reason.solutions.swings.rigid_shapes import candidates, mean_squares
 from sim2reason.solutions.writing.lexicon import UnreadError
-from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import (
+from sim2reason.solutions.writing.notation import (
     ACCELERATION,
     ANGULAR_ACCELERATION,
     ANGULAR_SPEED,
@@ -27,6 +26,7 @@ from sim2reason.solutions.writing.unit_latex import (
     NEWTONS,
     TORQUE,
 )
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 
 INERTIA_RTOL = 1e-9
 TWO = Number(2.0)

@@ -27,8 +27,8 @@ from sim2reason.solutions.swings.slack_chain import (
     tell_velocities,
     vector_magnitude,
 )
+from sim2reason.solutions.writing.notation import QUANTITY_SYMBOLS, SECONDS, SPEED, magnitude_words
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import QUANTITY_SYMBOLS, SECONDS, SPEED, magnitude_words
 
 MOMENTS = (AtTime, HighestPoint, Stopped, WentTaut)
 EVENT_TIME_RTOL = 1e-9  # relative tolerance of equal times

@@ -1,7 +1,7 @@
 """Spring along a line: a body released from rest oscillates harmonically along its only spring."""
 
-from collections.abc import Mapping
-from math import acos, sqrt
+from collections.abc import Callable, Mapping
+from math import acos, hypot, sqrt
 from typing import ClassVar
 
 from sim2reason.base.records import cached_property
@@ -11,21 +11,92 @@ from sim2reason.questions.moments.strings import MostCompressed, MostStretched, 
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.phrasing import PeriodQuery
-from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.frames import initial_frames
+from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
+from sim2reason.scenes.dsl.vectors import minus
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
-from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
-from sim2reason.solutions.oscillations.lone_spring import SingleSpringBody, length, single_spring_law
-from sim2reason.solutions.oscillations.measured_period import measured_period
-from sim2reason.solutions.setting import ProblemContext, capitalized
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, vector_length
+from sim2reason.solutions.oscillations.harmonic import measured_period
+from sim2reason.solutions.oscillations.net_force import greatest_target
+from sim2reason.solutions.setting import DIRECTION_TOLERANCE, ProblemContext, capitalized
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import Way
-from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import (
+from sim2reason.solutions.writing.notation import (
     ANGULAR_SPEED,
     METRES,
+    QUANTITY_SYMBOLS,
     RADIANS,
     SECONDS,
+    magnitude_words,
 )
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
+
+PARTS = "stiffness", "length"
+
+
+def single_spring_law(m: Mechanism) -> Elastic | None:
+    """Return the law of the only spring, from a fixed point to the only body; None for other mechanisms."""
+    other = m.faces or m.forces or m.attractions or m.burns or m.meetings or m.feet
+    slides = all(c.kind == "slide" and abs(c.axis[2]) < DIRECTION_TOLERANCE for c in m.coordinates)
+    if len(m.lines) != 1 or len(m.bodies) != 1 or len(m.coordinates) != 2 or other or not slides:
+        return None
+    law, ends = m.lines[0].law, [m.site[site].body for site in m.lines[0].through]
+    plain = isinstance(law, Elastic) and not law.damping and not law.side
+    return law if isinstance(law, Elastic) and plain and len(ends) == 2 and None in ends else None
+
+
+def ends(m: Mechanism) -> tuple[float, float]:
+    """Return the vector, m, from the fixed end of the spring to the body at the start, along the coordinates."""
+    frames, through = initial_frames(m), m.lines[0].through
+    fixed, free = sorted(through, key=lambda site: m.site[site].body is not None)
+    apart = minus(frames.site(free).place, frames.site(fixed).place)
+    x, y = (sum(a * b for a, b in zip(apart, c.axis, strict=True)) for c in m.coordinates)
+    return float(x), float(y)
+
+
+def length(m: Mechanism) -> float:
+    """Return the length of the spring at the start, m."""
+    return hypot(*ends(m))
+
+
+def quantity_of(setting: ProblemContext) -> str:
+    """Return the quantity that is asked for, or whose greatest value is asked for; empty for a time."""
+    target = greatest_target(setting) if isinstance(setting.query, StretchQuery) else setting.query.target
+    return target.quantity if target is not None else ""
+
+
+class SingleSpringBody:
+    """The parameters of a body on a single spring, in the symbols of the text."""
+
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
+        """Read the parameters; raise UnreadError if one is not a simple function of the numbers in the text."""
+        self.setting, self.book = setting, book
+        self.apart = [self.read(lambda m, n=n: ends(m)[n]) for n in (0, 1)]
+        self.stiffness, self.natural = (self.read(lambda m, of=of: getattr(m.lines[0].law, of)) for of in PARTS)
+        self.mass = self.read(lambda m: m.bodies[0].mass)
+
+    def read(self, number: Callable[[Mechanism], float]) -> Expression:
+        """Return a formula for a number of the mechanism."""
+        return self.setting.lexicon.of(number).expression()
+
+    @cached_property
+    def length(self) -> Symbol:
+        """Write the initial length of the spring, m, and return its symbol."""
+        said, name = "The initial length of the spring is", self.book.fresh(r"\ell", "1")
+        return self.book.add_step("length", said, name, vector_length(self.apart), METRES)
+
+    def answer(self, way: Way, turned: Callable[[Expression], Expression]) -> Symbol:
+        """Write the answer by the method in `way` and return the answer's symbol; `turned` sets a formula's sign."""
+        method, said = way
+        along: Expression = getattr(self, method)()
+        formula, quantity = turned(along), quantity_of(self.setting)
+        if isinstance(formula, Symbol):
+            return formula
+        if formula == -along:
+            said = magnitude_words(said, quantity)
+        name = self.book.fresh(QUANTITY_SYMBOLS[quantity])
+        return self.book.add_step("answer", said, name, formula, self.setting.unit)
+
 
 HALF, TWO = Number(0.5), Number(2.0)
 MOMENTS = (AtTime, Away, MostCompressed, MostStretched, NaturalLength, Stopped)

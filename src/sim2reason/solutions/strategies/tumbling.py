@@ -14,12 +14,19 @@ from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Numb
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, sum_of_squares
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.strategies import Strategy, strategy
-from sim2reason.solutions.swings import prism_words
 from sim2reason.solutions.swings.asked import BOTH, of_components, quantity_of
+from sim2reason.solutions.swings.rigid_shapes import (
+    angle_words,
+    landing_words,
+    shape_words,
+    sinking_words,
+    tell,
+    velocities_words,
+    verify_tops,
+)
 from sim2reason.solutions.swings.times import SwingTime
 from sim2reason.solutions.writing.lexicon import UnreadError
-from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import (
+from sim2reason.solutions.writing.notation import (
     ANGULAR_ACCELERATION,
     ANGULAR_SPEED,
     DEGREES,
@@ -28,6 +35,7 @@ from sim2reason.solutions.writing.unit_latex import (
     SECONDS,
     magnitude_words,
 )
+from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 
 MOMENTS = (AtStart, AtTime, HighestPoint, TurnedThrough)
 HALF, TWO, FOUR, SIX = Number(0.5), Number(2.0), Number(4.0), Number(6.0)
@@ -95,7 +103,7 @@ class _Tumbling:
     def own(self) -> Symbol:
         """Write the moment of inertia about the axis and return its symbol."""
         formula = self.mass * Power(self.radius, 2) * (TWO + Call("cos", self.turn)) / SIX
-        said = prism_words.shape_words(self.who, round(self.sides), self.turn)
+        said = shape_words(self.who, round(self.sides), self.turn)
         return self.book.add_step("table", said, self.book.fresh("I", "0"), formula, INERTIA)
 
     @cached_property
@@ -144,7 +152,7 @@ class _Tumbling:
             self._lands()
             self.edges, self.begun = self.edges + 1, event.time
             self.book.begin_phase("an edge lands", f"the next edge of {self.who} lands")
-        prism_words.verify_tops(self.book, [*rates, self.rate], self.about, self.weight, self.begins)
+        verify_tops(self.book, [*rates, self.rate], self.about, self.weight, self.begins)
 
     def _lands_after(self, time: float) -> None:
         end = PI + (self.slope + self.half if self.slope != ZERO else self.half)
@@ -165,15 +173,13 @@ class _Tumbling:
             HALF * self.about * Power(fast, 2), HALF * self.about * sum_of_squares([self.rate]) + HALF * drop
         )
         formula = Root(sum_of_squares([self.rate]) + drop / self.about)
-        step.add_text(
-            f"{prism_words.sinking_words(self.radius, self.half, self.slope)}. By conservation of energy, {law},"
-        )
+        step.add_text(f"{sinking_words(self.radius, self.half, self.slope)}. By conservation of energy, {law},")
         step.add_text(f"so {step.result(fast, formula, ANGULAR_SPEED)}.")
         step.close()
         step = book.begin_step("landing")
         left = self.own + self.mass * Power(self.radius, 2) * Call("cos", self.turn)
         law = step.law(self.about * after, left * fast)
-        step.add_text(prism_words.landing_words(self.radius * fast, self.turn, law))
+        step.add_text(landing_words(self.radius * fast, self.turn, law))
         step.add_text(f"so {step.result(after, left * fast / self.about, ANGULAR_SPEED)}.")
         step.close()
         self.rate = after
@@ -240,7 +246,7 @@ class _Tumbling:
         """Write the angular acceleration at the moment and return it."""
         if self.angle == ZERO:
             return ZERO
-        prism_words.tell(self.book, prism_words.angle_words(self.half, self.angle))
+        tell(self.book, angle_words(self.half, self.angle))
         said = "The torque of gravity about the edge divided by the moment of inertia is"
         formula = self.weight * Call("sin", self.angle) / self.about
         return self.book.add_step("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
@@ -294,8 +300,8 @@ class _Tumbling:
 
     def _impulse(self) -> Expression:
         bent = self.launch * self.spin * Call("cos", self.turned)
-        said = prism_words.velocities_words(self.turned, highest=self.highest, landed=self.edges > 0)
-        prism_words.tell(self.book, said)
+        said = velocities_words(self.turned, highest=self.highest, landed=self.edges > 0)
+        tell(self.book, said)
         return self.mass * self.radius * Root(sum_of_squares([self.launch]) + sum_of_squares([self.spin]) - TWO * bent)
 
     WAYS: ClassVar[Mapping[str, tuple[str, str]]] = {

@@ -29,8 +29,8 @@ from sim2reason.solutions.swings.asked import (
     write_other_end,
 )
 from sim2reason.solutions.swings.times import SwingTime
+from sim2reason.solutions.writing.notation import DEGREES, QUANTITY_SYMBOLS, SECONDS, magnitude_words
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import DEGREES, QUANTITY_SYMBOLS, SECONDS, magnitude_words
 
 REST_SPEED_RTOL, ANGLE_TOLERANCE = 1e-5, 1e-6  # tolerance relative to the greatest speed; tolerance in rad
 TWO = Number(2.0)

@@ -17,11 +17,10 @@ from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.setting import ProblemContext, capitalized
 from sim2reason.solutions.solution import with_unit
-from sim2reason.solutions.swings.mass_spread import MeanSquares, candidates, mean_squares, tilted
-from sim2reason.solutions.writing.comparing import record_inequality
+from sim2reason.solutions.swings.rigid_shapes import MeanSquares, candidates, mean_squares, tilted
 from sim2reason.solutions.writing.lexicon import UnreadError
-from sim2reason.solutions.writing.steps import SolutionBuilder
-from sim2reason.solutions.writing.unit_latex import INERTIA, METRES, latex
+from sim2reason.solutions.writing.notation import INERTIA, METRES, latex
+from sim2reason.solutions.writing.steps import SolutionBuilder, record_inequality
 
 INERTIA_RTOL = 1e-9  # relative tolerance of moments of inertia, and tolerance of lengths in m
 MOMENT = latex("kg m")

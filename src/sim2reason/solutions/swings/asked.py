@@ -11,9 +11,8 @@ from sim2reason.simulation.quantities.positions import HeightAboveStart
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.setting import ProblemContext, capitalized
-from sim2reason.solutions.writing.comparing import record_inequality
-from sim2reason.solutions.writing.steps import SolutionBuilder
-from sim2reason.solutions.writing.unit_latex import ACCELERATION
+from sim2reason.solutions.writing.notation import ACCELERATION
+from sim2reason.solutions.writing.steps import SolutionBuilder, record_inequality
 
 MOMENTS = (AtStart, AtTime, Deflected, HighestPoint, LowestPoint, Stopped, TurnedThrough, WentSlack)
 EXTREMES = {  # by functional: the quantity, and whether it is extreme where the motion is fastest or slowest

@@ -12,8 +12,8 @@ from sim2reason.solutions.oscillations.net_force import time_of_greatest
 from sim2reason.solutions.setting import ProblemContext
 from sim2reason.solutions.swings.angle import ANGLE_TOLERANCE, SwingAngle
 from sim2reason.solutions.swings.carriage import Carriage
+from sim2reason.solutions.writing.notation import DEGREES, METRES
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import DEGREES, METRES
 
 TWO = Number(2.0)
 REST_RATE = 1e-4  # rad/s, tolerance for times found by a search

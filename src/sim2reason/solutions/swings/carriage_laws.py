@@ -10,7 +10,7 @@ from sim2reason.questions.moments.angles import Deflected
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root, sum_of_squares
 from sim2reason.solutions.swings.carriage_angle import TWO, CarriageAngle
-from sim2reason.solutions.writing.unit_latex import (
+from sim2reason.solutions.writing.notation import (
     ACCELERATION,
     ANGULAR_ACCELERATION,
     ANGULAR_SPEED,

@@ -1,10 +1,22 @@
-"""A small body that swings about a fixed point: its pivot, length, initial angle and speed."""
+"""A small body that swings about a fixed point: its pivot and length, and its angle and speed at one moment."""
 
-from math import acos, hypot
+from math import acos, cos, hypot
 
+import numpy as np
+
+from sim2reason.base.records import cached_property
+from sim2reason.questions.moments.times import AtStart
 from sim2reason.scenes.dsl.frames import initial_frames
 from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism, Rigid
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.scenes.dsl.vectors import minus
+from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added, multiplied, ratio
+from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, sum_of_squares
+from sim2reason.solutions.setting import ProblemContext, capitalized
+from sim2reason.solutions.swings.angle import SMALL, SwingAngle
+from sim2reason.solutions.swings.asked import by_energy
+from sim2reason.solutions.writing.notation import ANGULAR_SPEED, DEGREES, SPEED
+from sim2reason.solutions.writing.steps import SolutionBuilder, StepBuilder, record_inequality
 
 
 def pivot(m: Mechanism) -> tuple[str, str | None, tuple[float, float, float]] | None:
@@ -44,3 +56,180 @@ def geometry(m: Mechanism) -> tuple[float, float, float]:
     else:
         speed = hypot(*(coordinate.speed for coordinate in m.coordinates))
     return length, acos(max(-1.0, min(1.0, -apart[2] / length))), speed
+
+
+SAMPLES = 257  # samples up to the moment, which is at most a few turns after the start
+
+
+class SwingState(SwingAngle):
+    """The angle and the speed of a swing at the moment of the question, written as needed.
+
+    Angles are counted from the downward vertical, positive on the initial side.
+    """
+
+    def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
+        """Read the parameters; raise UnreadError if the length or initial state is not a simple function of them."""
+        super().__init__(setting, book)
+        found = pivot(setting.mechanism)
+        assert found is not None
+        self.body, self.line, _ = found
+        lexicon = setting.lexicon
+        parts = (lexicon.of(lambda m, n=n: geometry(m)[n]).expression() for n in range(3))
+        self.length, self.first, self.launch = parts
+        self.gravity = lexicon.of(lambda m: -m.gravity[2]).expression()
+        self.mass = lexicon.of(lambda m: m.body[self.body].mass).expression()
+        moment = setting.query.moment
+        assert moment is not None
+        when = moment.evaluation_time(setting.time)
+        angles, rates = self._seen(np.array([0.0, when]))
+        self.began, self.now, self.turning = geometry(lexicon.mechanism)[1], float(angles[1]), float(rates[1])
+        self.way = 1.0 if rates[0] >= 0.0 else -1.0
+        self._when_seen = when
+
+    @cached_property
+    def turned(self) -> float:  # type: ignore[override]
+        """Return the angle turned through, rad, including whole turns."""
+        angles = np.unwrap(self._seen(np.linspace(0.0, self._when_seen, SAMPLES))[0])
+        return float(angles[-1] - angles[0])
+
+    def _seen(self, times: Array) -> tuple[Array, Array]:
+        """Return the engine's angles and their rates at some times, each (n,), for signs alone."""
+        state = self.setting.study.trace.sample(times)
+        found = pivot(self.setting.mechanism)
+        assert found is not None
+        point, center = found[2], state.frames.center(self.body)
+        x, y, z = (np.broadcast_to(part, times.shape) - point[n] for n, part in enumerate(center.place))
+        side = 1.0 if place(self.setting.mechanism)[0] >= 0.0 else -1.0
+        across = side * (center.velocity[2] * x - center.velocity[0] * z)
+        return np.arctan2(side * x, -z), across / (x * x + y * y + z * z)
+
+    # ---- the angle and the speed
+
+    _slackened: Symbol | None = None  # the speed at which the string goes slack, once it is written
+
+    @cached_property
+    def natural(self) -> Symbol:
+        """Write the angular frequency of small oscillations, ω₀² = g/ℓ, and return its symbol."""
+        formula = Root(ratio(self.gravity, self.length))
+        return self.book.add_step("natural", SMALL, self.book.fresh(r"\omega", "0"), formula, ANGULAR_SPEED)
+
+    @cached_property
+    def spin(self) -> Expression:
+        """Return the initial angular speed v₀/ℓ, rad/s."""
+        return ratio(self.launch, self.length)
+
+    @property
+    def goes_round(self) -> bool:
+        """Return whether the energy suffices to pass the top, v₀² > 2 g ℓ (1 + cos θ₀), if no string goes slack."""
+        g, ell, v = (self.book.value(part) for part in (self.gravity, self.length, self.launch))
+        return v**2 > 2.0 * g * ell * (1.0 + cos(self.began))
+
+    def _turned(self) -> Expression:
+        """Write the angle of the turning point from conservation of energy and return it with its sign."""
+        name = self.book.fresh(r"\phi", r"\text{max}")
+        step = self.book.begin_step("energy")
+        m, g, ell, v = self.mass, self.gravity, self.length, self.launch
+        high = multiplied(multiplied(m, multiplied(g, ell)), added(ONE, -Call("cos", name)))
+        law = step.law(high, self._energy)
+        ratio_of = ratio(sum_of_squares([v]), multiplied(Number(2.0), multiplied(g, ell)))
+        formula = Call("arccos", added(self.cosine_first, -ratio_of))
+        beyond = self.now < 0.0 if not self.extreme else True
+        other = " on the other side of the vertical," if beyond and self.first != ZERO else ""
+        said = f"{capitalized(self.who)} turns back{other} where all its energy is potential"
+        step.add_text(f"{said}: {law}, so {step.result(name, formula, DEGREES)}.")
+        if self.line is not None and not self.book.is_hidden(formula):
+            self._tell_reach(step, name, "this")
+        step.close()
+        if self.line is not None and not self.book.in_symbols and self.book.is_hidden(formula):
+            self.book.afterwards.append(lambda: self._verify_reach(name))
+        return -name if beyond else name
+
+    def _tell_reach(self, step: StepBuilder, reach: Symbol, called: str) -> None:
+        """Write that the string stays taut, as the angle `reach` of the turning point is less than 90°."""
+        record_inequality(self.book, step, PI / Number(2.0), reach)
+        step.add_text(f"As {called} is less than $90^\\circ$, the string stays taut until then.")
+
+    def _verify_reach(self, reach: Symbol) -> None:
+        """Write after the answer that the string stays taut, if the turning angle depends on the unknown."""
+        step = self.book.begin_step("verify")
+        self._tell_reach(step, reach, f"${reach.latex()}$")
+        step.close()
+
+    def _at_extreme(self) -> Expression:
+        if self.extreme != "fastest" and self.goes_round:
+            self._tell_top()
+        return super()._at_extreme()
+
+    def _tell_top(self) -> None:
+        """Write why the body passes the top of the circle, if numbers are known."""
+        g, ell, begun = self.gravity, self.length, sum_of_squares([self.launch])
+        needed = multiplied(Number(2.0), multiplied(multiplied(g, ell), added(ONE, self.cosine_first)))
+        if self.book.is_hidden(begun) or self.book.is_hidden(needed):
+            return
+        step = self.book.begin_step("extreme")
+        record_inequality(self.book, step, begun, needed)
+        step.add_text(f"As ${begun.latex()} > {needed.latex()}$, {self.who} still moves at the top of the circle.")
+        step.close()
+
+    def _slack(self) -> Expression:
+        """Write the angle at which the string goes slack, m v²/ℓ = −m g cos φ, and return it with its sign."""
+        name, fast = self.book.fresh(r"\phi"), self.book.fresh("v", r"\text{s}")
+        step, bent = self.book.begin_step("slack"), Call("cos", name)
+        g, ell, v = self.gravity, self.length, self.launch
+        circle = step.law(ratio(Power(fast, 2), ell), -multiplied(g, bent))
+        gained = multiplied(multiplied(Number(2.0), multiplied(g, ell)), added(bent, -self.cosine_first))
+        energy = step.law(Power(fast, 2), added(sum_of_squares([v]), gained))
+        over = ratio(sum_of_squares([v]), multiplied(g, ell))
+        formula = Call("arccos", ratio(added(multiplied(Number(2.0), self.cosine_first), -over), Number(3.0)))
+        step.add_text(f"Let ${name.name}$ be the angle of the string with the downward vertical when it goes slack.")
+        step.add_text(
+            "There the tension is zero, and the component of gravity along the string alone is the centripetal"
+        )
+        step.add_text(f"acceleration: {circle}.")
+        step.add_text(f"By conservation of energy, {energy}.")
+        step.add_text(f"Together, {step.result(name, formula, DEGREES)}")
+        step.add_text(f"and {step.result(fast, Root(-multiplied(multiplied(g, ell), bent)), SPEED)}.")
+        step.close()
+        self._slackened = fast
+        return name if self.now >= 0.0 else -name
+
+    @property
+    def _energy(self) -> Expression:
+        """Return the initial kinetic and potential energy, with zero potential energy at the lowest point, J."""
+        m, g, ell = self.mass, self.gravity, self.length
+        high = multiplied(multiplied(m, multiplied(g, ell)), added(ONE, -self.cosine_first))
+        if self.launch == ZERO:
+            return high
+        return added(multiplied(Number(0.5), multiplied(m, Power(self.launch, 2))), high)
+
+    @cached_property
+    def squared(self) -> Expression:
+        """Write the speed at the moment, m/s, and return its square."""
+        moment = self.setting.query.moment
+        if isinstance(moment, AtStart):
+            return sum_of_squares([self.launch])
+        if self.still:
+            return ZERO
+        there = self.cosine
+        if self._slackened is not None:
+            return Power(self._slackened, 2)
+        step, name = self.book.begin_step("energy"), self.book.fresh("v")
+        gained = multiplied(
+            multiplied(Number(2.0), multiplied(self.gravity, self.length)), added(there, -self.cosine_first)
+        )
+        square = added(sum_of_squares([self.launch]), gained)
+        law = step.law(Power(name, 2), square)
+        said = by_energy(self.setting, "speed", name, extreme=bool(self.extreme))
+        step.add_text(f"{said} {law}, so {step.result(name, Root(square), SPEED)}.")
+        step.close()
+        return Power(name, 2)
+
+    @property
+    def speed(self) -> Expression:
+        """Return the speed at the moment, m/s."""
+        return self.squared.base if isinstance(self.squared, Power) else ZERO
+
+    @property
+    def who(self) -> str:
+        """Return the phrase for the swinging body, such as *the ball*."""
+        return self.setting.display_name(self.body)

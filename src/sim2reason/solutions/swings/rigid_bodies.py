@@ -13,12 +13,12 @@ from sim2reason.simulation.quantities.subjects.rotating_parts import ACROSS
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, sum_of_squares
 from sim2reason.solutions.algebra.polynomials import Polynomial
-from sim2reason.solutions.oscillations.measured_period import measured_period
+from sim2reason.solutions.oscillations.harmonic import measured_period
 from sim2reason.solutions.setting import join_words
 from sim2reason.solutions.swings.angle import UP, SwingAngle
 from sim2reason.solutions.swings.arm import Arm
+from sim2reason.solutions.writing.notation import ANGULAR_ACCELERATION, ANGULAR_SPEED, METRES, latex
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import ANGULAR_ACCELERATION, ANGULAR_SPEED, METRES, latex
 
 FORCE, MASS = latex("N"), latex("kg")
 RIGHT_ANGLE_TOLERANCE = 1e-12  # largest cosine of an angle that counts as a right angle

@@ -10,10 +10,10 @@ from sim2reason.simulation.trace import Event
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, ratio
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, sum_of_squares
 from sim2reason.solutions.setting import ProblemContext, capitalized, join_words
-from sim2reason.solutions.swings.state import SwingState
+from sim2reason.solutions.swings.pendulum import SwingState
 from sim2reason.solutions.swings.times import SwingTime
+from sim2reason.solutions.writing.notation import DEGREES, METRES, SECONDS, SPEED
 from sim2reason.solutions.writing.steps import SolutionBuilder
-from sim2reason.solutions.writing.unit_latex import DEGREES, METRES, SECONDS, SPEED
 
 CIRCLE, TANGENT = "circle", "perpendicular"
 HALF, TWO, THREE, FOUR = Number(0.5), Number(2.0), Number(3.0), Number(4.0)

@@ -11,8 +11,8 @@ from sim2reason.solutions.algebra.evaluated import Amplitude, CompleteElliptic, 
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.writing.notation import ANGULAR_SPEED, DEGREES, RADIANS, SECONDS
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
-from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, DEGREES, RADIANS, SECONDS
 
 TWO = Number(2.0)
 PHASE_TOLERANCE = 1e-6  # tolerance, in rad or relative

@@ -7,11 +7,10 @@ from math import degrees
 from sim2reason.questions.difficulty import Need
 from sim2reason.scenes.dsl.units import SI, UnitSystem
 from sim2reason.solutions.algebra.evaluated import NumericFormula
-from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
-from sim2reason.solutions.algebra.needs import need_of
+from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
+from sim2reason.solutions.algebra.functions import need_of
 from sim2reason.solutions.solution import CHECKS, Integration, Phase, Relation, Step, with_unit
-from sim2reason.solutions.writing.subscripts import Labels, NameAllocator
-from sim2reason.solutions.writing.unit_latex import CANONICAL, DEGREES, latex
+from sim2reason.solutions.writing.notation import CANONICAL, DEGREES, Labels, NameAllocator, latex
 
 STATE_DIGITS = 8  # digits of numbers from which an integration starts
 
@@ -298,3 +297,31 @@ class StepBuilder:
         if self._said or self.relations or self._integration:
             text = " ".join(self._said)
             self._book.close(self._kind, text, self.relations, self._gives, self._rests, self._integration)
+
+
+def record_inequality(book: SolutionBuilder, step: StepBuilder, left: Expression, right: Expression) -> None:
+    """Record in a step that one formula is larger than another; raise UnsolvedError if it is not."""
+    if not book.value(left) > book.value(right):
+        raise UnsolvedError(f"{left.latex()} does not exceed {right.latex()}")
+    step.relations.append(Relation(left, right, "exceeds"))
+
+
+def verify_assumed(book: SolutionBuilder, greater: Expression, less: Expression, relation: str) -> None:
+    """Write that one formula is larger than another, as was assumed; `relation` is this inequality in LaTeX."""
+    step = book.begin_step("verify")
+    record_inequality(book, step, greater, less)
+    step.add_text(f"Indeed ${relation}$, as was assumed.")
+    step.close()
+
+
+def why_this_time(book: SolutionBuilder, step: StepBuilder, found: Symbol, other: Expression) -> str:
+    """Return a clause that the `other` root for a time is negative or later; empty for a solution in symbols."""
+    if book.in_symbols:
+        return ""
+    if book.value(other) < 0.0:
+        record_inequality(book, step, ZERO, other)
+        return "; the other root is negative"
+    if book.value(other) > book.value(found):
+        record_inequality(book, step, other, found)
+        return "; the other root is later"
+    return ""

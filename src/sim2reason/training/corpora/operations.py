@@ -13,8 +13,16 @@ from dataclasses import dataclass, field
 from math import degrees
 from typing import Final
 
-from sim2reason.solutions.algebra.digits import rounded_latex, simple_fraction
-from sim2reason.solutions.algebra.expressions import Expression, Number, Product, Quotient, Sum, Symbol
+from sim2reason.solutions.algebra.expressions import (
+    Expression,
+    Number,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+    rounded_latex,
+    simple_fraction,
+)
 from sim2reason.solutions.algebra.functions import Absolute, Call, Pi, Power, Root
 from sim2reason.solutions.solution import CHECKS, Solution
 
