@@ -7,7 +7,7 @@ from math import isnan, radians
 import numpy as np
 
 from sim2reason.questions import KINDS, StatedResult, Target
-from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.stretches import StretchQuery
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.scenes.dsl.state import Array
