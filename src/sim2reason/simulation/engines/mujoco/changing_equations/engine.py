@@ -16,7 +16,7 @@ from sim2reason.simulation.engines.mujoco.changing_equations.margins import (
 from sim2reason.simulation.engines.mujoco.changing_equations.record import Knot
 from sim2reason.simulation.engines.mujoco.changing_equations.settling import BEGINS, REST_SPEED, STOPS, InstantSolver
 from sim2reason.simulation.engines.mujoco.extrapolation import extrapolate_step
-from sim2reason.simulation.trace import Event, Trace
+from sim2reason.simulation.trace import EVENT_KINDS, Event, Trace
 
 PIECES = 24  # fraction of the duration: the longest step, so that its ends determine the motion between,
 STRIDE, MIN_SAMPLE_STEPS = 5 / 3, 10  # or this many intervals between samples, if there are at least so many steps
@@ -24,6 +24,7 @@ FIRST = 0.05  # fraction of the longest step: the first step after a separation,
 STEPS = 4000  # largest number of steps
 MIN_STEP = 1e-11  # fraction of the duration: the shortest step
 SEGMENTS = 500  # largest number of motion segments
+ORDER = {kind: place for place, kind in enumerate(EVENT_KINDS)}  # rank of simultaneous events
 
 
 def run(mechanism: Mechanism, times: Array) -> Trace:
@@ -39,7 +40,7 @@ def run(mechanism: Mechanism, times: Array) -> Trace:
     except (ZeroDivisionError, FloatingPointError, np.linalg.LinAlgError) as error:
         now = motion.now if motion else 0.0
         raise SimulationError(f"MuJoCo: the motion becomes singular at {now:.6g} s ({error})") from None
-    events = tuple(sorted(motion.events, key=lambda event: event.time))
+    events = tuple(sorted(motion.events, key=lambda event: (event.time, ORDER[event.kind])))
     return Trace("mujoco", motion.record.state(times), events, motion.now, motion.cut, motion.record.state)
 
 
@@ -50,7 +51,7 @@ class EventDrivenLoop(InstantSolver):
         """Initialize at the start of the motion; raises as `run` does."""
         super().__init__(mechanism, times)
         stride = min(STRIDE * float(times[1] - times[0]), self.duration / MIN_SAMPLE_STEPS) if len(times) > 2 else 0.0
-        self.longest = max(self.duration / PIECES, stride)
+        self.longest = self.duration if self.model.constant else max(self.duration / PIECES, stride)
 
     def advance(self) -> bool:
         """Settle the present instant and advance to the next event; return False at the end."""
@@ -66,17 +67,17 @@ class EventDrivenLoop(InstantSolver):
         found = self.settle()
         if self.cut:
             return False
-        self.way = found.way
+        self.way = found.way._replace(rubbing=self._rubbing(found))
         return self._travel(found)
 
     def _travel(self, found: ForceSolution) -> bool:
         """Step to the next event; return False at the end."""
-        acting = ActingModel(self.model, self.record, self.situation, found.way)
+        acting = ActingModel(self.model, self.record, self.situation, found)
         self.record.start(found.way, found, self.situation)
         begun, before = acting.knot(self.now, np.concatenate([self.q, self.v]))
         self.record.add(begun)
         armed = [due.value > ARMED for due in before]
-        leaves = any(due.kind == "spare" and not up for due, up in zip(before, armed, strict=True))
+        leaves = not acting.constant and any(due.kind == "spare" and not up for due, up in zip(before, armed, strict=True))
         length, tolerance = self.longest * (FIRST if leaves else 1.0), TOLERANCE * acting.closeness(begun)
         while self.duration - self.now > MIN_STEP * self.duration:
             length = min(length, self.longest, self.duration - self.now)
@@ -90,12 +91,14 @@ class EventDrivenLoop(InstantSolver):
             event = EventSearch(acting, (last, here), (before, after), armed).due(self.duration)
             if event is not None:
                 self._keep(event[0])
+                acting.check()
                 self.due = event[1]
                 return self._happen(self.due)
             self._keep(here)
             before = after
             armed = [was or due.value > ARMED for was, due in zip(armed, after, strict=True)]
             length, tolerance = length * tried.factor, TOLERANCE * acting.closeness(here)
+        acting.check()
         self.now = self.duration
         return False
 

@@ -4,12 +4,13 @@ Loads beyond gravity (lines, forces, attraction, engines) are added here by mean
 soft constraints are not used.
 """
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
-from sim2reason.errors import SimulationError
-from sim2reason.scenes.dsl.constancy import steady
+from sim2reason.errors import SceneError, SimulationError
+from sim2reason.scenes.dsl.constancy import changing, steady
 from sim2reason.scenes.dsl.mechanism import CollisionPair, Inextensible, Mechanism, Prop, Rigid
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.scenes.dsl.vectors import Triple
@@ -25,8 +26,11 @@ from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
 )
 from sim2reason.simulation.engines.mujoco.changing_equations.lines import Lengths, Lines, Pulls
 from sim2reason.simulation.engines.mujoco.changing_equations.specification import ConstrainedSpecification
-from sim2reason.simulation.engines.mujoco.specification import mujoco
+from sim2reason.simulation.engines.mujoco.specification import TINY, mujoco
 
+UNEVEN = 1e-6  # ratio of the least to the largest inertia below which accelerations without constraints are too large
+TOUCHING = 1e-8  # m; points that are closer at the start coincide
+FIXED = 1e-9  # largest derivative of the separation of two points that do not move apart
 STAND, JOINT = 2_000, 800  # operations to set a state, and for each joint in addition
 
 
@@ -37,6 +41,7 @@ class ConstrainedModel:
         """Compile the mechanism; raise SimulationError if MuJoCo rejects it."""
         self.mechanism = mechanism
         self.budget = Budget(2 * OPERATIONS)
+        self.constant = not changing(mechanism)
         spec = ConstrainedSpecification(mechanism)
         compiled: tuple[Any, Any] = spec.compile()
         self._model, self._data = compiled
@@ -72,12 +77,32 @@ class ConstrainedModel:
     # ---- one state
 
     def begin(self) -> None:
-        """Set the initial state and store the initial lengths."""
+        """Set the initial state and store the initial lengths.
+
+        Raises:
+            SceneError: two sites of a line coincide, or two bodies overlap.
+        """
         rest = np.zeros(self.size)
         burns, meetings, halves = self.mechanism.burns, self.mechanism.meetings, self.mechanism.half_springs
         start = SwitchState([], [False] * len(burns), [False] * len(meetings), [False] * len(halves))
         self.stand(0.0, rest, rest, start)
+        self._check_apart()
         self._starts = self._lines()[0].values
+        masses = self.inertia().diagonal()
+        self.uneven = bool((masses < UNEVEN * float(masses.max(initial=0.0))).any())
+
+    def _check_apart(self) -> None:
+        for line in self.mechanism.lines:
+            for first, last in pairwise(line.through):
+                one, other = self.site(first), self.site(last)
+                moves = np.abs(other.jacobian - one.jacobian).max(initial=0.0) > FIXED
+                if moves and np.linalg.norm(other.place - one.place) <= TOUCHING:
+                    message = f"sites {first} and {last} coincide at the start"
+                    raise SceneError(line.name, message, "leave some string between")
+        for pair in self.mechanism.meetings:
+            if self.separation(pair)[0] < -TOUCHING:
+                other = "what is fixed" if pair.a is None else pair.b
+                raise SceneError(pair.names[0], f"it overlaps {other} at the start", "move them apart")
 
     def stand(self, time: float, q: Array, v: Array, situation: SwitchState) -> None:
         """Set the positions and velocities of the joints at a time."""
@@ -108,6 +133,13 @@ class ConstrainedModel:
         if self.size:
             mujoco.mj_fullM(self._model, self._data, self._mass)
         return self._mass
+
+    def weightless(self) -> Array:
+        """Return the motions of massless parts that need no force, (joints, k), orthonormal."""
+        if not any(body.coordinates and body.mass == 0.0 for body in self.mechanism.bodies):
+            return np.zeros((self.size, 0))
+        sizes, motions = np.linalg.eigh(self.inertia())
+        return motions[:, sizes < 10.0 * TINY]
 
     def unheld(self, loads: Array) -> Array:
         """Return the accelerations (joints,) under `loads` (joints,) without any constraint."""
@@ -180,6 +212,8 @@ class ConstrainedModel:
     def loads(self) -> Array:
         """Return all loads except constraint forces, (joints,), including gravity and inertial loads."""
         total = -np.array(self._data.qfrc_bias)
+        if self._model.ngravcomp:
+            total += self._data.qfrc_gravcomp
         mechanism = self.mechanism
         if self._drawn.lines:
             halves = zip(mechanism.half_springs, self._situation.strained, strict=True)

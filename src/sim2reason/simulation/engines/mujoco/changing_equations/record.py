@@ -6,6 +6,7 @@ from itertools import pairwise
 from math import nan
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.mechanism import Rigid
@@ -19,6 +20,8 @@ from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
     solve_mode,
 )
 from sim2reason.simulation.engines.mujoco.changing_equations.model import ConstrainedModel
+
+Integers = NDArray[np.intp]
 
 PASSING_DISTANCE = 1e-6  # m; ends of a line coincide if closer, if they may pass each other (unknown sign)
 COINCIDENCE_DISTANCE = 1e-9  # m; ends of a line that are closer coincide
@@ -179,21 +182,14 @@ class MotionRecord:
     def state(self, times: Array) -> State:
         """Return the motion at `times`, s, with forces recomputed; after the end the last state is repeated."""
         model, mechanism = self._model, self._model.mechanism
-        lines = [line.name for line in mechanism.constraints]
-        n, m = model.size, len(times)
-        q, v, a = (np.zeros((m, len(model.coordinates))) for _ in range(3))
-        tension, normal = np.zeros((len(lines), m)), np.zeros((len(mechanism.faces), m))
-        friction = np.zeros_like(normal)
-        for number, (stretch, values) in enumerate(self._joints(times)):
-            model.stand(float(times[number]), values[:n], values[n:], stretch.situation)
-            found = self.forces(stretch.way)
-            q[number], v[number] = values[:n][model.coordinates], values[n:][model.coordinates]
-            a[number] = found.x[model.coordinates]
-            unknown, rows, faces = stretch.found.unknown, len(found.rows), len(mechanism.faces)
-            tension[:, number] = np.where(unknown[: len(lines)] > 0.0, nan, found.rows[: len(lines)])
-            normal[:, number] = np.where(unknown[rows : rows + faces] > 0.0, nan, found.normal)
-            friction[:, number] = np.where(unknown[rows + faces :] > 0.0, nan, found.friction)
-        names = list(mechanism.contacts)
+        lines, names = [line.name for line in mechanism.constraints], list(mechanism.contacts)
+        n, rows, faces = model.size, len(lines), len(mechanism.faces)
+        motion, forces = np.zeros((len(times), 3 * n)), np.zeros((len(times), rows + 2 * faces))
+        for stretch, numbers, values in self._joints(times):
+            motion[numbers, : 2 * n] = values
+            motion[numbers, 2 * n :], forces[numbers] = self._forces(stretch, times[numbers], values)
+        q, v, a = (motion[:, first : first + n][:, model.coordinates] for first in (0, n, 2 * n))
+        tension, normal, friction = np.split(forces.T, (rows, rows + faces))
         dynamics = Dynamics(
             a,
             dict(zip(lines, tension, strict=True)),
@@ -202,19 +198,35 @@ class MotionRecord:
         )
         return State.of(mechanism, times, (q, v), dynamics)
 
-    def _joints(self, times: Array) -> Iterator[tuple[ModeInterval, Array]]:
-        """Yield each recorded segment with the interpolated joint values at the times within it."""
+    def _forces(self, stretch: ModeInterval, times: Array, values: Array) -> tuple[Array, Array]:
+        """Return the accelerations (m, joints) and the forces of lines and faces at states (m, 2·joints) of a segment.
+
+        Forces that the motion does not determine are NaN.
+        """
+        n, lines = self._model.size, len(self._model.mechanism.constraints)
+        found = [stretch.found]
+        if not self._model.constant:
+            found.clear()
+            for time, value in zip(times.tolist(), values, strict=True):
+                self._model.stand(time, value[:n], value[n:], stretch.situation)
+                found.append(self.forces(stretch.way))
+        every = np.array([np.concatenate([each.rows, each.normal, each.friction]) for each in found])
+        every[:, stretch.found.unknown > 0.0] = nan
+        kept = np.r_[: lines, len(stretch.found.rows) : every.shape[1]]
+        return np.array([each.x for each in found]), every[:, kept]
+
+    def _joints(self, times: Array) -> Iterator[tuple[ModeInterval, Integers, Array]]:
+        """Yield each recorded segment with the numbers of the times within its steps, and the joint values there."""
         starts = [stretch.knots[0].time for stretch in self.stretches]
         owners = np.maximum(np.searchsorted(starts, times, side="right") - 1, 0)
         for number, stretch in enumerate(self.stretches):
-            mine = times[owners == number]
+            mine = np.flatnonzero(owners == number)
             knots, ends = stretch.knots, [knot.time for knot in stretch.knots]
-            places = np.clip(np.searchsorted(ends, mine, side="right") - 1, 0, max(len(knots) - 2, 0))
+            places = np.clip(np.searchsorted(ends, times[mine], side="right") - 1, 0, max(len(knots) - 2, 0))
             for place in range(len(knots)):
-                here = np.minimum(mine[places == place], ends[-1])
+                here = mine[places == place]
                 if len(here):
-                    for values in interpolate_knots(_beside(knots, place), here):
-                        yield stretch, values
+                    yield stretch, here, interpolate_knots(_beside(knots, place), np.minimum(times[here], ends[-1]))
 
     def forces(self, way: ContactMode) -> ForceSolution:
         """Return the forces of a contact mode at the present state; raise SimulationError if they do not exist."""

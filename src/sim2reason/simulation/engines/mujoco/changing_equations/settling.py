@@ -22,6 +22,9 @@ from sim2reason.simulation.trace import Event
 
 TOUCHING = 1e-7  # m; smaller distances count as contact
 REST_SPEED = 1e-6  # m/s or m/s²; slower motion counts as rest
+FAINT, MIN_LOAD = 1e-7, 1e-3  # fraction of the largest load, at least this, N: smaller tensions hold nothing
+FREE = 1e-6  # smaller components of a motion of massless parts are round-off
+LIFT = 1e-6  # fraction of the largest speed: a smaller speed of separation after an impact is round-off
 DUPLICATE_WINDOW = 8  # latest events that are compared to avoid duplicates
 CROWD = 5e-3  # s; repeated impacts of one body, or jerks of one string, within this time end the motion
 BEGINS = {"string": "taut", "prop": "land", "foot": "land"}  # kind of the event at which a constraint begins to act
@@ -61,22 +64,47 @@ class InstantSolver:
     def settle(self) -> ForceSolution:
         """Compute the acting forces; record the changes and any event that ends the motion."""
         rows = self.model.rows()
-        sliding = self._sliding()
-        allowed = tuple(self._may_act(i, row) for i, row in enumerate(rows))
-        instant = present_problem(self.model, rows, sliding, allowed)
-        guess = self._guess(rows, sliding)
-        found = search(instant, guess)
+        found = self._search(rows)
+        unheld = self._unheld(rows, found)
         if self.way is not None and self.record.stretches:  # how it begins, be it with a jerk, is no change
-            self._note_changes(found.way, rows)
-        for number, shut in enumerate(found.way.faces):
-            if not shut and (self.way is None or self.way.faces[number]):
-                self.end("lift", self.mechanism.faces[number].subject)
+            # which strings are slack about a part that nothing holds is as undetermined as its motion
+            after = found.way._replace(rows=self.way.rows[: len(rows)]) if unheld else found.way
+            self._note_changes(after._replace(rubbing=self._rubbing(found)), rows)
+        self._lift(found, REST_SPEED)
+        if unheld and not self.cut:
+            self.end("indeterminate", *unheld)
         self._tear(rows, found.x)
         self._pressed(found.x)
         if self.cut and not self.record.stretches:  # it ended as it began
-            self.record.start(found.way, found, self.situation)
-            self.record.add(Knot(self.now, np.concatenate([self.q, self.v]), np.concatenate([self.v, found.x])))
+            self._record_only(found)
         return found
+
+    def _search(self, rows: list[Row]) -> ForceSolution:
+        sliding = self._sliding()
+        allowed = tuple(self._may_act(i, row) for i, row in enumerate(rows))
+        return search(present_problem(self.model, rows, sliding, allowed), self._guess(rows, sliding))
+
+    def _record_only(self, found: ForceSolution) -> None:
+        """Record the present state as the entire motion."""
+        self.record.start(found.way, found, self.situation)
+        self.record.add(Knot(self.now, np.concatenate([self.q, self.v]), np.concatenate([self.v, found.x])))
+
+    def _unheld(self, rows: list[Row], found: ForceSolution) -> list[str]:
+        """Return the coordinates of massless parts that no row, face or friction holds; none if all are held."""
+        free = self.model.weightless()
+        if not free.shape[1]:
+            return []
+        faint = FAINT * max(float(np.abs(self.model.loads()).max(initial=0.0)), MIN_LOAD)
+        pulls = (found.rows > faint) | (found.unknown[: len(rows)] > 0.0)
+        holding = [row.gradient for row, pulled in zip(rows, pulls, strict=True) if row.both or pulled]
+        shut = [i for i, face in enumerate(found.way.faces) if face]
+        holding += [np.eye(self.model.size)[self.model.rises[i]] for i in shut]
+        holding += [self.model.slips[i] for i in shut if self.model.friction[i] > 0.0 and not found.way.rubbing[i]]
+        held = np.array(holding).reshape(len(holding), self.model.size) @ free
+        if np.linalg.matrix_rank(held, tol=FREE) == free.shape[1]:
+            return []
+        moving = np.abs(free).max(axis=1)[self.model.coordinates] > FREE
+        return [c.name for c, moves in zip(self.mechanism.coordinates, moving.tolist(), strict=True) if moves]
 
     def _guess(self, rows: list[Row], sliding: tuple[int, ...]) -> ContactMode:
         """Return a first guess of the contact mode: rows keep acting, and contacts that do not slip stick."""
@@ -110,6 +138,21 @@ class InstantSolver:
         if self.way is not None and number < len(self.way.rows) and self.way.rows[number]:
             return row.rate > -1e3 * REST_SPEED
         return row.spare <= TOUCHING and abs(row.rate) <= 1e2 * REST_SPEED
+
+    def _rubbing(self, found: ForceSolution) -> tuple[int, ...]:
+        """Return the direction of slip of each face; a face at rest that is not accelerated sticks.
+
+        Of undetermined forces some let it slide at no speed.
+        """
+        sliding, started = self._sliding(), self.model.slips @ found.x
+        sides = zip(found.way.rubbing, sliding, started, strict=True)
+        return tuple(side if slides or abs(begins) > REST_SPEED else 0 for side, slides, begins in sides)
+
+    def _lift(self, found: ForceSolution, least: float) -> None:
+        """Record the end of the motion at each open face; constant forces must also separate it, faster than `least`."""
+        for number, (shut, rise) in enumerate(zip(found.way.faces, self.model.rises, strict=True)):
+            if not shut and not (self.model.constant and found.x[rise] <= least):
+                self.end("lift", self.mechanism.faces[number].subject)
 
     def _tear(self, rows: list[Row], a: Array) -> None:
         """Record the end of the motion if a foot that loses contact would return at once without first slipping."""
@@ -192,9 +235,7 @@ class InstantSolver:
         began = tuple(row.rate > REST_SPEED or (i < len(rows) and acts[i]) for i, row in enumerate(every))
         found = search(instant, ContactMode(began, (True,) * len(self.mechanism.faces), sides))
         self.v = np.where(np.abs(found.x) < REST_SPEED * 1e-3, 0.0, found.x)
-        for number, shut in enumerate(found.way.faces):
-            if not shut:
-                self.end("lift", self.mechanism.faces[number].subject)
+        self._lift(found, LIFT * float(np.abs(self.v).max(initial=0.0)))
         for number, (row, acts_now) in enumerate(zip(rows, found.way.rows, strict=False)):
             if acts_now and not row.both and row.rate > 10.0 * REST_SPEED:
                 self.note(BEGINS[row.kind], row.name)
@@ -204,8 +245,8 @@ class InstantSolver:
         self.way = before._replace(rows=tuple(found.way.rows[: len(rows)]))
         self.due = []
         if self.cut and not self.record.stretches:
-            self.record.start(found.way, found, self.situation)
-            self.record.add(Knot(self.now, np.concatenate([self.q, self.v]), np.concatenate([self.v, 0.0 * self.v])))
+            self.model.stand(self.now, self.q, self.v, self.situation)
+            self._record_only(self._search(self.model.rows()))
 
     def _struck(self, rows: list[Row], acts: list[bool], touching: list[int]) -> tuple[ForceProblem, list[Row]]:
         """Return the force problem that represents an impact, and the problem's rows, those of touching pairs last."""

@@ -47,6 +47,7 @@ class ConstrainedSpecification:
         made = self.bodies[body.name] = carrier.add_body(pos=body.at)
         made.explicitinertial = True
         made.mass, made.ipos = max(body.mass, TINY if body.coordinates else 0.0), body.center
+        made.gravcomp = float(body.mass == 0.0)  # the substitute mass has no weight
         more = max(ROUND * max(body.inertia[:3]), TINY * 1e-3)
         made.fullinertia = [*(part + more for part in body.inertia[:3]), *body.inertia[3:]]
         face = self._mechanism.contacts.get(body.name)
