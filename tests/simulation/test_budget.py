@@ -11,7 +11,7 @@ from sim2reason.simulation.budget import Budget
 from sim2reason.simulation.engines.exact.flow import Flow
 from sim2reason.simulation.engines.exact.formulas import VariableEquations
 from sim2reason.simulation.engines.exact.settling import Settling
-from sim2reason.simulation.engines.mujoco.changing_equations import model
+from sim2reason.simulation.engines.mujoco import model
 from sim2reason.simulation.trace import ENGINES, FINEST
 
 
