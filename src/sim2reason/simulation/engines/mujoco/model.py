@@ -26,7 +26,7 @@ from sim2reason.simulation.engines.mujoco.forces import (
 from sim2reason.simulation.engines.mujoco.specification import TINY, Specification, mujoco
 
 UNEVEN = 1e-6  # ratio of the least to the largest inertia below which accelerations without constraints are too large
-TOUCHING = 1e-8  # m; points that are closer at the start coincide
+OVERLAP, COINCIDENCE_DISTANCE = 1e-8, 1e-10  # m; limits at the start; the exact engine refuses whatever exceeds these
 FIXED = 1e-9  # largest derivative of the separation of two points that do not move apart
 STAND, JOINT = 2_000, 800  # operations to set a state, and for each joint in addition
 
@@ -93,11 +93,11 @@ class CompiledModel:
             for first, last in pairwise(line.through):
                 one, other = self.site(first), self.site(last)
                 moves = np.abs(other.jacobian - one.jacobian).max(initial=0.0) > FIXED
-                if moves and np.linalg.norm(other.place - one.place) <= TOUCHING:
+                if moves and np.linalg.norm(other.place - one.place) <= COINCIDENCE_DISTANCE:
                     message = f"sites {first} and {last} coincide at the start"
                     raise SceneError(line.name, message, "leave some string between")
         for pair in self.mechanism.meetings:
-            if self.separation(pair)[0] < -TOUCHING:
+            if self.separation(pair)[0] < -OVERLAP:
                 other = "what is fixed" if pair.a is None else pair.b
                 raise SceneError(pair.names[0], f"it overlaps {other} at the start", "move them apart")
 
