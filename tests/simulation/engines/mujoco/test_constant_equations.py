@@ -49,6 +49,17 @@ def test_a_short_contact_in_a_long_flight_is_found(overshoot: float) -> None:
     assert hits == pytest.approx([(speed - sqrt(2.0 * G * overshoot)) / G], abs=1e-9)
 
 
+def test_bodies_whose_centres_would_coincide_later_meet() -> None:
+    """Without the collision at 1 − 0.2 = 0.8 s they would be at one place halfway through the step."""
+    builder = Builder()
+    room = builder.room()
+    runner = room.body("runner", 1.0).rest(X, Z, speed=1.0)
+    room.collide(runner, room.body("post", 1.0, at=(1.0, 0.0, 0.0)).rest(X, Z), 0.2, 1.0)
+    trace = simulate(builder.finish(), TIMES)
+    assert [event.time for event in trace.events] == pytest.approx([0.8], abs=1e-12)
+    assert trace.state.v[-1] == pytest.approx([0.0, 1.0], abs=1e-12)
+
+
 def test_of_several_events_in_one_step_the_first_comes_first() -> None:
     """Three pucks in lanes of their own, 2, 0.5 and 1 m from fixed posts, at 1 m/s."""
     builder = Builder()

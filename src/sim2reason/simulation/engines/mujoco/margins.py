@@ -123,13 +123,7 @@ class ActingModel:
         for number, side in enumerate(self.mode.rubbing):
             if side:
                 yield EventMargin("slip", number, side, side * float(self.model.slips[number] @ self.model.v))
-        for due in self._positions():
-            meeting = self.model.mechanism.meetings[due.number] if due.kind == "gap" else None
-            if meeting is not None and meeting.normal is None and meeting.distance > 0.0:
-                square = due.value * (1.0 + 0.5 * due.value / meeting.distance)  # (r² − d²)/2d: r is no polynomial
-                yield due._replace(value=square)
-            else:
-                yield due
+        yield from self._positions()
 
     def _margins(self, forces: ForceSolution) -> list[EventMargin]:
         return [*self._rows(forces), *self._faces(forces), *self._positions(), *self._switches()]
@@ -164,7 +158,8 @@ class ActingModel:
         model, mechanism = self.model, self.model.mechanism
         for number, meeting in enumerate(mechanism.meetings):
             if not self.switches.stuck[number]:
-                yield EventMargin("gap", number, 0, model.separation(meeting)[0])
+                gap = model.square_gap(meeting) if self.constant else model.separation(meeting)[0]
+                yield EventMargin("gap", number, 0, gap)
         for number in range(len(self.record.runs)):
             yield EventMargin("reach", number, 0, self.record.run_length(number))
         q = model.q[model.coordinates]

@@ -16,13 +16,7 @@ from sim2reason.scenes.dsl.state import Array
 from sim2reason.scenes.dsl.vectors import Triple
 from sim2reason.simulation.budget import OPERATIONS, Budget
 from sim2reason.simulation.engines.mujoco.distances import Attractions, Lengths, Lines, PointMotion, Pulls, distance
-from sim2reason.simulation.engines.mujoco.forces import (
-    LARGE,
-    NEVER,
-    Row,
-    SwitchState,
-    solve_regular,
-)
+from sim2reason.simulation.engines.mujoco.forces import LARGE, NEVER, Row, SwitchState, solve_regular
 from sim2reason.simulation.engines.mujoco.specification import TINY, Specification, mujoco
 
 UNEVEN = 1e-6  # ratio of the least to the largest inertia below which accelerations without constraints are too large
@@ -301,6 +295,19 @@ class CompiledModel:
         gradient = normal @ (other.jacobian - one.jacobian)
         gap = float(normal @ (other.place - one.place)) - meeting.distance
         return gap, float(gradient @ self.v), gradient, float(normal @ (other.bias - one.bias))
+
+    def square_gap(self, meeting: CollisionPair) -> float:
+        """Return a gap as a polynomial of positions: for centres r apart that meet at a distance d, (r² − d²)/2d.
+
+        It has the zero of r − d and the slope there, and exists where the centres coincide.
+        """
+        apart = self._data.xipos[self._body_id[meeting.b]]
+        if meeting.a is not None:
+            apart = apart - self._data.xipos[self._body_id[meeting.a]]
+        if meeting.normal is not None:
+            return float(np.dot(meeting.normal, apart)) - meeting.distance
+        square = float(apart @ apart)
+        return 0.5 * (square / meeting.distance - meeting.distance) if meeting.distance else square
 
     def borders(self, number: int) -> list[float]:
         """Return the distances, m, to the borders of a force's region, positive inside; none if it acts everywhere."""
