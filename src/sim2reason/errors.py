@@ -57,7 +57,7 @@ class TextError(SceneError):
 
 
 class UnsupportedError(Sim2ReasonError):
-    """A mechanism outside what an engine models, for example a string that bends as it moves."""
+    """A mechanism outside what an engine models, for example a rough body that slides in two directions."""
 
 
 class SimulationError(Sim2ReasonError):

@@ -8,7 +8,7 @@ import numpy as np
 
 from sim2reason.questions import KINDS, StatedResult, Target
 from sim2reason.questions.kinds.stretches import StretchQuery
-from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.questions.moments.reached import Reached
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact.motion import Segment

@@ -9,7 +9,7 @@ from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.mechanism import X
 from sim2reason.simulation.engines import mujoco as engine
-from sim2reason.simulation.engines.mujoco.changing_equations import engine as loop
+from sim2reason.simulation.engines.mujoco import engine as loop
 from sim2reason.simulation.engines.mujoco.specification import collect_warnings, mujoco
 
 

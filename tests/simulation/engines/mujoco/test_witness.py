@@ -22,8 +22,6 @@ from sim2reason.scenes.dsl.vectors import scale
 from sim2reason.simulation.certify import compare
 from sim2reason.simulation.engines.exact import simulate as exactly
 from sim2reason.simulation.engines.mujoco import simulate
-from sim2reason.simulation.engines.mujoco.compiled_model import CompiledModel
-from sim2reason.simulation.engines.mujoco.event_detection import Margins
 
 TIMES = np.linspace(0.0, 2.0, 101)
 DISAGREE = ("engines disagree", "no witness")
@@ -141,29 +139,12 @@ def test_what_the_library_refuses_or_warns_of_is_an_error() -> None:
     wild = replace(mechanism, bodies=(replace(mechanism.bodies[0], mass=float("inf")),))
     with pytest.raises(SimulationError, match="MuJoCo"):
         simulate(wild, TIMES)
-    plant = CompiledModel(mechanism)
-    plant.load(np.zeros(plant.size), np.full(plant.size, np.nan))
-    with pytest.raises(SimulationError, match="lost its numbers"):
-        plant.check()
 
 
 def test_any_name_is_a_name() -> None:
     builder = Builder()
     builder.room().body('a" mass="9', 1.0).slide(Z)
     assert simulate(builder.finish(), TIMES).state.a[0, 0] == pytest.approx(-9.8)
-
-
-def test_margins_tell_the_next_root() -> None:
-    def one(f: float, b: float, c: float) -> float:
-        return float(Margins(np.array([f]), np.array([b]), np.array([c])).used_up()[0])
-
-    assert one(1.0, -2.0, 2.0) == pytest.approx(1.0)
-    assert one(1.0, -2.0, 2.1) == np.inf
-    assert one(1.0, 1.0, -4.0) == pytest.approx(1.0)
-    assert one(0.0, 1.0, -4.0) == pytest.approx(0.5)
-    assert one(0.0, -1.0, 4.0) == 0.0
-    assert one(0.0, 0.0, 0.0) == np.inf
-    assert one(1.0, -0.5, 0.0) == pytest.approx(2.0)
 
 
 def test_samples_do_not_depend_on_each_other() -> None:

@@ -1,254 +1,159 @@
 """The main loop of the MuJoCo engine: impacts, forces, and steps to the next event."""
 
-from math import inf
-
 import numpy as np
 
-from sim2reason.errors import SimulationError, UnsupportedError
+from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.simulation.engines.mujoco.compiled_model import STEP, CompiledModel, Flags, Integers
-from sim2reason.simulation.engines.mujoco.event_detection import REST_RATE, TOUCHING, EventDetector
-from sim2reason.simulation.engines.mujoco.forces import (
-    ContactMode,
-    SettledForces,
-    solve_forces,
-    solve_impact,
-    weightless,
-)
-from sim2reason.simulation.engines.mujoco.record import Recorder
+from sim2reason.simulation.engines.mujoco.event_search import ARMED, TOLERANCE, EventSearch
+from sim2reason.simulation.engines.mujoco.forces import ForceSolution
+from sim2reason.simulation.engines.mujoco.instant import BEGINS, REST_SPEED, STOPS, InstantSolver
+from sim2reason.simulation.engines.mujoco.integration import Knot, extrapolate_step
+from sim2reason.simulation.engines.mujoco.margins import ActingModel, EventMargin
 from sim2reason.simulation.trace import EVENT_KINDS, Event, Trace
 
+PIECES = 24  # fraction of the duration: the longest step of changing forces, so that its ends determine the motion,
+STRIDE, MIN_SAMPLE_STEPS = 5 / 3, 10  # or this many intervals between samples, if there are at least so many steps
+FIRST = 0.05  # fraction of the longest step: the first step after a separation, so that the gap opens before it closes
+STEPS = 4000  # largest number of steps
+MIN_STEP = 1e-11  # fraction of the duration: the shortest step
 SEGMENTS = 500  # largest number of motion segments
-STEPS = 100_000  # largest number of steps
-CLOSER = 20  # times that a step is shortened to end at a contact
-CROWD = 5e-3  # s; repeated impacts of one body, or jerks of one string, within this time end the motion
-TIE = 1e-9  # s; events closer than this are simultaneous
-END_SIMULTANEITY_TOL = 1e-7  # s; ends of the motion this close are simultaneous, as lengths have errors of 1e-8 m
-REST_SPEED = 1e-8  # m/s or rad/s; residual round-off of a speed that is zero
-SHORT = 1e-7  # s; the last step ends this long before two sites coincide, as a string has no direction there
-STEADY = 1e-4  # fraction of the largest load; forces are constant between events
 ORDER = {kind: place for place, kind in enumerate(EVENT_KINDS)}  # rank of simultaneous events
 
 
 def run(mechanism: Mechanism, times: Array) -> Trace:
     """Return the motion at `times` (m,), in seconds, increasing from 0; raises as `simulate` of the package does."""
-    motion = ConstantLoop(mechanism, float(times[-1]))
-    while motion.advance():
-        if motion.segments > SEGMENTS:
-            raise SimulationError(f"more than {SEGMENTS} events before {times[-1]:g} s; simulate a shorter time")
-    record = motion.record
-    events = sorted(motion.events, key=lambda event: (event.time, ORDER[event.kind]))
-    return Trace("mujoco", record.state(times), tuple(events), motion.now, motion.cut, record.state)
+    motion: EventDrivenLoop | None = None
+    try:
+        with np.errstate(over="raise"):
+            motion = EventDrivenLoop(mechanism, times)
+            while motion.advance():
+                if len(motion.record.intervals) > SEGMENTS:
+                    many = f"more than {SEGMENTS} events before {times[-1]:g} s"
+                    raise SimulationError(f"{many}; simulate a shorter time")
+    except (ZeroDivisionError, FloatingPointError, np.linalg.LinAlgError) as error:
+        now = motion.now if motion else 0.0
+        raise SimulationError(f"MuJoCo: the motion becomes singular at {now:.6g} s ({error})") from None
+    events = tuple(sorted(motion.events, key=lambda event: (event.time, ORDER[event.kind])))
+    return Trace("mujoco", motion.record.state(times), events, motion.now, motion.cut, motion.record.state)
 
 
-class ConstantLoop:
-    """A motion under construction: the present state and the steps so far, extended from event to event."""
+class EventDrivenLoop(InstantSolver):
+    """A motion under construction, extended from event to event."""
 
-    def __init__(self, mechanism: Mechanism, duration: float) -> None:
-        """Compile the mechanism and set its initial state."""
-        self.mechanism, self.duration = mechanism, duration
-        self.model = CompiledModel(mechanism)
-        self.detector = EventDetector(self.model)
-        self.now = 0.0
-        self.q = np.zeros(self.model.size)
-        self.v = np.zeros(self.model.size)
-        self.v[self.model.coordinates] = [coordinate.speed for coordinate in mechanism.coordinates]
-        self.mode: ContactMode | None = None
-        self.record = Recorder(mechanism)
-        self.events: list[Event] = []
-        self.hits: dict[str, tuple[float, tuple[str, ...]]] = {}
-        self.jerks: dict[int, tuple[float, tuple[str, ...]]] = {}
-        self.segments, self.steps, self.cut = 0, 0, ""
+    def __init__(self, mechanism: Mechanism, times: Array) -> None:
+        """Initialize at the start of the motion; raises as `run` does."""
+        super().__init__(mechanism, times)
+        stride = min(STRIDE * float(times[1] - times[0]), self.duration / MIN_SAMPLE_STEPS) if len(times) > 2 else 0.0
+        self.longest = self.duration if self.model.constant else max(self.duration / PIECES, stride)
 
     def advance(self) -> bool:
-        """Advance to just before the next event; return False at the end."""
-        self.v[np.abs(self.v) < REST_SPEED] = 0.0
-        snapped = self._impact()
+        """Settle the present instant and advance to the next event; return False at the end."""
+        self.model.set_state(self.now, self.q, self.v, self.switches)
+        goes_on = self.impact()
+        self.model.set_state(self.now, self.q, self.v, self.switches)
+        while goes_on and self.meets():  # what was driven against others that touch strikes those at once
+            self._count(self.longest)
+            goes_on = self.impact()
+            self.model.set_state(self.now, self.q, self.v, self.switches)
+        if not goes_on:
+            return False
+        found = self.settle()
         if self.cut:
             return False
-        self.segments += 1
-        taut = snapped | (np.ones_like(snapped) if self.mode is None else self.mode.taut)
-        settled = solve_forces(self.model, self.detector, self.q, self.v, taut)
-        self.model.check()
-        self._note_changes(settled, snapped)
-        if self._ended(settled):
-            return False
-        self.mode = settled.mode
-        return self._travel(settled)
+        self.mode = found.mode._replace(rubbing=self._rubbing(found))
+        return self._travel(found)
 
-    # ---- impacts
-
-    def _impact(self) -> Flags:
-        """Compute all impacts and jerks at an instant; return which strings became taut with a jerk."""
-        zero = np.zeros(self.model.size)
-        strings = self.detector.strings(self.q, self.v, zero)
-        snapped = (strings.value <= TOUCHING) & (strings.rate < -REST_RATE)
-        gaps = self.detector.approach(self.q, self.v, zero).gaps
-        hits = np.flatnonzero((gaps.value <= TOUCHING) & (gaps.rate < -REST_RATE))
-        if not (snapped.any() or len(hits)) or self._crowded(hits, np.flatnonzero(snapped)):
-            return snapped
-        self.v, lifted = solve_impact(self.model, self.detector, self.q, self.v)
-        self.v[np.abs(self.v) < REST_SPEED] = 0.0
-        for number in hits:
-            pair = self.mechanism.meetings[number]
-            self._note("collision", *pair.names)
-            self.hits |= dict.fromkeys(self._movable(int(number)), (self.now, pair.names))
-        for number in np.flatnonzero(snapped):
-            self.jerks[int(number)] = (self.now, (self.mechanism.strings[number].name,))
-        self._lift(lifted)
-        if self.cut:
-            self._note_snapped(snapped)
-        if self.cut and not self.record.times:
-            self._note_forces(solve_forces(self.model, self.detector, self.q, self.v, snapped))
-        return snapped
-
-    def _note_snapped(self, snapped: Flags) -> None:
-        for number in np.flatnonzero(snapped):
-            self._note("taut", self.mechanism.strings[number].name)
-
-    def _movable(self, number: int) -> list[str]:
-        pair = self.mechanism.meetings[number]
-        return [name for name in pair.names if self.model.center(name)[1].any()]
-
-    def _crowded(self, hits: Integers, snapped: Integers) -> bool:
-        """End the motion at the earlier hit if a body is hit again too soon, or at the earlier jerk of a string."""
-        recent = [self.hits[name] for number in hits for name in self._movable(int(number)) if name in self.hits]
-        recent += [self.jerks[int(number)] for number in snapped if int(number) in self.jerks]
-        early = min((hit for hit in recent if TIE < self.now - hit[0] < CROWD), default=None)
-        if early is None:
-            return False
-        self.now = early[0]
-        self.events = [event for event in self.events if event.time <= self.now]
-        self._end("crowd", *early[1])
-        return True
-
-    # ---- forces
-
-    def _note_changes(self, settled: SettledForces, snapped: Flags) -> None:
-        mode, before = settled.mode, self.mode
-        if (
-            settled.loose and before is not None
-        ):  # strings about a part that nothing holds are slack or not as one likes
-            mode = mode._replace(taut=before.taut)
-        for number, string in enumerate(self.mechanism.strings):
-            if snapped[number] or (before is not None and mode.taut[number] and not before.taut[number]):
-                self._note("taut", string.name)
-            elif before is not None and before.taut[number] and not mode.taut[number]:
-                self._note("slack", string.name)
-        for number, name in enumerate(self.mechanism.contacts):
-            if before is not None and before.rubbing[number] != mode.rubbing[number]:
-                self._note("slip" if mode.rubbing[number] else "stick", name)
-
-    def _ended(self, settled: SettledForces) -> bool:
-        if not self.record.times:
-            self._note_forces(settled)
-        self._lift(settled.lifted)
-        gaps = self.detector.approach(self.q, self.v, settled.balance.a).gaps
-        pressed = (gaps.value <= TOUCHING) & (np.abs(gaps.rate) <= REST_RATE) & (gaps.second < -REST_RATE)
-        if not self.cut and settled.loose:
-            self._end("indeterminate", *self._unheld())
-        elif not self.cut and pressed.any():
-            pair = self.mechanism.meetings[int(np.flatnonzero(pressed)[0])]
-            self._end("crowd", *pair.names)
-        return bool(self.cut)
-
-    def _unheld(self) -> list[str]:
-        free = np.abs(weightless(self.model)).max(axis=1)[self.model.coordinates] > 1e-6
-        return [c.name for c, moves in zip(self.mechanism.coordinates, free, strict=True) if moves]
-
-    # ---- motion
-
-    def _travel(self, settled: SettledForces) -> bool:
+    def _travel(self, found: ForceSolution) -> bool:
         """Step to the next event; return False at the end."""
-        self._note_forces(settled)
-        a = settled.balance.a
-        while True:
-            loose = ~settled.mode.taut
-            change = self.detector.next_change(self.q, self.v, a, loose, settled.mode.rubbing)
-            ends = self.detector.finish(self.q, self.v, a).used_up()
-            finish, left = float(ends.min(initial=inf)), self.duration - self.now
-            ending = finish <= left + END_SIMULTANEITY_TOL
-            if min(finish, left) <= change + TIE and ending and finish <= SHORT:
-                return self._finish(ends)
-            if left <= TIE:
-                self.now = self.duration
-                return False
-            if change <= TIE:
-                return True
-            room = finish - 0.5 * SHORT if ending else inf  # what ends well after the duration needs no care
-            self._step(min(change, room, left, STEP))
-            a = self.model.a
-            self._note_step(settled, a)
+        acting = ActingModel(self.model, self.record, self.switches, found)
+        self.record.start(found.mode, found, self.switches)
+        begun, before = acting.knot(self.now, np.concatenate([self.q, self.v]))
+        self.record.add(begun)
+        armed = [due.value > ARMED for due in before]
+        leaves = any(due.kind == "spare" and not up for due, up in zip(before, armed, strict=True))
+        length = self.longest * (FIRST if leaves and not acting.constant else 1.0)
+        tolerance = TOLERANCE * acting.closeness(begun)
+        while self.duration - self.now > MIN_STEP * self.duration:
+            length = min(length, self.longest, self.duration - self.now)
+            last = self.record.last
+            tried = extrapolate_step(acting.rate, last.time, last.values, last.rates, length, tolerance)
+            self._count(length)
+            if not tried.error <= 1.0:
+                length *= min(0.7, tried.factor) if np.isfinite(tried.error) else 0.1
+                continue
+            here, after = acting.knot(self.now + length, tried.values)
+            event = EventSearch(acting, (last, here), (before, after), armed).due(self.duration)
+            if event is not None:
+                self._accept(event[0])
+                acting.check(event[0])
+                self.due = event[1]
+                return self._apply(self.due)
+            self._accept(here)
+            before = after
+            armed = [was or due.value > ARMED for was, due in zip(armed, after, strict=True)]
+            length, tolerance = length * tried.factor, TOLERANCE * acting.closeness(here)
+        acting.check(self.record.last)
+        self.now = self.duration
+        return False
 
-    def _step(self, duration: float) -> None:
-        """Advance by one step, shortened to the contact of bodies if a curved approach was predicted inexactly."""
-        q, v, now = self.model.q, self.model.v, self.now
-        for _ in range(CLOSER):
-            self.model.step(duration)
-            self.now = now + duration
-            self.q, self.v = self.model.q, self.model.v
-            back = self.detector.too_far(self.q, self.v, duration)
-            if back == 0.0:
-                break
-            duration -= back
-            self.model.load(q, v)
+    def _count(self, length: float) -> None:
         self.steps += 1
         if self.steps > STEPS:
             raise SimulationError("MuJoCo: the budget of steps is used up")
-        self.model.check()
-        if self.detector.bent():
-            raise UnsupportedError("a string bends as it moves")
+        if length < MIN_STEP * self.duration:
+            raise SimulationError(f"MuJoCo: the motion becomes singular at {self.now:.6g} s")
 
-    def _finish(self, ends: Array) -> bool:
-        soonest = float(ends.min())
-        self.now += soonest
-        for number in np.flatnonzero(ends <= soonest + END_SIMULTANEITY_TOL):
-            kind, subjects = self.detector.ends[int(number)]
-            self._end(kind, *subjects)
-        return False
+    def _accept(self, knot: Knot) -> None:
+        if knot is not self.record.last:
+            self._note_turns(self.record.last, knot)
+            self.record.add(knot)
+        self.now = knot.time
+        n = self.model.size
+        self.q, self.v = knot.values[:n], knot.values[n:]
 
-    # ---- notes
+    def _note_turns(self, before: Knot, after: Knot) -> None:
+        n = self.model.size
+        for coordinate, number in zip(self.mechanism.coordinates, self.model.coordinates, strict=True):
+            old, new = before.values[n + number], after.values[n + number]
+            if old * new < 0.0 and min(abs(old), abs(new)) > REST_SPEED:
+                when = before.time + float(old / (old - new)) * (after.time - before.time)
+                self.events.append(Event(when, "turn", (coordinate.name,)))
 
-    def _note_forces(self, settled: SettledForces) -> None:
-        self._keep(settled, self.q, self.v, settled.balance.a, settled.balance.forces)
+    def _apply(self, due: list[EventMargin]) -> bool:
+        """Apply the events that have been reached; return False if one ends the motion."""
+        together = any(each.kind == "reach" for each in due)  # what two points at one place seem to do is nothing
+        for each in due:
+            number = each.number
+            if together and each.kind in ("limit", "normal"):
+                continue
+            match each.kind:
+                case "reach":
+                    self.end("reach", *self.record.runs[number])
+                case "limit":
+                    self.end("limit", self.mechanism.coordinates[number].name)
+                case "normal":
+                    self.end("lift", self.mechanism.faces[number].subject)
+                case "burn":
+                    self.note("burn-out", self.mechanism.burns[number].body)
+                    self.switches.burning[number] = False
+                case "border":
+                    self._cross(number, each.side)
+                case "strain":
+                    self._strain(number)
+                case _:
+                    pass
+        return not self.cut
 
-    def _note_step(self, settled: SettledForces, a: Array) -> None:
-        forces = self.model.forces(self.model.rows())
-        if np.abs(forces - settled.balance.forces).max(initial=0.0) > STEADY * self.model.load_scale:
-            raise SimulationError("MuJoCo: a force changes between two events")
-        before, time = self.record.motion[-1], self.record.times[-1]
-        self._keep(settled, self.q, self.v, a, forces)
-        self._note_turns(before, time)
+    def _strain(self, number: int) -> None:
+        self.switches.strained[number] = not self.switches.strained[number]
+        line, law = self.mechanism.half_springs[number]
+        kind = "prop" if law.acts == "pushes" else "string"
+        self.note((BEGINS if self.switches.strained[number] else STOPS)[kind], line.name)
 
-    def _keep(self, settled: SettledForces, q: Array, v: Array, a: Array, forces: Array) -> None:
-        model, n = self.model, self.model.coordinates
-        normal = forces[model.presses]
-        friction = forces[model.grips] - settled.mode.rubbing * model.friction * normal
-        known = np.where(settled.undetermined, np.nan, forces)
-        friction = np.where(settled.undetermined[model.grips], np.nan, friction)
-        shown = np.concatenate([known[model.strings], known[model.presses], friction])
-        self.record.add(self.now, np.concatenate([q[n], v[n], a[n]]), shown)
-
-    def _note_turns(self, before: Array, time: float) -> None:
-        """Record the instants within a step at which speeds of frictionless joints pass through zero."""
-        n = len(self.mechanism.coordinates)
-        old, new = before[n : 2 * n], self.record.motion[-1][n : 2 * n]
-        rough = set(self.model.rubs[self.model.friction > 0.0])
-        for number in np.flatnonzero((old * new < 0.0) & (np.abs(old) > REST_SPEED) & (np.abs(new) > REST_SPEED)):
-            if self.model.coordinates[number] not in rough:
-                part = old[number] / (old[number] - new[number])
-                when = time + float(part) * (self.now - time)
-                self.events.append(Event(when, "turn", (self.mechanism.coordinates[number].name,)))
-
-    def _lift(self, contacts: tuple[int, ...]) -> None:
-        names = list(self.mechanism.contacts)
-        for number in contacts:
-            self._end("lift", names[number])
-
-    def _note(self, kind: str, *subjects: str) -> None:
-        self.events.append(Event(self.now, kind, subjects))
-
-    def _end(self, kind: str, *subjects: str) -> None:
-        self._note(kind, *subjects)
-        self.cut = self.cut or kind
+    def _cross(self, number: int, side: int) -> None:
+        inside = self.switches.inside[number]
+        was = all(inside)
+        inside[side] = not inside[side]
+        if was != all(inside):
+            self.note("enter" if all(inside) else "exit", self.mechanism.forces[number].body)

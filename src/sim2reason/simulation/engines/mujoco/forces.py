@@ -1,149 +1,255 @@
-"""Taut strings and sticking or sliding contacts at an instant, decided by MuJoCo's solver."""
+"""The linear system of all forces for one state of the constraint rows, contacts and friction."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field
+from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
 
+from sim2reason.base.records import record
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.simulation.engines.mujoco.balance import ForceBalance, ForceDemand, balance
-from sim2reason.simulation.engines.mujoco.compiled_model import TINY, CompiledModel, Flags
-from sim2reason.simulation.engines.mujoco.event_detection import REST_RATE, TOUCHING, EventDetector
+from sim2reason.simulation.trace import Budget
 
-SCALE = 1e-3  # an impact is solved at a thousandth of its velocities, so that overlaps stay small
-TENSION_RTOL = 1e-7  # fraction of the largest load: smaller tensions count as zero
-START = 1e-4  # m/s²; a contact at rest begins to slide only above this acceleration
-LIFT = 1e-6  # fraction of the largest speed: a face separates, or a contact slides after an impact, only above this
+MAX_VERTICES = 3000  # largest number of vertices to examine
+SLIP = 1e-9  # fraction of the largest value of a condition: violation tolerated at a vertex
+SINGULAR_VALUE_RTOL = 1e-10  # fraction of the largest: a smaller singular value counts as zero
+TRY, FORCE = 4_000, 1_500  # operations for one contact mode, and for each row and face in addition
+NEVER = 1e9  # friction coefficient that represents a contact that never slips
+LARGE = 1e9  # larger accelerations or forces belong to an unsupported massless part
+ZERO_PATTERN_TOL = 1e-8  # fraction of a force pattern without effect: smaller entries count as zero
+HUGE = 1e12  # limit on the growth of a solution by division by a small pivot
 
 
 class ContactMode(NamedTuple):
-    """The contact mode: which strings are taut, and how each contact rubs: 0 sticks or is smooth, ±1 slides."""
+    """A contact mode: which rows act, which faces are closed, and how each face rubs: 0 sticks, ±1 slips."""
 
-    taut: Flags
-    rubbing: Array
+    rows: tuple[bool, ...]
+    faces: tuple[bool, ...]
+    rubbing: tuple[int, ...]
 
 
 @dataclass(frozen=True)
-class SettledForces:
-    """The contact mode of a motion segment with its forces and the reasons that end the motion, if any."""
+class ForceProblem:
+    """All data that determine the forces at one instant, in arrays over joints."""
+
+    inertia: Array
+    loads: Array
+    rows: Array  # (rows, joints)
+    targets: Array
+    both: tuple[bool, ...]
+    follows: tuple[int, ...]
+    rises: list[int]  # joints
+    slips: Array  # (faces, joints)
+    friction: Array  # (faces,), kinetic
+    holds: Array  # (faces,), coefficients of static friction
+    sliding: tuple[int, ...]  # the direction in which a face slips already; else 0
+    guided: tuple[bool, ...]
+    allowed: tuple[bool, ...]  # whether each row may act
+    budget: Budget = field(default_factory=Budget)  # of the motion to which the instant belongs
+
+
+class Faces(NamedTuple):
+    """The faces: the joints by which bodies leave them, gradients of slip (faces, joints), friction coefficients."""
+
+    rises: list[int]
+    slips: Array
+    friction: Array
+
+
+@dataclass(frozen=True)
+class ForceSolution:
+    """Accelerations and all forces of one contact mode; `unknown` marks forces that the motion does not determine."""
 
     mode: ContactMode
-    balance: ForceBalance
-    undetermined: Flags  # by slot
-    lifted: tuple[int, ...]  # contacts that separate from their face
-    loose: bool  # whether nothing holds some massless part
+    x: Array
+    rows: Array
+    normal: Array
+    friction: Array
+    unknown: Array  # (rows + faces + faces,), 1 if a force is undetermined
 
 
-def solve_forces(model: CompiledModel, detector: EventDetector, q: Array, v: Array, taut: Flags) -> SettledForces:
-    """Compute the contact mode and the forces at a state between impacts.
+class ActiveSet(NamedTuple):
+    """The active constraints of a contact mode, by index: rows, closed faces, and the sticking ones among these."""
 
-    `taut` are the strings that were so, or have just become so: they remain so under no tension while nothing
-    moves their ends together. Raises SimulationError if no forces are found.
+    rows: list[int]
+    closed: list[int]
+    sticking: list[int]
+
+
+def active_set(mode: ContactMode, friction: Array) -> ActiveSet:
+    """Return the active constraints of a contact mode."""
+    closed = [i for i, shut in enumerate(mode.faces) if shut]
+    sticking = [i for i in closed if friction[i] > 0.0 and mode.rubbing[i] == 0]
+    return ActiveSet([i for i, acts in enumerate(mode.rows) if acts], closed, sticking)
+
+
+def system(
+    inertia: Array,
+    loads: Array,
+    held: list[Array],
+    targets: list[float],
+    faces: Faces,
+    mode: ContactMode,
+    acts: ActiveSet,
+) -> tuple[Array, Array]:
+    """Return a contact mode's matrix and right side for accelerations, `held` rows, normal forces and friction."""
+    n, first, second = len(loads), len(held), len(held) + len(acts.closed)
+    size = n + second + len(acts.sticking)
+    matrix, wanted = np.zeros((size, size)), np.zeros(size)
+    matrix[:n, :n], wanted[:n] = inertia, loads
+    if held:
+        matrix[:n, n : n + first], matrix[n : n + first, :n] = np.array(held).T, np.array(held)
+        wanted[n : n + first] = targets
+    for place, i in enumerate(acts.closed, start=n + first):
+        joint = faces.rises[i]
+        matrix[joint, place], matrix[place, joint] = -1.0, 1.0
+        if mode.rubbing[i]:
+            matrix[:n, place] += faces.friction[i] * mode.rubbing[i] * faces.slips[i]
+    for place, i in enumerate(acts.sticking, start=n + second):
+        matrix[:n, place], matrix[place, :n] = -faces.slips[i], faces.slips[i]
+    return matrix, wanted
+
+
+def solve_mode(instant: ForceProblem, mode: ContactMode) -> ForceSolution | None:
+    """Return the solution of the linear system of one contact mode; None if it has none."""
+    instant.budget.spend(TRY + FORCE * (len(mode.rows) + len(mode.faces)))
+    n, faces = len(instant.loads), Faces(instant.rises, instant.slips, instant.friction)
+    acts = active_set(mode, instant.friction)
+    held, targets = [instant.rows[i] for i in acts.rows], [float(instant.targets[i]) for i in acts.rows]
+    matrix, wanted = system(instant.inertia, instant.loads, held, targets, faces, mode, acts)
+    solution = solve_regular(matrix, wanted) if _is_regular(matrix) else None
+    null = np.zeros(len(wanted))
+    if solution is None:
+        solution, free = _least_norm(matrix, wanted)
+        null[free.any(axis=0)] = 1.0
+        if solution is None or null[:n].any():
+            return None
+        if len(free):
+            solution = maximize_least_condition(solution, free, _conditions(instant, acts, len(wanted)))
+    rows, normal, friction = np.zeros(len(mode.rows)), np.zeros(len(mode.faces)), np.zeros(len(mode.faces))
+    second = n + len(held) + len(acts.closed)
+    rows[acts.rows], normal[acts.closed] = solution[n : n + len(held)], solution[n + len(held) : second]
+    friction[acts.sticking] = solution[second:]
+    for i in acts.closed:
+        if mode.rubbing[i]:
+            friction[i] = -instant.friction[i] * mode.rubbing[i] * normal[i]
+    unknown = np.zeros(len(rows) + 2 * len(normal))
+    places = [*acts.rows, *(len(rows) + i for i in acts.closed), *(len(rows) + len(normal) + i for i in acts.sticking)]
+    unknown[places] = null[n:]
+    return ForceSolution(mode, solution[:n], rows, normal, friction, unknown)
+
+
+def _conditions(instant: ForceProblem, acts: ActiveSet, size: int) -> Array:
+    """Return, as rows over all unknowns, what must not be negative: tensions, normal forces, unused static friction."""
+    n, first = len(instant.loads), len(acts.rows)
+    normal = {i: n + first + place for place, i in enumerate(acts.closed)}
+    found = [[(n + place, 1.0)] for place, i in enumerate(acts.rows) if not instant.both[i]]
+    found += [[(place, 1.0)] for i, place in normal.items() if not instant.guided[i]]
+    for place, i in enumerate(acts.sticking, start=n + first + len(acts.closed)):
+        found += [[(normal[i], float(instant.holds[i])), (place, side)] for side in (1.0, -1.0)]
+    matrix = np.zeros((len(found), size))
+    for number, entries in enumerate(found):
+        for place, part in entries:
+            matrix[number, place] = part
+    return matrix
+
+
+def maximize_least_condition(solution: Array, free: Array, conditions: Array) -> Array:
+    """Return the solution plus the null vectors in `free` that make the least entry of conditions · solution largest.
+
+    It lies where k + 1 of the conditions (m, size) are equal, so all such corners are tried. Where nothing bounds it,
+    the solution stays as it is.
     """
-    zero = np.zeros(model.size)
-    spare = detector.strings(q, v, zero)
-    tight = (spare.value <= TOUCHING) & (np.abs(spare.rate) <= REST_RATE)
-    rough = model.friction > 0.0
-    sliding = np.where(rough, np.sign(v[model.rubs]), 0.0)
-    demand = _demand(model, q, v, tight, sliding, zero)
-    faint = TENSION_RTOL * model.load_scale
-    last, found = _decide(model, demand, START, faint)
-    a = found.a
-    lifted = tuple(int(i) for i in np.flatnonzero(a[model.faces] > REST_RATE))
-    still = tight & (np.abs(detector.strings(q, v, a).second) <= REST_RATE)
-    held = rough & (v[model.rubs] == 0.0) & (np.abs(a[model.rubs]) <= REST_RATE)
-    open_ended = _undetermined(model, still, held, last.sliding)
-    mode = ContactMode(last.strings | (still & taut), last.sliding)
-    pulling = last.strings & ((found.forces[model.strings] > faint) | open_ended[model.strings])
-    return SettledForces(mode, found, open_ended, lifted, _loose(model, pulling, last.sliding))
+    left, sizes, right = np.linalg.svd(conditions @ free.T)
+    del left
+    rank = int((sizes > SINGULAR_VALUE_RTOL * max(float(sizes.max(initial=0.0)), 1e-300)).sum())
+    directions = right[:rank] @ free
+    base, change = conditions @ solution, conditions @ directions.T
+    corners = np.array(list(combinations(range(len(base)), rank + 1))[:MAX_VERTICES], dtype=np.intp)
+    if rank == 0 or not len(corners):
+        return solution
+    matrix = np.concatenate([change[corners], -np.ones((*corners.shape, 1))], axis=2)
+    sound = np.abs(np.linalg.det(matrix)) > SINGULAR_VALUE_RTOL
+    if not sound.any():
+        return solution
+    found = np.linalg.solve(matrix[sound], -base[corners[sound]][:, :, None])[:, :, 0]
+    margins = base + found[:, :-1] @ change.T
+    near = SLIP * max(float(np.abs(base).max(initial=0.0)), 1.0)
+    allowed = margins.min(axis=1) >= found[:, -1] - near
+    if not allowed.any():
+        return solution
+    best = found[np.where(allowed, found[:, -1], -np.inf).argmax()]
+    return np.asarray(solution + best[:-1] @ directions, dtype=np.float64)
 
 
-def _demand(model: CompiledModel, q: Array, v: Array, strings: Flags, sliding: Array, applied: Array) -> ForceDemand:
-    pairs, locked = np.zeros(len(model.pairs), dtype=bool), np.zeros(len(model.friction), dtype=bool)
-    return ForceDemand(q, v, strings, pairs, sliding, locked, applied, np.zeros(model.slots))
-
-
-def _decide(
-    model: CompiledModel, demand: ForceDemand, start: float, faint: float, *, impact: bool = False
-) -> tuple[ForceDemand, ForceBalance]:
-    """Decide which strings pull and which contacts slide by MuJoCo's solver, then solve for these alone.
-
-    A contact at rest slides if its friction is at its limit and it accelerates by more than `start`; a string
-    pulls with more than `faint`, but in an impact every string may pull, since no jerk is negligible.
-    """
-    first = balance(model, demand)
-    pulling = demand.strings & ((first.forces[model.strings] > faint) | impact)
-    resting = (model.friction > 0.0) & (demand.sliding == 0.0)
-    if not resting.any() and np.array_equal(pulling, demand.strings):
-        return demand, first
-    normal, a = first.forces[model.presses], first.a[model.rubs]
-    at_limit = np.abs(first.forces[model.grips]) >= model.static_friction * normal - faint
-    started = resting & at_limit & (np.abs(a) > start)
-    sliding = np.where(started, np.sign(a), demand.sliding)
-    last = replace(demand, strings=pulling, sliding=sliding, locked=resting & ~started, normal=normal)
-    found = balance(model, last)
-    torn = demand.strings & ~pulling & (model.gradients[: len(pulling)] @ found.a > REST_RATE)
-    if not torn.any():
-        return last, found
-    last = replace(last, strings=pulling | torn)  # a faint pull holds what has hardly any mass
-    return last, balance(model, last)
-
-
-def solve_impact(model: CompiledModel, detector: EventDetector, q: Array, v: Array) -> tuple[Array, tuple[int, ...]]:
-    """Return the velocities just after an impact, and the contacts that separate from their faces.
-
-    The solver treats impulses as forces, and velocities as accelerations from M·v, with neither gravity nor pulls.
-    """
-    zero = np.zeros(model.size)
-    full = detector.strings(q, v, zero).value <= TOUCHING
-    gaps = detector.approach(q, v, zero).gaps
-    restitution = np.array([pair.restitution for pair in model.mechanism.meetings])
-    touching = (gaps.value <= TOUCHING) & ((gaps.rate < -REST_RATE) | (restitution == 0.0))  # what rests is struck next
-    targets = np.zeros(model.slots)
-    targets[model.hits] = SCALE * np.maximum(-restitution * gaps.rate, 0.0)
-    model.aim(detector.closing(q))
-    model.loads(on=False)
-    momenta, fast = SCALE * model.mass @ v, float(np.abs(v).max())
-    demand = _demand(model, q, zero, full, np.zeros(len(model.friction)), momenta)
-    demand = replace(demand, pairs=touching, targets=targets)
-    last, found = _decide(model, demand, LIFT * SCALE * fast, TENSION_RTOL * float(np.abs(momenta).max()), impact=True)
-    model.loads(on=True)
-    after = found.a / SCALE
-    lifted = tuple(int(i) for i in np.flatnonzero(after[model.faces] > LIFT * fast))
-    after[model.faces] = 0.0
-    after[model.rubs[last.locked]] = 0.0
-    return after, lifted
-
-
-def weightless(model: CompiledModel) -> Array:
-    """Return the massless directions of the joint space, (joints, k), orthonormal."""
-    sizes, vectors = np.linalg.eigh(model.mass)
-    return vectors[:, sizes < 1e3 * TINY]
-
-
-def _loose(model: CompiledModel, taut: Flags, rubbing: Array) -> bool:
-    """Return whether some massless part is held neither by a taut string nor by a sticking contact."""
-    free = weightless(model)
-    if not free.shape[1]:
+def _is_regular(matrix: Array) -> bool:
+    """Return whether a system is regular, tested by the size of the solution for a random right side."""
+    scale = np.maximum(np.abs(matrix).max(axis=1, initial=0.0), 1e-300)
+    steps: Array = np.arange(1.0, len(matrix) + 1.0)
+    side = np.sqrt(2.0) * steps % 1.0 - 0.5
+    try:
+        found: Array = np.asarray(np.linalg.solve(matrix / scale[:, None], side), dtype=np.float64)
+        return bool(np.abs(found).max(initial=0.0) < HUGE)
+    except np.linalg.LinAlgError:
         return False
-    stuck = (model.friction > 0.0) & (rubbing == 0.0)
-    holding = np.vstack([model.gradients[: len(taut)][taut], np.eye(model.size)[model.rubs[stuck]]])
-    holding = np.vstack([holding, np.eye(model.size)[model.faces]])
-    return int(np.linalg.matrix_rank(holding @ free, tol=1e-6)) < free.shape[1]
 
 
-def _undetermined(model: CompiledModel, strings: Flags, held: Flags, rubbing: Array) -> Flags:
-    """Return which forces are undetermined, with every motionless constraint counted as acting."""
-    unit = np.eye(model.size)
-    drag = np.where(held, 0.0, rubbing) * model.friction
-    faces = -unit[model.faces] + drag[:, None] * unit[model.rubs]
-    slots = np.arange(model.slots)
-    columns = np.vstack([model.gradients[: len(strings)][strings], faces, unit[model.rubs[held]]])
-    numbers = np.concatenate([slots[model.strings][strings], slots[model.presses], slots[model.grips][held]])
-    found = np.zeros(model.slots, dtype=bool)
-    if not len(numbers):
-        return found
-    _, sizes, right = np.linalg.svd(columns.T)
-    rank = int((sizes > 1e-8 * sizes[0]).sum())
-    found[numbers] = (np.abs(right[rank:]) > 1e-8).any(axis=0)
-    return found
+def solve_regular(matrix: Array, wanted: Array) -> Array | None:
+    """Return the solution of a well-conditioned linear system; None if its accuracy is doubtful."""
+    try:
+        found: Array = np.asarray(np.linalg.solve(matrix, wanted), dtype=np.float64)
+    except np.linalg.LinAlgError:
+        return None
+    scale = np.abs(matrix).max(axis=1, initial=1e-300)
+    large = float(np.abs(found).max(initial=0.0))
+    sound = np.isfinite(large) and np.abs((matrix @ found - wanted) / scale).max(initial=0.0) <= 1e-9 * (1.0 + large)
+    return found if sound and large <= LARGE else None
+
+
+def _least_norm(matrix: Array, wanted: Array) -> tuple[Array | None, Array]:
+    """Return the solution, None if there is none, and a basis of the null space, (k, unknowns)."""
+    if not len(wanted):
+        return wanted, np.zeros((0, 0))
+    scale = np.maximum(np.abs(matrix).max(axis=1), 1e-300)
+    a, b = matrix / scale[:, None], wanted / scale
+    left, sizes, right = np.linalg.svd(a)
+    rank = int((sizes > SINGULAR_VALUE_RTOL * sizes[0]).sum())
+    found = np.asarray(right[:rank].T @ ((left[:, :rank].T @ b) / sizes[:rank]), dtype=np.float64)
+    # round-off in a null vector would let a huge force brace
+    free = np.where(np.abs(right[rank:]) > ZERO_PATTERN_TOL, right[rank:], 0.0)
+    if rank < len(wanted) and np.abs(a @ found - b).max() > 1e-7 * (1.0 + np.abs(b).max()):
+        return None, free
+    return found, free
+
+
+@record()
+class Row:
+    """A constraint, usually one-sided: J·q̈ ≤ target once the length left, `spare`, shrinking at `rate`, is zero."""
+
+    kind: str  # string, rod, prop, foot, hold, stuck
+    name: str
+    gradient: Array  # (joints,)
+    spare: float
+    rate: float
+    target: float
+    follows: int = -1
+
+    @property
+    def both(self) -> bool:
+        """Return whether the row is two-sided."""
+        return self.kind in ("rod", "hold", "stuck")
+
+
+@dataclass
+class SwitchState:
+    """The on/off state that events change: forces in regions, engines, pairs stuck together, one-sided springs."""
+
+    inside: list[list[bool]]
+    burning: list[bool]
+    stuck: list[bool]
+    strained: list[bool]
+
+    def copy(self) -> "SwitchState":
+        """Return an independent copy."""
+        inside = [list(each) for each in self.inside]
+        return SwitchState(inside, list(self.burning), list(self.stuck), list(self.strained))

@@ -1,54 +1,173 @@
-"""The recorded steps of MuJoCo, and interpolation between them."""
+"""The recorded steps of a motion, and its states between them."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import pairwise
+from math import nan
 
 import numpy as np
+from numpy.typing import NDArray
 
-from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.errors import SimulationError
+from sim2reason.scenes.dsl.mechanism import Rigid
 from sim2reason.scenes.dsl.state import Array, Dynamics, State
+from sim2reason.simulation.engines.mujoco.forces import (
+    ContactMode,
+    ForceProblem,
+    ForceSolution,
+    Row,
+    SwitchState,
+    solve_mode,
+)
+from sim2reason.simulation.engines.mujoco.integration import Knot, interpolate_knots, neighbouring_knots
+from sim2reason.simulation.engines.mujoco.model import CompiledModel
+
+Integers = NDArray[np.intp]
+
+PASSING_DISTANCE = 1e-6  # m; ends of a line coincide if closer, if they may pass each other (unknown sign)
+COINCIDENCE_DISTANCE = 1e-9  # m; ends of a line that are closer coincide
 
 
 @dataclass
-class Recorder:
-    """The recorded states; at an event there are two at one time, just before and just after."""
+class ModeInterval:
+    """An interval of one contact mode: its forces, and the recorded ends of steps (knots) in order of time."""
 
-    mechanism: Mechanism
-    times: list[float] = field(default_factory=list[float])
-    motion: list[Array] = field(default_factory=list[Array])  # concatenated q, v and a, (3n,)
-    forces: list[Array] = field(default_factory=list[Array])  # concatenated tension, normal force and friction
+    mode: ContactMode
+    found: ForceSolution
+    switches: SwitchState
+    knots: list[Knot] = field(default_factory=list[Knot])
 
-    def add(self, time: float, motion: Array, forces: Array) -> None:
-        """Append the state at the end of a step."""
-        self.times.append(time)
-        self.motion.append(motion)
-        self.forces.append(forces)
+
+class MotionRecord:
+    """All recorded segments of a motion, in order of time."""
+
+    def __init__(self, model: CompiledModel) -> None:
+        """Start without segments."""
+        self._model = model
+        self.intervals: list[ModeInterval] = []
+        self.runs = self._runs()
+        self._directions = [model.directions.get(run) for run in self.runs]
+
+    def _runs(self) -> list[tuple[str, str]]:
+        """Return the ends of the straight line segments that may coincide."""
+        found: dict[tuple[str, str], None] = {}
+        for line in self._model.mechanism.lines:
+            if not isinstance(line.law, Rigid):
+                found.update(dict.fromkeys(pairwise(line.through)))
+        moving: list[tuple[str, str]] = []
+        for first, last in found:
+            apart = self._model.site(last).jacobian - self._model.site(first).jacobian
+            if np.abs(apart).max(initial=0.0) > 1e-9:
+                moving.append((first, last))
+        return moving
+
+    def run_length(self, number: int) -> float:
+        """Return the distance of the ends of a line segment, m; negative once they have passed through each other."""
+        first, last = self.runs[number]
+        apart, direction = self._model.place(last) - self._model.place(first), self._directions[number]
+        if direction is None:
+            return float(np.linalg.norm(apart)) - PASSING_DISTANCE
+        return float(apart @ np.array(direction)) - COINCIDENCE_DISTANCE
+
+    def run_rate(self, number: int) -> float:
+        """Return the rate of change of the distance of the ends of a line segment at present, m/s."""
+        first, last = (self._model.site(name) for name in self.runs[number])
+        apart, parting = last.place - first.place, last.velocity - first.velocity
+        direction, far = self._directions[number], float(np.linalg.norm(apart))
+        if direction is None and far == 0.0:
+            return -float(np.linalg.norm(parting))
+        return float((apart / far if direction is None else np.array(direction)) @ parting)
+
+    @property
+    def last(self) -> Knot:
+        """Return the recorded end of the latest step."""
+        return self.intervals[-1].knots[-1]
+
+    def start(self, mode: ContactMode, found: ForceSolution, switches: SwitchState) -> None:
+        """Begin a segment in a contact mode."""
+        self.intervals.append(ModeInterval(mode, found, switches.copy()))
+
+    def add(self, knot: Knot) -> None:
+        """Append the end of a step."""
+        self.intervals[-1].knots.append(knot)
 
     def state(self, times: Array) -> State:
-        """Return the motion at `times`, s, by cubic Hermite interpolation; the last interval is extrapolated."""
-        knots, motion = np.array(self.times), np.array(self.motion)
-        first = np.maximum(np.searchsorted(knots, times, side="right") - 1, 0)
-        last = np.minimum(first + 1, len(knots) - 1)
-        n = len(self.mechanism.coordinates)
-        q, v, a = _between(motion[first], motion[last], knots[first], knots[last], times, n)
-        forces = np.array(self.forces)[first].T
-        k, c = len(self.mechanism.strings), len(self.mechanism.contacts)
-        tension = {string.name: forces[i] for i, string in enumerate(self.mechanism.strings)}
-        names = list(self.mechanism.contacts)
-        normal = dict(zip(names, forces[k : k + c], strict=True))
-        friction = dict(zip(names, forces[k + c :], strict=True))
-        return State.of(self.mechanism, times, (q, v), Dynamics(a, tension, normal, friction))
+        """Return the motion at `times`, s, with forces recomputed; after the end the last state is repeated."""
+        model, mechanism = self._model, self._model.mechanism
+        lines, names = [line.name for line in mechanism.constraints], list(mechanism.contacts)
+        n, rows, faces = model.size, len(lines), len(mechanism.faces)
+        motion, forces = np.zeros((len(times), 3 * n)), np.zeros((len(times), rows + 2 * faces))
+        for interval, numbers, values in self._joints(times):
+            motion[numbers, : 2 * n] = values
+            motion[numbers, 2 * n :], forces[numbers] = self._forces(interval, times[numbers], values)
+        q, v, a = (motion[:, first : first + n][:, model.coordinates] for first in (0, n, 2 * n))
+        tension, normal, friction = np.split(forces.T, (rows, rows + faces))
+        dynamics = Dynamics(
+            a,
+            dict(zip(lines, tension, strict=True)),
+            dict(zip(names, normal, strict=True)),
+            dict(zip(names, friction, strict=True)),
+        )
+        return State.of(mechanism, times, (q, v), dynamics)
+
+    def _forces(self, interval: ModeInterval, times: Array, values: Array) -> tuple[Array, Array]:
+        """Return the accelerations (m, joints) and the forces of lines and faces at states (m, 2·joints) of a segment.
+
+        Forces that the motion does not determine are NaN.
+        """
+        lines, found = len(self._model.mechanism.constraints), [interval.found]
+        if not self._model.constant:
+            found = [self._forces_at(interval, *at) for at in zip(times.tolist(), values, strict=True)]
+        every = np.array([np.concatenate([each.rows, each.normal, each.friction]) for each in found])
+        every[:, interval.found.unknown > 0.0] = nan
+        kept = np.r_[:lines, len(interval.found.rows) : every.shape[1]]
+        return np.array([each.x for each in found]), every[:, kept]
+
+    def _forces_at(self, interval: ModeInterval, time: float, values: Array) -> ForceSolution:
+        n = self._model.size
+        self._model.set_state(time, values[:n], values[n:], interval.switches)
+        return self.forces(interval.mode)
+
+    def _joints(self, times: Array) -> Iterator[tuple[ModeInterval, Integers, Array]]:
+        """Yield each recorded segment with the numbers of the times within its steps, and the joint values there."""
+        starts = [interval.knots[0].time for interval in self.intervals]
+        owners = np.maximum(np.searchsorted(starts, times, side="right") - 1, 0)
+        for number, interval in enumerate(self.intervals):
+            mine = np.flatnonzero(owners == number)
+            knots, ends = interval.knots, [knot.time for knot in interval.knots]
+            places = np.clip(np.searchsorted(ends, times[mine], side="right") - 1, 0, max(len(knots) - 2, 0))
+            for place in range(len(knots)):
+                here = mine[places == place]
+                if len(here):
+                    around, at = neighbouring_knots(knots, place), np.minimum(times[here], ends[-1])
+                    yield interval, here, interpolate_knots(around, at)
+
+    def forces(self, mode: ContactMode) -> ForceSolution:
+        """Return the forces of a contact mode at the present state; raise SimulationError if they do not exist."""
+        rows = self._model.rows()
+        found = solve_mode(present_problem(self._model, rows, mode.rubbing, (True,) * len(rows)), mode)
+        if found is None:
+            raise SimulationError("MuJoCo: the constraints contradict each other")
+        return found
 
 
-def _between(first: Array, last: Array, start: Array, stop: Array, times: Array, n: int) -> tuple[Array, Array, Array]:
-    """Return q, v and a, interpolated between the values at both ends of a step."""
-    span, since = (stop - start)[:, None], (times - start)[:, None]
-    inside = span > 0.0
-    h = np.where(inside, span, 1.0)
-    q0, v0, a0 = first[:, :n], first[:, n : 2 * n], first[:, 2 * n :]
-    q1, v1, a1 = last[:, :n], last[:, n : 2 * n], last[:, 2 * n :]
-    mean = (q1 - q0) / h
-    bend = np.where(inside, (3.0 * mean - 2.0 * v0 - v1) / h, 0.5 * a0)
-    twist = np.where(inside, (v0 + v1 - 2.0 * mean) / h**2, 0.0)
-    q = q0 + since * (v0 + since * (bend + since * twist))
-    v = v0 + since * (2.0 * bend + 3.0 * since * twist)
-    return q, v, np.where(inside, a0 + since / h * (a1 - a0), a0)
+def present_problem(
+    model: CompiledModel, rows: list[Row], sliding: tuple[int, ...], allowed: tuple[bool, ...]
+) -> ForceProblem:
+    """Return the data for the forces at the present state of a model."""
+    return ForceProblem(
+        model.inertia().copy(),
+        model.loads(),
+        np.array([row.gradient for row in rows]).reshape(len(rows), model.size),
+        np.array([row.target for row in rows]),
+        tuple(row.both for row in rows),
+        tuple(row.follows for row in rows),
+        model.rises,
+        model.slips,
+        model.friction,
+        np.array([face.static_friction for face in model.mechanism.faces]),
+        sliding,
+        tuple(face.guided for face in model.mechanism.faces),
+        allowed,
+        model.budget,
+    )

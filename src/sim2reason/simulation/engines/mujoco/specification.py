@@ -1,27 +1,22 @@
-"""The MjSpec description of a mechanism.
+"""The MjSpec description of a mechanism: bodies, joints and sites, without MuJoCo's own constraints.
 
-Bodies move by slide and hinge joints. Each string is a tendon with an upper limit: through its sites, or, if
-it turns massive pulleys, a sum of joint positions whose coefficients are filled in later. A body on a face has
-one more slide joint, along the face's normal, with a lower limit: the limit's force is the normal force.
-Friction is the joint's `frictionloss`, or an equality while the body sticks. A pull is a motor on a tendon.
-Each pair that may collide has a tendon of joint positions, which acts in impacts alone.
+Bodies move by slide and hinge joints. A body on a face has an additional slide joint along the face's normal, which
+its contact keeps closed.
 """
 
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
 from contextlib import contextmanager
 from importlib import import_module
-from typing import Any, Literal, TypeAlias
+from typing import Any, TypeAlias
 
 from sim2reason.errors import SimulationError
-from sim2reason.scenes.dsl.mechanism import ConstantTension, Line, Mechanism, RigidBody
+from sim2reason.scenes.dsl.mechanism import Mechanism, RigidBody
 
 mujoco: Any = import_module("mujoco")  # it ships no types; seen by few modules of this package
-Element: TypeAlias = Any  # part of a specification: a body, a joint, a site, a tendon
+Element: TypeAlias = Any  # part of a specification: a body, a joint, a site
 
-STEP = 0.2  # s; motion between events is quadratic, which RK4 integrates exactly
 TINY = 1e-9  # kg or kg m²; substitute mass of a massless moving body, since MuJoCo divides by mass
-IMPEDANCE = 0.9999  # the largest value that MuJoCo admits
-FAR = 1e6  # m; a limit that is never reached
+ROUND = 1e-10  # fraction of a body's largest moment of inertia, added to all three, as MuJoCo checks A + B ≥ C exactly
 
 
 @contextmanager
@@ -37,33 +32,24 @@ def collect_warnings() -> Generator[list[str], None, None]:
 
 
 class Specification:
-    """The MjSpec description under construction; parts are named by numbers, since any text may be a name."""
+    """The MjSpec description under construction; parts have numbers as names, since any text may be a name."""
 
     def __init__(self, mechanism: Mechanism) -> None:
-        """Describe all bodies, joints, sites and tendons of a mechanism."""
+        """Describe all bodies, joints and sites of a mechanism."""
+        self._mechanism = mechanism
         self.spec: Any = mujoco.MjSpec()
         self.bodies: dict[str, Element] = {}
         self.joints: dict[str, Element] = {}
         self.faces: dict[str, Element] = {}
         self.sites: dict[str, Element] = {}
-        self.paths: list[Element] = []
-        self.carriers: list[Element] = []
-        self.pulls = [line for line in mechanism.lines if isinstance(line.law, ConstantTension)]
-        self.lines: list[Line] = [*mechanism.strings, *self.pulls]
-        self._contacts = mechanism.contacts
-        self._options(mechanism)
+        self.spec.option.gravity = mechanism.gravity
+        off = mujoco.mjtDisableBit
+        self.spec.option.disableflags |= int(off.mjDSBL_CONSTRAINT) | int(off.mjDSBL_CONTACT)
         for body in mechanism.bodies:
             self._body(body)
         for site in mechanism.sites:
-            made = self._carrier(site.body).add_site(name=f"s{len(self.sites)}", pos=site.at)
-            self.sites[site.name] = made
-        for line in self.lines:
-            self._line(line)
-        self.strings = self.carriers[: len(mechanism.strings)]
-        for pull in self.carriers[len(mechanism.strings) :]:
-            self._motor(pull)
-        self.pairs = [self._sum(f"pair{number}") for number in range(len(mechanism.meetings))]
-        self.locks = [self._lock(self.joints[c.slip[0][0]]) for c in mechanism.contacts.values()]
+            carrier = self.spec.worldbody if site.body is None else self.bodies[site.body]
+            self.sites[site.name] = carrier.add_site(name=f"s{len(self.sites)}", pos=site.at)
 
     def compile(self) -> tuple[Any, Any]:
         """Return MuJoCo's model and data; raise SimulationError if MuJoCo rejects the description."""
@@ -73,74 +59,22 @@ class Specification:
             raise SimulationError(f"MuJoCo does not compile this mechanism: {error}") from error
         return model, mujoco.MjData(model)
 
-    def _options(self, mechanism: Mechanism) -> None:
-        option = self.spec.option
-        option.gravity = mechanism.gravity
-        option.timestep = STEP
-        option.integrator = mujoco.mjtIntegrator.mjINT_RK4
-        option.solver = mujoco.mjtSolver.mjSOL_NEWTON
-        option.jacobian = mujoco.mjtJacobian.mjJAC_DENSE
-        option.tolerance, option.iterations = 1e-30, 100  # until rounding stops it
-        option.ls_tolerance, option.ls_iterations = 1e-8, 100
-
-    def _name(self, prefix: str) -> str:
-        return f"{prefix}{len(self.carriers)}"
-
-    def _carrier(self, body: str | None) -> Element:
-        return self.spec.worldbody if body is None else self.bodies[body]
-
     def _body(self, body: RigidBody) -> None:
-        made = self._carrier(body.parent).add_body(pos=body.at)
-        self.bodies[body.name] = made
-        light = TINY if body.coordinates else 0.0
-        made.explicitinertial, made.ipos = True, (0.0, 0.0, 0.0)
-        made.mass = max(body.mass, light)
-        made.inertia = [max(body.inertia[1], made.mass * 1e-3)] * 3
-        if any(c.kind == "hinge" for c in body.coordinates):
-            made.inertia = [max(body.inertia[1], TINY)] * 3
-        contact = self._contacts.get(body.name)
-        if contact is not None:
-            face = self._joint(made, "slide", contact.normal)
-            face.limited, face.range = 1, (0.0, FAR)
-            self.faces[body.name] = face
+        carrier = self.spec.worldbody if body.parent is None else self.bodies[body.parent]
+        made = self.bodies[body.name] = carrier.add_body(pos=body.at)
+        made.explicitinertial = True
+        made.mass, made.ipos = max(body.mass, TINY if body.coordinates else 0.0), body.center
+        made.gravcomp = float(body.mass == 0.0)  # the substitute mass has no weight
+        more = max(ROUND * max(body.inertia[:3]), TINY * 1e-3)
+        made.fullinertia = [*(part + more for part in body.inertia[:3]), *body.inertia[3:]]
+        face = self._mechanism.contacts.get(body.name)
+        if face is not None and not face.turning:
+            self.faces[body.name] = self._joint(made, "slide", face.normal)
         for coordinate in body.coordinates:
             self.joints[coordinate.name] = self._joint(made, coordinate.kind, coordinate.axis)
+        if face is not None and face.turning:
+            self.faces[body.name] = self._joint(made, "slide", face.normal)
 
-    def _joint(self, body: Element, kind: Literal["slide", "hinge"], axis: tuple[float, float, float]) -> Element:
+    def _joint(self, body: Element, kind: str, axis: Sequence[float]) -> Element:
         types = {"slide": mujoco.mjtJoint.mjJNT_SLIDE, "hinge": mujoco.mjtJoint.mjJNT_HINGE}
-        name = f"j{len(self.joints) + len(self.faces)}"
-        joint = body.add_joint(name=name, type=types[kind], axis=axis, limited=0)
-        joint.solref_limit = joint.solref_friction = (2.0 * STEP, 1.0)
-        joint.solimp_limit = joint.solimp_friction = (IMPEDANCE, IMPEDANCE, 0.001, 0.5, 2.0)
-        return joint
-
-    def _tendon(self, name: str) -> Element:
-        tendon = self.spec.add_tendon(name=name, limited=0, range=(-FAR, FAR))
-        tendon.solref_limit = (2.0 * STEP, 1.0)
-        tendon.solimp_limit = (IMPEDANCE, IMPEDANCE, 0.001, 0.5, 2.0)
-        return tendon
-
-    def _sum(self, name: str) -> Element:
-        tendon = self._tendon(name)
-        for joint in (*self.faces.values(), *self.joints.values()):
-            tendon.wrap_joint(joint.name, 1.0)
-        return tendon
-
-    def _line(self, line: Line) -> None:
-        path = self._tendon(self._name("path"))
-        for name in line.through:
-            path.wrap_site(self.sites[name].name)
-        self.paths.append(path)
-        self.carriers.append(self._sum(self._name("sum")) if line.wheels else path)
-
-    def _lock(self, joint: Element) -> Element:
-        """Return an equality constraint that locks a joint while its contact sticks."""
-        lock = self.spec.add_equality(type=mujoco.mjtEq.mjEQ_JOINT, name1=joint.name, active=False)
-        lock.objtype = mujoco.mjtObj.mjOBJ_JOINT
-        lock.solref, lock.solimp = (2.0 * STEP, 1.0), (IMPEDANCE, IMPEDANCE, 0.001, 0.5, 2.0)
-        return lock
-
-    def _motor(self, tendon: Element) -> None:
-        actuator = self.spec.add_actuator(name=f"motor{tendon.name}", trntype=mujoco.mjtTrn.mjTRN_TENDON)
-        actuator.target = tendon.name
-        actuator.set_to_motor()
+        return body.add_joint(name=f"j{len(self.joints) + len(self.faces)}", type=types[kind], axis=axis, limited=0)

@@ -1,43 +1,39 @@
-"""The MuJoCo model of a mechanism with changing equations: mass matrix, bias and Jacobians at any state.
+"""The MuJoCo model of a mechanism: mass matrix, bias and Jacobians at any state.
 
 Loads beyond gravity (lines, forces, attraction, engines) are added here by means of MuJoCo's Jacobians; MuJoCo's own
 soft constraints are not used.
 """
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
-from sim2reason.errors import SimulationError
+from sim2reason.errors import SceneError, SimulationError
 from sim2reason.scenes.dsl.mechanism import CollisionPair, Inextensible, Mechanism, Prop, Rigid
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.scenes.dsl.structure import steady
+from sim2reason.scenes.dsl.structure import changing, steady
 from sim2reason.scenes.dsl.vectors import Triple
-from sim2reason.simulation.engines.mujoco.changing_equations.attractions import Attractions
-from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
-    LARGE,
-    NEVER,
-    Moving,
-    Row,
-    SwitchState,
-    solve_regular,
-)
-from sim2reason.simulation.engines.mujoco.changing_equations.lines import Lengths, Lines, Pulls
-from sim2reason.simulation.engines.mujoco.changing_equations.specification import ConstrainedSpecification
-from sim2reason.simulation.engines.mujoco.specification import mujoco
+from sim2reason.simulation.engines.mujoco.distances import Attractions, Lengths, Lines, PointMotion, Pulls, distance
+from sim2reason.simulation.engines.mujoco.forces import LARGE, NEVER, Row, SwitchState, solve_regular
+from sim2reason.simulation.engines.mujoco.specification import TINY, Specification, mujoco
 from sim2reason.simulation.trace import OPERATIONS, Budget
 
+UNEVEN = 1e-6  # ratio of the least to the largest inertia below which accelerations without constraints are too large
+OVERLAP, COINCIDENCE_DISTANCE = 1e-8, 1e-10  # m; limits at the start; the exact engine refuses whatever exceeds these
+FIXED = 1e-9  # largest derivative of the separation of two points that do not move apart
 STAND, JOINT = 2_000, 800  # operations to set a state, and for each joint in addition
 
 
-class ConstrainedModel:
+class CompiledModel:
     """The compiled mechanism, set to one state at a time."""
 
     def __init__(self, mechanism: Mechanism) -> None:
         """Compile the mechanism; raise SimulationError if MuJoCo rejects it."""
         self.mechanism = mechanism
         self.budget = Budget(2 * OPERATIONS)
-        spec = ConstrainedSpecification(mechanism)
+        self.constant = not changing(mechanism)
+        spec = Specification(mechanism)
         compiled: tuple[Any, Any] = spec.compile()
         self._model, self._data = compiled
         self.size = int(self._model.nv)
@@ -52,9 +48,9 @@ class ConstrainedModel:
         self._slides: dict[tuple[str, str], Array] = {}  # gradients that never change, since nothing turns
         compiled_in = self._site_id, self.index, self._model
         pulls = tuple(line for line in mechanism.lines if not line.law.row)
-        self.ways = steady(mechanism)
-        self._rowed = Lines(mechanism.constraints, *compiled_in, straight=self._straight, ways=self.ways)
-        self._drawn = Lines(pulls, *compiled_in, straight=self._straight, ways=self.ways)
+        self.directions = steady(mechanism)
+        self._rowed = Lines(mechanism.constraints, *compiled_in, straight=self._straight, directions=self.directions)
+        self._drawn = Lines(pulls, *compiled_in, straight=self._straight, directions=self.directions)
         self._pulls = Pulls(self._drawn)
         self._attracted = Attractions(mechanism.attractions, self._body_id, self._model, straight=self._straight)
         self.slips = self._slips()
@@ -72,18 +68,38 @@ class ConstrainedModel:
     # ---- one state
 
     def begin(self) -> None:
-        """Set the initial state and store the initial lengths."""
+        """Set the initial state and store the initial lengths.
+
+        Raises:
+            SceneError: two sites of a line coincide, or two bodies overlap.
+        """
         rest = np.zeros(self.size)
         burns, meetings, halves = self.mechanism.burns, self.mechanism.meetings, self.mechanism.half_springs
         start = SwitchState([], [False] * len(burns), [False] * len(meetings), [False] * len(halves))
-        self.stand(0.0, rest, rest, start)
+        self.set_state(0.0, rest, rest, start)
+        self._check_apart()
         self._starts = self._lines()[0].values
+        masses = self.inertia().diagonal()
+        self.uneven = bool((masses < UNEVEN * float(masses.max(initial=0.0))).any())
 
-    def stand(self, time: float, q: Array, v: Array, situation: SwitchState) -> None:
+    def _check_apart(self) -> None:
+        for line in self.mechanism.lines:
+            for first, last in pairwise(line.through):
+                one, other = self.site(first), self.site(last)
+                moves = np.abs(other.jacobian - one.jacobian).max(initial=0.0) > FIXED
+                if moves and np.linalg.norm(other.place - one.place) <= COINCIDENCE_DISTANCE:
+                    message = f"sites {first} and {last} coincide at the start"
+                    raise SceneError(line.name, message, "leave some string between")
+        for pair in self.mechanism.meetings:
+            if self.separation(pair)[0] < -OVERLAP:
+                other = "what is fixed" if pair.a is None else pair.b
+                raise SceneError(pair.names[0], f"it overlaps {other} at the start", "move them apart")
+
+    def set_state(self, time: float, q: Array, v: Array, switches: SwitchState) -> None:
         """Set the positions and velocities of the joints at a time."""
         self.budget.spend(STAND + JOINT * self.size)
-        self.time, self.q, self.v, self._situation = time, q, v, situation
-        self._points: dict[tuple[str, str], Moving] = {}
+        self.time, self.q, self.v, self._switches_now = time, q, v, switches
+        self._points: dict[tuple[str, str], PointMotion] = {}
         self._measured: tuple[Lengths, Array] | None = None
         self._data.qpos[:] = q
         self._data.qvel[:] = v
@@ -95,7 +111,7 @@ class ConstrainedModel:
         mujoco.mj_fwdVelocity(self._model, self._data)
 
     def _burn(self) -> None:
-        for burn, burning in zip(self.mechanism.burns, self._situation.burning, strict=True):
+        for burn, burning in zip(self.mechanism.burns, self._switches_now.burning, strict=True):
             spent = burn.rate * (self.time if burning or self.time < burn.until else burn.until)
             left = self.mechanism.body[burn.body].mass - spent
             if left <= 0.0:
@@ -109,13 +125,20 @@ class ConstrainedModel:
             mujoco.mj_fullM(self._model, self._data, self._mass)
         return self._mass
 
-    def unheld(self, loads: Array) -> Array:
+    def weightless(self) -> Array:
+        """Return the motions of massless parts that need no force, (joints, k), orthonormal."""
+        if not any(body.coordinates and body.mass == 0.0 for body in self.mechanism.bodies):
+            return np.zeros((self.size, 0))
+        sizes, motions = np.linalg.eigh(self.inertia())
+        return motions[:, sizes < 10.0 * TINY]
+
+    def free_acceleration(self, loads: Array) -> Array:
         """Return the accelerations (joints,) under `loads` (joints,) without any constraint."""
         found = np.zeros((1, self.size))
         mujoco.mj_solveM(self._model, self._data, found, loads[None])
         return np.asarray(found[0], dtype=np.float64)
 
-    def held(self, loads: Array, gradients: Array, targets: Array) -> Array | None:
+    def constrained_acceleration(self, loads: Array, gradients: Array, targets: Array) -> Array | None:
         """Return the accelerations (joints,) under `loads` with only these rows (rows, joints) acting; None on failure.
 
         They are the accelerations without rows, corrected by the few constraint forces: M⁻¹Jᵀλ.
@@ -136,7 +159,7 @@ class ConstrainedModel:
         x = free - (float(gradient @ free) - float(targets[0])) / yielding * answer
         return x if abs(x).max(initial=0.0) < LARGE else None
 
-    def _moving(self, kind: str, name: str) -> Moving:
+    def _point_motion(self, kind: str, name: str) -> PointMotion:
         """Return the position, velocity and Jacobian of a site or a centre of mass."""
         known = self._points.get((kind, name))
         if known is not None:
@@ -149,49 +172,51 @@ class ConstrainedModel:
             place = np.array(self._data.xipos[carrier])
         slide = self._slides.get((kind, name))
         if slide is not None:
-            found = self._points[kind, name] = Moving(place, slide @ self.v, self._still, slide)
+            found = self._points[kind, name] = PointMotion(place, slide @ self.v, self._still, slide)
             return found
         jacobian, dot = np.zeros((3, self.size)), np.zeros((3, self.size))
         if carrier == 0:  # the room
             self._slides[kind, name] = jacobian
-            found = self._points[kind, name] = Moving(place, self._still, self._still, jacobian)
+            found = self._points[kind, name] = PointMotion(place, self._still, self._still, jacobian)
             return found
         mujoco.mj_jac(self._model, self._data, jacobian, None, place, carrier)
         mujoco.mj_jacDot(self._model, self._data, dot, None, place, carrier)
         if self._straight:
             self._slides[kind, name] = jacobian
-        found = self._points[kind, name] = Moving(place, jacobian @ self.v, dot @ self.v, jacobian)
+        found = self._points[kind, name] = PointMotion(place, jacobian @ self.v, dot @ self.v, jacobian)
         return found
 
     def place(self, site: str) -> Array:
         """Return the position of a site, (3,)."""
         return np.array(self._data.site_xpos[self._site_id[site]])
 
-    def site(self, name: str) -> Moving:
+    def site(self, name: str) -> PointMotion:
         """Return the position, velocity and Jacobian of a site."""
-        return self._moving("site", name)
+        return self._point_motion("site", name)
 
-    def center(self, name: str) -> Moving:
+    def center(self, name: str) -> PointMotion:
         """Return the position, velocity and Jacobian of the centre of mass of a body."""
-        return self._moving("body", name)
+        return self._point_motion("body", name)
 
     # ---- loads
 
     def loads(self) -> Array:
         """Return all loads except constraint forces, (joints,), including gravity and inertial loads."""
         total = -np.array(self._data.qfrc_bias)
+        if self._model.ngravcomp:
+            total += self._data.qfrc_gravcomp
         mechanism = self.mechanism
         if self._drawn.lines:
-            halves = zip(mechanism.half_springs, self._situation.strained, strict=True)
+            halves = zip(mechanism.half_springs, self._switches_now.strained, strict=True)
             total += self._pulls.load(self._data, self.q, self.v, [line for (line, _), on in halves if not on])
         for number, force in enumerate(mechanism.forces):
-            if all(self._situation.inside[number]):
+            if all(self._switches_now.inside[number]):
                 point = self.center(force.body)
                 pushed = force.law.force(_triple(point.place), _triple(point.velocity), self.time, np)
                 total += np.array([float(part) for part in pushed]) @ point.jacobian
         if mechanism.attractions:
             total += self._attracted.load(self._data)
-        for burn, burning in zip(mechanism.burns, self._situation.burning, strict=True):
+        for burn, burning in zip(mechanism.burns, self._switches_now.burning, strict=True):
             if burning:
                 frame = np.array(self._data.xmat[self._body_id[burn.body]]).reshape(3, 3)
                 thrust = burn.rate * burn.exhaust * (frame @ np.array(burn.direction))
@@ -208,7 +233,7 @@ class ConstrainedModel:
         """Return the lengths of the constrained lines, and their second derivatives at q̈ = 0."""
         if self._measured is None:
             found = self._rowed.lengths(self._data, self.q)
-            self._measured = found, self._rowed.bends(self._data, self.v, found.pieces)
+            self._measured = found, self._rowed.bends(self._data, self.v, found.segments)
         return self._measured
 
     def rows(self) -> list[Row]:
@@ -218,7 +243,7 @@ class ConstrainedModel:
     @property
     def count(self) -> int:
         """Return the number of constraint rows."""
-        return len(self._rowed.lines) + 2 * len(self.mechanism.feet) + sum(self._situation.stuck)
+        return len(self._rowed.lines) + 2 * len(self.mechanism.feet) + sum(self._switches_now.stuck)
 
     def row(self, number: int) -> Row:
         """Return one constraint row by its index."""
@@ -227,7 +252,7 @@ class ConstrainedModel:
             return self._line_row(number)
         if number < lines + feet:
             return self._foot_row((number - lines) // 2, number)
-        stuck = [m for m, held in zip(self.mechanism.meetings, self._situation.stuck, strict=True) if held]
+        stuck = [m for m, held in zip(self.mechanism.meetings, self._switches_now.stuck, strict=True) if held]
         meeting = stuck[number - lines - feet]
         gap, rate, gradient, bias = self.separation(meeting)
         return Row("stuck", " and ".join(meeting.names), -gradient, gap, -rate, bias)
@@ -260,14 +285,29 @@ class ConstrainedModel:
         """Return the gap of a collision pair, its rate, gradient and second derivative at q̈ = 0."""
         other = self.center(meeting.b)
         still = np.zeros(3)
-        one = Moving(still, still, still, np.zeros((3, self.size))) if meeting.a is None else self.center(meeting.a)
+        one = (
+            PointMotion(still, still, still, np.zeros((3, self.size))) if meeting.a is None else self.center(meeting.a)
+        )
         if meeting.normal is None:
-            distance, rate, gradient, bias = _run(one, other)
-            return distance - meeting.distance, rate, gradient, bias
+            length, rate, gradient, bias = distance(one, other)
+            return length - meeting.distance, rate, gradient, bias
         normal = np.array(meeting.normal)
         gradient = normal @ (other.jacobian - one.jacobian)
         gap = float(normal @ (other.place - one.place)) - meeting.distance
         return gap, float(gradient @ self.v), gradient, float(normal @ (other.bias - one.bias))
+
+    def square_gap(self, meeting: CollisionPair) -> float:
+        """Return a gap as a polynomial of positions: for centres r apart that meet at a distance d, (r² − d²)/2d.
+
+        It has the zero of r − d and the slope there, and exists where the centres coincide.
+        """
+        apart = self._data.xipos[self._body_id[meeting.b]]
+        if meeting.a is not None:
+            apart = apart - self._data.xipos[self._body_id[meeting.a]]
+        if meeting.normal is not None:
+            return float(np.dot(meeting.normal, apart)) - meeting.distance
+        square = float(apart @ apart)
+        return 0.5 * (square / meeting.distance - meeting.distance) if meeting.distance else square
 
     def borders(self, number: int) -> list[float]:
         """Return the distances, m, to the borders of a force's region, positive inside; none if it acts everywhere."""
@@ -289,17 +329,6 @@ class ConstrainedModel:
     def friction(self) -> Array:
         """Return the friction coefficients of the faces; a large number represents a face that never slips."""
         return np.array([min(face.friction, NEVER) for face in self.mechanism.faces])
-
-
-def _run(one: Moving, other: Moving) -> tuple[float, float, Array, float]:
-    apart, parting = other.place - one.place, other.velocity - one.velocity
-    distance = float(np.linalg.norm(apart))
-    if distance == 0.0:
-        raise SimulationError("two points of a line have come together")
-    way = apart / distance
-    rate = float(way @ parting)
-    bend = float(way @ (other.bias - one.bias)) + (float(parting @ parting) - rate * rate) / distance
-    return distance, rate, way @ (other.jacobian - one.jacobian), bend
 
 
 def _triple(vector: Array) -> Triple:

@@ -6,12 +6,14 @@ import numpy as np
 import pytest
 
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.simulation.engines.mujoco.changing_equations.record import Knot, Quintic, interpolate_knots
-from sim2reason.simulation.engines.mujoco.extrapolation import (
+from sim2reason.simulation.engines.mujoco.integration import (
     MAX_STEP_RATIO,
     MIN_STEP_RATIO,
     SEQUENCE,
+    Knot,
+    Quintic,
     extrapolate_step,
+    interpolate_knots,
 )
 
 

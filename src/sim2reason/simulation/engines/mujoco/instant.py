@@ -1,4 +1,4 @@
-"""One instant of a mechanism with changing equations: impacts, then the acting forces, recorded as events."""
+"""One instant of a motion: impacts, then the acting forces, recorded as events."""
 
 from dataclasses import replace
 
@@ -6,7 +6,9 @@ import numpy as np
 
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array
-from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
+from sim2reason.simulation.engines.mujoco.contact_modes import all_acting, search
+from sim2reason.simulation.engines.mujoco.event_search import TIE
+from sim2reason.simulation.engines.mujoco.forces import (
     NEVER,
     ContactMode,
     ForceProblem,
@@ -14,14 +16,17 @@ from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
     Row,
     SwitchState,
 )
-from sim2reason.simulation.engines.mujoco.changing_equations.margins import TIE, EventMargin
-from sim2reason.simulation.engines.mujoco.changing_equations.model import ConstrainedModel
-from sim2reason.simulation.engines.mujoco.changing_equations.modes import everything, search
-from sim2reason.simulation.engines.mujoco.changing_equations.record import Knot, MotionRecord, present_problem
+from sim2reason.simulation.engines.mujoco.integration import Knot
+from sim2reason.simulation.engines.mujoco.margins import EventMargin
+from sim2reason.simulation.engines.mujoco.model import CompiledModel
+from sim2reason.simulation.engines.mujoco.record import MotionRecord, present_problem
 from sim2reason.simulation.trace import Event
 
 TOUCHING = 1e-7  # m; smaller distances count as contact
 REST_SPEED = 1e-6  # m/s or m/s²; slower motion counts as rest
+FAINT, MIN_LOAD = 1e-7, 1e-3  # fraction of the largest load, at least this, N: smaller tensions hold nothing
+FREE = 1e-6  # smaller components of a motion of massless parts are round-off
+LIFT = 1e-6  # fraction of the largest speed: a smaller speed of separation after an impact is round-off
 DUPLICATE_WINDOW = 8  # latest events that are compared to avoid duplicates
 CROWD = 5e-3  # s; repeated impacts of one body, or jerks of one string, within this time end the motion
 BEGINS = {"string": "taut", "prop": "land", "foot": "land"}  # kind of the event at which a constraint begins to act
@@ -34,22 +39,22 @@ class InstantSolver:
     def __init__(self, mechanism: Mechanism, times: Array) -> None:
         """Compile the mechanism and set its initial state; the last of `times` is the end, s."""
         self.mechanism, self.duration = mechanism, float(times[-1])
-        self.model = ConstrainedModel(mechanism)
+        self.model = CompiledModel(mechanism)
         self.now = 0.0
         self.q, self.v = np.zeros(self.model.size), np.zeros(self.model.size)
         self.v[self.model.coordinates] = [coordinate.speed for coordinate in mechanism.coordinates]
-        self.situation = SwitchState(
+        self.switches = SwitchState(
             [],
             [burn.until > 0.0 for burn in mechanism.burns],
             [False] * len(mechanism.meetings),
             [False] * len(mechanism.half_springs),
         )
-        self.situation.inside = [[True]] * len(mechanism.forces)
-        self.model.stand(0.0, self.q, self.v, self.situation)
-        self.situation.inside = [[m > 0.0 for m in self.model.borders(i)] for i in range(len(mechanism.forces))]
+        self.switches.inside = [[True]] * len(mechanism.forces)
+        self.model.set_state(0.0, self.q, self.v, self.switches)
+        self.switches.inside = [[m > 0.0 for m in self.model.borders(i)] for i in range(len(mechanism.forces))]
         strains = [self.model.strain(number) for number in range(len(mechanism.half_springs))]
-        self.situation.strained = [s > TOUCHING or (abs(s) <= TOUCHING and rate > 0.0) for s, rate in strains]
-        self.way: ContactMode | None = None
+        self.switches.strained = [s > TOUCHING or (abs(s) <= TOUCHING and rate > 0.0) for s, rate in strains]
+        self.mode: ContactMode | None = None
         self.due: list[EventMargin] = []
         self.record = MotionRecord(self.model)
         self.events: list[Event] = []
@@ -61,33 +66,58 @@ class InstantSolver:
     def settle(self) -> ForceSolution:
         """Compute the acting forces; record the changes and any event that ends the motion."""
         rows = self.model.rows()
-        sliding = self._sliding()
-        allowed = tuple(self._may_act(i, row) for i, row in enumerate(rows))
-        instant = present_problem(self.model, rows, sliding, allowed)
-        guess = self._guess(rows, sliding)
-        found = search(instant, guess)
-        if self.way is not None and self.record.stretches:  # how it begins, be it with a jerk, is no change
-            self._note_changes(found.way, rows)
-        for number, shut in enumerate(found.way.faces):
-            if not shut and (self.way is None or self.way.faces[number]):
-                self.end("lift", self.mechanism.faces[number].subject)
+        found = self._search(rows)
+        unheld = self._unsupported(rows, found)
+        if self.mode is not None and self.record.intervals:  # how it begins, be it with a jerk, is no change
+            # which strings are slack about a part that nothing holds is as undetermined as its motion
+            after = found.mode._replace(rows=self.mode.rows[: len(rows)]) if unheld else found.mode
+            self._note_changes(after._replace(rubbing=self._rubbing(found)), rows)
+        self._lift(found, REST_SPEED)
+        if unheld and not self.cut:
+            self.end("indeterminate", *unheld)
         self._tear(rows, found.x)
         self._pressed(found.x)
-        if self.cut and not self.record.stretches:  # it ended as it began
-            self.record.start(found.way, found, self.situation)
-            self.record.add(Knot(self.now, np.concatenate([self.q, self.v]), np.concatenate([self.v, found.x])))
+        if self.cut and not self.record.intervals:  # it ended as it began
+            self._record_only(found)
         return found
+
+    def _search(self, rows: list[Row]) -> ForceSolution:
+        sliding = self._sliding()
+        allowed = tuple(self._may_act(i, row) for i, row in enumerate(rows))
+        return search(present_problem(self.model, rows, sliding, allowed), self._guess(rows, sliding))
+
+    def _record_only(self, found: ForceSolution) -> None:
+        """Record the present state as the entire motion."""
+        self.record.start(found.mode, found, self.switches)
+        self.record.add(Knot(self.now, np.concatenate([self.q, self.v]), np.concatenate([self.v, found.x])))
+
+    def _unsupported(self, rows: list[Row], found: ForceSolution) -> list[str]:
+        """Return the coordinates of massless parts that no row, face or friction holds; none if all are held."""
+        free = self.model.weightless()
+        if not free.shape[1]:
+            return []
+        faint = FAINT * max(float(np.abs(self.model.loads()).max(initial=0.0)), MIN_LOAD)
+        pulls = (found.rows > faint) | (found.unknown[: len(rows)] > 0.0)
+        holding = [row.gradient for row, pulled in zip(rows, pulls, strict=True) if row.both or pulled]
+        shut = [i for i, face in enumerate(found.mode.faces) if face]
+        holding += [np.eye(self.model.size)[self.model.rises[i]] for i in shut]
+        holding += [self.model.slips[i] for i in shut if self.model.friction[i] > 0.0 and not found.mode.rubbing[i]]
+        held = np.array(holding).reshape(len(holding), self.model.size) @ free
+        if np.linalg.matrix_rank(held, tol=FREE) == free.shape[1]:
+            return []
+        moving = np.abs(free).max(axis=1)[self.model.coordinates] > FREE
+        return [c.name for c, moves in zip(self.mechanism.coordinates, moving.tolist(), strict=True) if moves]
 
     def _guess(self, rows: list[Row], sliding: tuple[int, ...]) -> ContactMode:
         """Return a first guess of the contact mode: rows keep acting, and contacts that do not slip stick."""
         faces = len(self.mechanism.faces)
-        if self.way is None:
-            return everything(len(rows), faces)
-        acting = [*self.way.rows, *([True] * (len(rows) - len(self.way.rows)))]
+        if self.mode is None:
+            return all_acting(len(rows), faces)
+        acting = [*self.mode.rows, *([True] * (len(rows) - len(self.mode.rows)))]
         for due in self.due:
             if due.kind == "force":
                 acting[due.number] = False
-        return ContactMode(tuple(acting), self.way.faces, sliding)
+        return ContactMode(tuple(acting), self.mode.faces, sliding)
 
     def _sliding(self) -> tuple[int, ...]:
         """Return the direction of slip of each face; a face at the friction limit begins to slip."""
@@ -107,9 +137,24 @@ class InstantSolver:
             return False
         if row.follows >= 0:
             return row.spare <= TOUCHING
-        if self.way is not None and number < len(self.way.rows) and self.way.rows[number]:
+        if self.mode is not None and number < len(self.mode.rows) and self.mode.rows[number]:
             return row.rate > -1e3 * REST_SPEED
         return row.spare <= TOUCHING and abs(row.rate) <= 1e2 * REST_SPEED
+
+    def _rubbing(self, found: ForceSolution) -> tuple[int, ...]:
+        """Return the direction of slip of each face; a face at rest that is not accelerated sticks.
+
+        Of undetermined forces some let it slide at no speed.
+        """
+        sliding, started = self._sliding(), self.model.slips @ found.x
+        sides = zip(found.mode.rubbing, sliding, started, strict=True)
+        return tuple(side if slides or abs(begins) > REST_SPEED else 0 for side, slides, begins in sides)
+
+    def _lift(self, found: ForceSolution, least: float) -> None:
+        """Record the end of the motion at open faces; under constant forces only if these open faster than `least`."""
+        for number, (shut, rise) in enumerate(zip(found.mode.faces, self.model.rises, strict=True)):
+            if not shut and not (self.model.constant and found.x[rise] <= least):
+                self.end("lift", self.mechanism.faces[number].subject)
 
     def _tear(self, rows: list[Row], a: Array) -> None:
         """Record the end of the motion if a foot that loses contact would return at once without first slipping."""
@@ -122,22 +167,22 @@ class InstantSolver:
     def _pressed(self, a: Array) -> None:
         """Record the end of the motion if two resting bodies are pressed together, which causes endless hits."""
         for number, meeting in enumerate(self.mechanism.meetings):
-            if not self.situation.stuck[number]:
+            if not self.switches.stuck[number]:
                 gap, rate, gradient, bias = self.model.separation(meeting)
                 if gap <= TOUCHING and abs(rate) <= REST_SPEED and gradient @ a + bias < -REST_SPEED and not self.cut:
                     self.end("crowd", *meeting.names)
 
     def _note_changes(self, after: ContactMode, rows: list[Row]) -> None:
-        assert self.way is not None
+        assert self.mode is not None
         for number, row in enumerate(rows):
-            was = self.way.rows[number] if number < len(self.way.rows) else True
+            was = self.mode.rows[number] if number < len(self.mode.rows) else True
             if row.both or was == after.rows[number]:
                 continue
             if was and self.jerks.get(row.name, (-1.0,))[0] == self.now:  # it is slack again at once
                 continue
             self.note((BEGINS if after.rows[number] else STOPS)[row.kind], row.name)
         for number, face in enumerate(self.mechanism.faces):
-            if self.record.stretches and self.way.rubbing[number] != after.rubbing[number]:
+            if self.record.intervals and self.mode.rubbing[number] != after.rubbing[number]:
                 self.note("slip" if after.rubbing[number] else "stick", face.subject)
 
     # ---- impacts
@@ -145,7 +190,7 @@ class InstantSolver:
     def impact(self) -> bool:
         """Compute all impacts and jerks at an instant; return False at the end of the motion."""
         rows = self.model.rows()
-        acts = [self.way is not None and i < len(self.way.rows) and self.way.rows[i] for i in range(len(rows))]
+        acts = [self.mode is not None and i < len(self.mode.rows) and self.mode.rows[i] for i in range(len(rows))]
         snapped = [
             i
             for i, row in enumerate(rows)
@@ -156,12 +201,12 @@ class InstantSolver:
         touching = [  # a pair that rests against each other is struck next
             i
             for i, (gap, rate, *_) in enumerate(near)
-            if gap <= TOUCHING and not self.situation.stuck[i] and (rate < -REST_SPEED or not bounces[i])
+            if gap <= TOUCHING and not self.switches.stuck[i] and (rate < -REST_SPEED or not bounces[i])
         ]
         hits = [i for i in touching if near[i][1] < -REST_SPEED]
         if not snapped and not hits:
             return True
-        if self._crowded(hits, [rows[i].name for i in snapped]):
+        if self._ends_crowded(hits, [rows[i].name for i in snapped]):
             return False
         self._strike(rows, acts, touching)
         for i in hits:
@@ -170,7 +215,7 @@ class InstantSolver:
             movable = [name for name in names if self.model.center(name).jacobian.any()]
             self.hits |= dict.fromkeys(movable, (self.now, names))
             if self.mechanism.meetings[i].sticks:
-                self.situation.stuck[i] = True
+                self.switches.stuck[i] = True
         for i in snapped:
             self.jerks[rows[i].name] = (self.now, (rows[i].name,))
         return not self.cut
@@ -178,12 +223,12 @@ class InstantSolver:
     def meets(self) -> bool:
         """Return whether any touching bodies that do not stick together approach each other."""
         near = (self.model.separation(meeting) for meeting in self.mechanism.meetings)
-        pairs = zip(near, self.situation.stuck, strict=True)
+        pairs = zip(near, self.switches.stuck, strict=True)
         return any(gap <= TOUCHING and rate < -REST_SPEED and not stuck for (gap, rate, *_), stuck in pairs)
 
     def _strike(self, rows: list[Row], acts: list[bool], touching: list[int]) -> None:
         """Compute the velocities just after an impact, as in the problem of forces but with momenta as loads."""
-        instant, every = self._struck(rows, acts, touching)
+        instant, every = self._impact_problem(rows, acts, touching)
         speeds = self.model.slips @ self.v
         sides = tuple(
             int(np.sign(s)) if abs(s) > REST_SPEED and mu < NEVER else 0
@@ -192,22 +237,20 @@ class InstantSolver:
         began = tuple(row.rate > REST_SPEED or (i < len(rows) and acts[i]) for i, row in enumerate(every))
         found = search(instant, ContactMode(began, (True,) * len(self.mechanism.faces), sides))
         self.v = np.where(np.abs(found.x) < REST_SPEED * 1e-3, 0.0, found.x)
-        for number, shut in enumerate(found.way.faces):
-            if not shut:
-                self.end("lift", self.mechanism.faces[number].subject)
-        for number, (row, acts_now) in enumerate(zip(rows, found.way.rows, strict=False)):
+        self._lift(found, LIFT * float(np.abs(self.v).max(initial=0.0)))
+        for number, (row, acts_now) in enumerate(zip(rows, found.mode.rows, strict=False)):
             if acts_now and not row.both and row.rate > 10.0 * REST_SPEED:
                 self.note(BEGINS[row.kind], row.name)
             elif acts[number] and not acts_now and not row.both:
                 self.note(STOPS[row.kind], row.name)
-        before = self.way or everything(len(rows), len(self.mechanism.faces))
-        self.way = before._replace(rows=tuple(found.way.rows[: len(rows)]))
+        before = self.mode or all_acting(len(rows), len(self.mechanism.faces))
+        self.mode = before._replace(rows=tuple(found.mode.rows[: len(rows)]))
         self.due = []
-        if self.cut and not self.record.stretches:
-            self.record.start(found.way, found, self.situation)
-            self.record.add(Knot(self.now, np.concatenate([self.q, self.v]), np.concatenate([self.v, 0.0 * self.v])))
+        if self.cut and not self.record.intervals:
+            self.model.set_state(self.now, self.q, self.v, self.switches)
+            self._record_only(self._search(self.model.rows()))
 
-    def _struck(self, rows: list[Row], acts: list[bool], touching: list[int]) -> tuple[ForceProblem, list[Row]]:
+    def _impact_problem(self, rows: list[Row], acts: list[bool], touching: list[int]) -> tuple[ForceProblem, list[Row]]:
         """Return the force problem that represents an impact, and the problem's rows, those of touching pairs last."""
         hits: list[Row] = []
         for number in touching:
@@ -220,7 +263,7 @@ class InstantSolver:
         targets = [float(row.gradient @ self.v) - row.rate for row in rows] + [row.target for row in hits]
         return replace(instant, loads=instant.inertia @ self.v, targets=np.array(targets)), every
 
-    def _crowded(self, hits: list[int], snapped: list[str]) -> bool:
+    def _ends_crowded(self, hits: list[int], snapped: list[str]) -> bool:
         """End the motion if a body is hit, or a string jerks, again too soon."""
         names = [name for i in hits for name in self.mechanism.meetings[i].names]
         recent = [self.hits[name] for name in names if name in self.hits]

@@ -11,7 +11,7 @@ from itertools import combinations, islice
 import numpy as np
 
 from sim2reason.errors import SimulationError
-from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
+from sim2reason.simulation.engines.mujoco.forces import (
     NEVER,
     ContactMode,
     ForceProblem,
@@ -29,61 +29,62 @@ Change = tuple[str, int, int]
 
 def search(instant: ForceProblem, guess: ContactMode) -> ForceSolution:
     """Return the solution of the consistent contact mode nearest to a guess; raise SimulationError if none exists."""
-    start = replace_rows(instant, guess)
-    found = _mended(instant, start) or next(
-        (each for way in islice(_ways(instant, guess), MAX_MODES) if (each := _held(instant, way)) is not None), None
-    )
+    start = _admissible(instant, guess)
+    found = _repair(instant, start)
+    if found is None:
+        every = (_consistent(instant, mode) for mode in islice(_modes(instant, guess), MAX_MODES))
+        found = next((each for each in every if each is not None), None)
     if found is None:
         raise SimulationError("MuJoCo: no forces are consistent with the strings and rough contacts")
-    return _held(instant, _unchanged(instant, start, found)) or found
+    return _consistent(instant, _least_changed(instant, start, found)) or found
 
 
-def _held(instant: ForceProblem, way: ContactMode) -> ForceSolution | None:
+def _consistent(instant: ForceProblem, mode: ContactMode) -> ForceSolution | None:
     """Return the solution of a contact mode if it is consistent, else None."""
-    found = solve_mode(instant, way)
-    return None if found is None or _wrong(instant, found) else found
+    found = solve_mode(instant, mode)
+    return None if found is None or _corrections(instant, found) else found
 
 
-def _unchanged(instant: ForceProblem, start: ContactMode, found: ForceSolution) -> ContactMode:
+def _least_changed(instant: ForceProblem, start: ContactMode, found: ForceSolution) -> ContactMode:
     """Return the mode of a solution without changes from `start` that have no observable effect."""
-    small, way = _little(instant, found), found.way
+    small, mode = _smallest_rate(instant, found), found.mode
     rates = [float(row @ found.x) - target for row, target in zip(instant.rows, instant.targets, strict=True)]
-    rows = [acts or (was and abs(rate) <= small) for acts, was, rate in zip(way.rows, start.rows, rates, strict=True)]
-    faces = [shut or abs(found.x[rise]) <= small for shut, rise in zip(way.faces, instant.rises, strict=True)]
+    rows = [acts or (was and abs(rate) <= small) for acts, was, rate in zip(mode.rows, start.rows, rates, strict=True)]
+    faces = [shut or abs(found.x[rise]) <= small for shut, rise in zip(mode.faces, instant.rises, strict=True)]
     slips = [abs(float(slip @ found.x)) > small for slip in instant.slips]
     rubbing = [
         was if not slid and not moves else side
-        for was, side, slid, moves in zip(start.rubbing, way.rubbing, instant.sliding, slips, strict=True)
+        for was, side, slid, moves in zip(start.rubbing, mode.rubbing, instant.sliding, slips, strict=True)
     ]
-    return _linked(instant, ContactMode(tuple(rows), tuple(faces), tuple(rubbing)))
+    return _link_followers(instant, ContactMode(tuple(rows), tuple(faces), tuple(rubbing)))
 
 
-def _little(instant: ForceProblem, found: ForceSolution) -> float:
+def _smallest_rate(instant: ForceProblem, found: ForceSolution) -> float:
     """Return the acceleration, or velocity in an impact, below which values count as zero."""
     return ZERO_RTOL * max(
         float(np.abs(found.x).max(initial=0.0)), float(np.abs(instant.targets).max(initial=0.0)), 1.0
     )
 
 
-def _mended(instant: ForceProblem, way: ContactMode) -> ForceSolution | None:
+def _repair(instant: ForceProblem, mode: ContactMode) -> ForceSolution | None:
     """Return a consistent solution found by correcting violated conditions repeatedly; None if this cycles."""
     tried: set[ContactMode] = set()
     while len(tried) < MENDS:
-        found = solve_mode(instant, way)
-        wrong = _wrong(instant, found) if found is not None else ()
+        found = solve_mode(instant, mode)
+        wrong = _corrections(instant, found) if found is not None else ()
         if found is not None and not wrong:
             return found
-        tried.add(way)
+        tried.add(mode)
         steps = (wrong, *((one,) for one in wrong))
-        fresh = (_linked(instant, _changed(way, step)) for step in steps if step)
+        fresh = (_link_followers(instant, _changed(mode, step)) for step in steps if step)
         following = next((other for other in fresh if other not in tried), None)
         if following is None:
             return None
-        way = following
+        mode = following
     return None
 
 
-def _ways(instant: ForceProblem, guess: ContactMode) -> Iterator[ContactMode]:
+def _modes(instant: ForceProblem, guess: ContactMode) -> Iterator[ContactMode]:
     """Yield all contact modes, those with the fewest changes first."""
     free = [
         number
@@ -92,7 +93,7 @@ def _ways(instant: ForceProblem, guess: ContactMode) -> Iterator[ContactMode]:
     ]
     rough = [i for i, mu in enumerate(instant.friction) if 0.0 < mu < NEVER and not instant.sliding[i]]
     faces = [i for i, held in enumerate(instant.guided) if not held]
-    start = replace_rows(instant, guess)
+    start = _admissible(instant, guess)
     changes: list[Change] = [("rows", i, not start.rows[i]) for i in free]
     changes += [("rubbing", i, side) for i in rough for side in (0, 1, -1) if side != start.rubbing[i]]
     changes += [("faces", i, not start.faces[i]) for i in faces]
@@ -100,64 +101,61 @@ def _ways(instant: ForceProblem, guess: ContactMode) -> Iterator[ContactMode]:
         for chosen in combinations(changes, count):
             places = [(kind, i) for kind, i, _ in chosen]
             if len(set(places)) == len(places):
-                yield _linked(instant, _changed(start, chosen))
+                yield _link_followers(instant, _changed(start, chosen))
 
 
-def replace_rows(instant: ForceProblem, guess: ContactMode) -> ContactMode:
+def _admissible(instant: ForceProblem, guess: ContactMode) -> ContactMode:
     """Return the contact mode `guess` with disallowed rows idle, two-sided rows acting, and sliding faces slipping."""
     rows = tuple(
         (acts or both) and ok for acts, both, ok in zip(guess.rows, instant.both, instant.allowed, strict=True)
     )
     rubbing = tuple(side or was for side, was in zip(instant.sliding, guess.rubbing, strict=True))
-    return _linked(instant, ContactMode(rows, guess.faces, rubbing))
+    return _link_followers(instant, ContactMode(rows, guess.faces, rubbing))
 
 
-def _changed(way: ContactMode, changes: tuple[Change, ...]) -> ContactMode:
-    parts: dict[str, list[int]] = {"rows": [*way.rows], "faces": [*way.faces], "rubbing": [*way.rubbing]}
+def _changed(mode: ContactMode, changes: tuple[Change, ...]) -> ContactMode:
+    parts: dict[str, list[int]] = {"rows": [*mode.rows], "faces": [*mode.faces], "rubbing": [*mode.rubbing]}
     for kind, number, value in changes:
         parts[kind][number] = value
     return ContactMode(tuple(map(bool, parts["rows"])), tuple(map(bool, parts["faces"])), tuple(parts["rubbing"]))
 
 
-def _linked(instant: ForceProblem, way: ContactMode) -> ContactMode:
+def _link_followers(instant: ForceProblem, mode: ContactMode) -> ContactMode:
     rows = tuple(
-        way.rows[leader] if leader >= 0 else acts for acts, leader in zip(way.rows, instant.follows, strict=True)
+        mode.rows[leader] if leader >= 0 else acts for acts, leader in zip(mode.rows, instant.follows, strict=True)
     )
-    return replace_tuple(way, rows)
+    return mode._replace(rows=rows)
 
 
-def replace_tuple(way: ContactMode, rows: tuple[bool, ...]) -> ContactMode:
-    """Return the contact mode with another choice of the constraint rows that act."""
-    return way._replace(rows=rows)
-
-
-def _wrong(instant: ForceProblem, found: ForceSolution) -> tuple[Change, ...]:
+def _corrections(instant: ForceProblem, found: ForceSolution) -> tuple[Change, ...]:
     """Return the changes that correct the violated conditions of a solution; empty if it is consistent."""
-    way = found.way
+    mode = found.mode
     force = ZERO_RTOL * max(float(np.abs(instant.loads).max(initial=0.0)), 1e-3)
-    small = _little(instant, found)
+    small = _smallest_rate(instant, found)
     wrong: list[Change] = []
-    for i, acts in enumerate(way.rows):
+    for i, acts in enumerate(mode.rows):
         if instant.both[i] or not instant.allowed[i]:
             continue
         over = float(instant.rows[i] @ found.x) - instant.targets[i]
         if found.rows[i] < -force if acts else over > small:
             wrong.append(("rows", i, not acts))
-    for i, shut in enumerate(way.faces):
+    for i, shut in enumerate(mode.faces):
         if (shut and not instant.guided[i] and found.normal[i] < -force) or (
             not shut and found.x[instant.rises[i]] < -small
         ):
             wrong.append(("faces", i, not shut))
         elif instant.friction[i] > 0.0 and shut:
-            wrong += _rubs_wrong(instant, found, i, force, small)
+            wrong += _friction_corrections(instant, found, i, force, small)
     return tuple(wrong)
 
 
-def _rubs_wrong(instant: ForceProblem, found: ForceSolution, i: int, force: float, small: float) -> list[Change]:
+def _friction_corrections(
+    instant: ForceProblem, found: ForceSolution, i: int, force: float, small: float
+) -> list[Change]:
     """Return the changes of the friction of a rough face that correct its violated condition."""
     if instant.friction[i] >= NEVER:
         return []
-    side, held = found.way.rubbing[i], float(found.friction[i])
+    side, held = found.mode.rubbing[i], float(found.friction[i])
     if side == 0:
         too_much = abs(held) > instant.holds[i] * abs(found.normal[i]) + force
         return [("rubbing", i, -1 if held > 0.0 else 1)] if too_much else []
@@ -165,6 +163,6 @@ def _rubs_wrong(instant: ForceProblem, found: ForceSolution, i: int, force: floa
     return [("rubbing", i, 0)] if back else []
 
 
-def everything(rows: int, faces: int) -> ContactMode:
+def all_acting(rows: int, faces: int) -> ContactMode:
     """Return the contact mode in which all constraints act and all contacts stick."""
     return ContactMode((True,) * rows, (True,) * faces, (0,) * faces)

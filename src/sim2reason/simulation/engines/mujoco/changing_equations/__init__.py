@@ -1,1 +1,0 @@
-"""Simulation of mechanisms with changing equations, or with constraints that MuJoCo itself cannot represent."""

@@ -1,0 +1,153 @@
+"""Steps of the midpoint rule, extrapolated to steps of zero length (Gragg, Bulirsch, Stoer), and the motion between.
+
+E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I (1993), section II.9. The method differs
+from that of the exact engine, so that the engines do not share errors.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from sim2reason.scenes.dsl.state import Array
+
+SEQUENCE = (2, 4, 6, 8)  # numbers of substeps
+MIN_STAGE = 1  # index of the first of them after which a step may be accepted
+SAFETY, MIN_STEP_RATIO, MAX_STEP_RATIO = 0.85, 0.1, 2.0  # safety factor, smallest and largest ratio of successive steps
+
+STEP_SIMILARITY = 0.1  # fraction of a step: neighbours of a more different size are left out of the interpolation
+
+Rate = Callable[[float, Array], Array]
+
+
+class Extrapolated(NamedTuple):
+    """The values at the end of a step, its error relative to the tolerance, and the ratio for the next step size."""
+
+    values: Array
+    error: float
+    factor: float
+
+
+def extrapolate_step(rate: Rate, time: float, values: Array, first: Array, h: float, tolerance: float) -> Extrapolated:
+    """Compute a step of size `h` from `values`, where the rate is `first`, with the order required by the tolerance."""
+    table: list[Array] = []
+    error = 0.0
+    for column, substeps in enumerate(SEQUENCE):
+        row = [_midpoint(rate, time, values, first, h, substeps)]
+        for order in range(column):
+            weight = (substeps / SEQUENCE[column - order - 1]) ** 2 - 1.0
+            row.append(row[order] + (row[order] - table[order]) / weight)
+        table = row
+        if column >= MIN_STAGE:
+            scale = tolerance * (1e-2 + np.maximum(np.abs(values), np.abs(row[-1])))
+            apart = (row[-1] - row[-2]) / scale
+            error = float(np.sqrt(np.mean(apart * apart))) if len(values) else 0.0
+            if error <= 1.0:
+                break
+    spare = len(SEQUENCE) - len(table)
+    return Extrapolated(table[-1], error, MAX_STEP_RATIO if spare else _factor(error))
+
+
+def _midpoint(rate: Rate, time: float, values: Array, first: Array, h: float, substeps: int) -> Array:
+    """Return the result of the midpoint rule; even `substeps` do not need Gragg's final smoothing."""
+    step = h / substeps
+    before, here = values, values + step * first
+    for number in range(1, substeps):
+        before, here = here, before + 2.0 * step * rate(time + number * step, here)
+    return here
+
+
+def _factor(error: float) -> float:
+    return (
+        min(MAX_STEP_RATIO, max(MIN_STEP_RATIO, SAFETY * error ** (-1.0 / (2 * len(SEQUENCE) - 1))))
+        if error
+        else MAX_STEP_RATIO
+    )
+
+
+# ---- between the ends of steps
+
+
+@dataclass(frozen=True)
+class Knot:
+    """The end of a step: joint positions and velocities, and their time derivatives."""
+
+    time: float
+    values: Array  # (2·joints,)
+    rates: Array
+
+
+class Quintic:
+    """The quintic Hermite interpolation of a step, from values, first and second derivatives at both ends."""
+
+    def __init__(self, first: Knot, last: Knot) -> None:
+        """Compute the coefficients of the interpolation."""
+        n = len(first.values) // 2
+        self._time, self._span = first.time, last.time - first.time
+        h = self._span
+        q0, v0, a0 = first.values[:n], first.values[n:] * h, first.rates[n:] * h * h
+        q1, v1, a1 = last.values[:n], last.values[n:] * h, last.rates[n:] * h * h
+        rise = q1 - q0
+        self._c = (
+            q0,
+            v0,
+            0.5 * a0,
+            10.0 * rise - 6.0 * v0 - 4.0 * v1 - 1.5 * a0 + 0.5 * a1,
+            -15.0 * rise + 8.0 * v0 + 7.0 * v1 + 1.5 * a0 - a1,
+            6.0 * rise - 3.0 * (v0 + v1) - 0.5 * (a0 - a1),
+        )
+        self._start = first.values
+
+    def at(self, time: float) -> tuple[Array, Array]:
+        """Return positions and velocities at a time of the step, (joints,) each."""
+        if self._span <= 0.0:
+            n = len(self._start) // 2
+            return self._start[:n], self._start[n:]
+        x = (time - self._time) / self._span
+        q0, v0, c, d, e, f = self._c
+        q = q0 + x * (v0 + x * (c + x * (d + x * (e + x * f))))
+        v = (v0 + x * (2.0 * c + x * (3.0 * d + x * (4.0 * e + 5.0 * x * f)))) / self._span
+        return q, v
+
+
+def interpolate_knots(knots: Sequence[Knot], times: Array) -> Array:
+    """Return positions and velocities at times, (m, 2·joints), by Hermite interpolation between ends of steps."""
+    n, origin = len(knots[0].values) // 2, knots[0].time
+    h = knots[-1].time - origin
+    if h <= 0.0:
+        return np.repeat(knots[0].values[None, :], len(times), axis=0)
+    powers: Array = np.arange(3.0 * len(knots))
+    x = np.array([(knot.time - origin) / h for knot in knots])
+    matrix = np.concatenate(_powers(x, powers))
+    values, rates = np.array([knot.values for knot in knots]), np.array([knot.rates for knot in knots])
+    shape = np.linalg.solve(matrix, np.concatenate([values[:, :n], values[:, n:] * h, rates[:, n:] * h * h]))
+    places, slopes, _ = _powers((times - origin) / h, powers)
+    return np.concatenate([places @ shape, (slopes @ shape) / h], axis=1)
+
+
+def neighbouring_knots(knots: Sequence[Knot], place: int) -> Sequence[Knot]:
+    """Return the recorded ends of a step, and those of neighbouring steps if these are of similar size."""
+    first, last = place, min(place + 1, len(knots) - 1)
+    span = knots[last].time - knots[first].time
+    for _ in range(2):
+        before = first > 0 and _is_similar(knots[first].time - knots[first - 1].time, span)
+        after = last + 1 < len(knots) and _is_similar(knots[last + 1].time - knots[last].time, span)
+        if before and (first == place or not after):
+            first -= 1
+        elif after:
+            last += 1
+    return knots[first : last + 1]
+
+
+def _is_similar(step: float, span: float) -> bool:
+    return STEP_SIMILARITY * span < step < span / STEP_SIMILARITY
+
+
+def _powers(x: Array, powers: Array) -> tuple[Array, Array, Array]:
+    """Return all powers of numbers, with their first and second derivatives, (numbers, powers) each."""
+    column = x[:, None]
+    place = column**powers
+    rate = powers * column ** np.maximum(powers - 1.0, 0.0)
+    bend = powers * (powers - 1.0) * column ** np.maximum(powers - 2.0, 0.0)
+    return place, rate, bend
