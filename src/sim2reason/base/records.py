@@ -64,10 +64,10 @@ class Memo:
 
     def memoize(self, name: Hashable, make: Callable[[], T]) -> T:
         """Return the result cached under a name, after computing it with `make` if there is none."""
-        found = self._known.get(name, self)
-        if found is self:
-            found = self._known[name] = make()
-        return cast("T", found)
+        cached = self._known.get(name, self)
+        if cached is self:
+            cached = self._known[name] = make()
+        return cast("T", cached)
 
     def keep(self, name: Hashable, value: T) -> T:
         """Cache a result under a name, in place of any earlier one, and return the result."""

@@ -70,7 +70,7 @@ class Registry(Mapping[str, T], Generic[T]):
             return
         self._filled = True  # before the imports: they may look a sibling up
         package = import_module(self.package)
-        for module in sorted(found.name for found in iter_modules(package.__path__)):
+        for module in sorted(module_info.name for module_info in iter_modules(package.__path__)):
             import_module(f"{package.__name__}.{module}")
         for point in entry_points(group=f"sim2reason.{self.kind}"):
             point.load()
@@ -86,10 +86,12 @@ class Registry(Mapping[str, T], Generic[T]):
 
     def _hint(self, name: object) -> str:
         """Return a hint for an unknown name: similar names, all names, or the command that lists them."""
-        meant = {other: held for held, member in self._members.items() for other in getattr(member, "also", ())}
-        names = [*self._members, *meant]
+        canonical = {
+            other: member_name for member_name, member in self._members.items() for other in getattr(member, "also", ())
+        }
+        names = [*self._members, *canonical]
         near = nearest(name.lower(), names) if isinstance(name, str) else []
-        near = list(dict.fromkeys(meant.get(found, found) for found in near))
+        near = list(dict.fromkeys(canonical.get(candidate, candidate) for candidate in near))
         if near:
             return f"did you mean: {', '.join(near)}"
         few = len(self._members) <= MAX_LISTED_NAMES
@@ -128,17 +130,17 @@ def further_members() -> dict[str, tuple[str, ...]]:
 
     A worker process imports these modules first.
     """
-    found: dict[str, tuple[str, ...]] = {}
+    by_module: dict[str, tuple[str, ...]] = {}
     for module, name, registry in _further:
         if registry.has_added(name):
-            found[module] = (*found.get(module, ()), name)
-    return found
+            by_module[module] = (*by_module.get(module, ()), name)
+    return by_module
 
 
 def nearest(name: str, names: Iterable[str], most: int = 3) -> list[str]:
     """Return the names most similar to `name`, the best first, at most `most` of them."""
-    found = get_close_matches(name, names, n=most) if len(name) <= MAX_NAME_LENGTH else []
-    return [other for other in found if _likeness(name, other) >= SIMILARITY_CUTOFF * _likeness(name, found[0])]
+    matches = get_close_matches(name, names, n=most) if len(name) <= MAX_NAME_LENGTH else []
+    return [other for other in matches if _likeness(name, other) >= SIMILARITY_CUTOFF * _likeness(name, matches[0])]
 
 
 def _likeness(name: str, other: str) -> float:
@@ -190,25 +192,25 @@ def members(kind: str | None = None) -> dict[str, list[Member]]:
         hint = f"did you mean: {', '.join(near)}" if near else f"there are: {', '.join(known)}"
         raise UnknownNameError(f"no such kind: {kind!r}; {hint}")
     chosen = known if kind is None else {kind: known[kind]}
-    return {name: [Member(n, _summary(held)) for n, held in found.items()] for name, found in chosen.items()}
+    return {name: [Member(n, _summary(member)) for n, member in registry.items()] for name, registry in chosen.items()}
 
 
 def registries() -> dict[str, "Registry[object]"]:
     """Return every registry by the last word of its kind, without importing the members."""
-    found: dict[str, Registry[object]] = {}
+    by_name: dict[str, Registry[object]] = {}
     for module in walk_packages([str(FOLDER)], "sim2reason."):
         if module.ispkg and not module.name.startswith("sim2reason.cli"):
             for value in vars(import_module(module.name)).values():
                 if isinstance(value, Registry):
-                    found[value.called] = value
-    return dict(sorted(found.items()))
+                    by_name[value.called] = value
+    return dict(sorted(by_name.items()))
 
 
 def _summary(member: object) -> str:
     """Return the summary of a member: its `summary`, the fields of a value, or the first line of its docstring."""
-    said = getattr(member, "summary", None)
-    if isinstance(said, str):
-        return said
+    summary = getattr(member, "summary", None)
+    if isinstance(summary, str):
+        return summary
     if is_dataclass(member) and not isinstance(member, type):
         facts = [(f.name, getattr(member, f.name)) for f in fields(member) if f.name != "name"]
         return ", ".join(f"{name} {value}" for name, value in facts if isinstance(value, str) and value)

@@ -29,8 +29,8 @@ def first_fault(error: ValidationError) -> str:
     """Return the first validation error in one line: the setting and its fault."""
     detail = error.errors(include_url=False, include_input=False)[0]
     where = ".".join(map(str, detail["loc"])) or "all of it"
-    said = {"extra_forbidden": "no such setting", "missing": "is missing"}.get(detail["type"], detail["msg"])
-    return f"{where}: {said.removeprefix('Value error, ')}"
+    message = {"extra_forbidden": "no such setting", "missing": "is missing"}.get(detail["type"], detail["msg"])
+    return f"{where}: {message.removeprefix('Value error, ')}"
 
 
 # PyYAML's stubs leave nodes and events untyped:
@@ -83,18 +83,18 @@ def settings_in(path: Path) -> dict[str, object]:
     if len(content) > MAX_BYTES:
         raise EvaluationError(f"{path}: more than {MAX_BYTES} bytes; a configuration is shorter")
     try:
-        found = load(content.decode(), _Plain)  # noqa: S506 - a SafeLoader
+        mapping = load(content.decode(), _Plain)  # noqa: S506 - a SafeLoader
     except (YAMLError, UnicodeDecodeError, RecursionError, ValueError) as error:
         mark = getattr(error, "problem_mark", None)
         line = f", line {mark.line + 1}" if mark is not None else ""
         why = " ".join(str(getattr(error, "problem", None) or error).split())[:200]
         raise EvaluationError(f"{path}{line}: this is not YAML that we read: {why}") from None
-    if not isinstance(found, dict) or not all(isinstance(key, str) for key in cast("dict[object, object]", found)):
+    if not isinstance(mapping, dict) or not all(isinstance(key, str) for key in cast("dict[object, object]", mapping)):
         raise EvaluationError(f"{path}: holds no settings; write NAME: VALUE in each line")
-    return cast("dict[str, object]", found)
+    return cast("dict[str, object]", mapping)
 
 
-def build_member(registry: Registry[type[M]], settings: Mapping[str, object], place: str, fault: Fault) -> M:
+def build_member(registry: Registry[type[M]], settings: Mapping[str, object], location: str, fault: Fault) -> M:
     """Build the member that settings describe: `kind` is its registered name, the rest are its settings.
 
     Raises:
@@ -103,20 +103,20 @@ def build_member(registry: Registry[type[M]], settings: Mapping[str, object], pl
     """
     kind, rest = settings.get("kind"), {key: value for key, value in settings.items() if key != "kind"}
     if not isinstance(kind, str):
-        raise fault(f"{place}.kind: give one of {', '.join(registry)}")
+        raise fault(f"{location}.kind: give one of {', '.join(registry)}")
     try:
         return registry[kind].model_validate(rest)
     except ValidationError as error:
-        raise fault(f"{place}.{first_fault(error)}") from None
+        raise fault(f"{location}.{first_fault(error)}") from None
 
 
-def build_each(given: object, built: Callable[[Mapping[str, object], str], T], place: str) -> object:
+def build_each(given: object, built: Callable[[Mapping[str, object], str], T], location: str) -> object:
     """Return the objects built from each mapping of a list; return any other value unchanged."""
     if not isinstance(given, list):
         return given
     rows = enumerate(cast("list[object]", given))
     return tuple(
-        built(cast("Mapping[str, object]", each), f"{place}[{number}]") if isinstance(each, Mapping) else each
+        built(cast("Mapping[str, object]", each), f"{location}[{number}]") if isinstance(each, Mapping) else each
         for number, each in rows
     )
 
@@ -134,14 +134,14 @@ def configuration(
             raises, with the file's name before it.
         EvaluationError: a file that is no YAML.
     """
-    place = "" if isinstance(config, Mapping) else f"{config}: "
+    prefix = "" if isinstance(config, Mapping) else f"{config}: "
     settings = dict(config) if isinstance(config, Mapping) else settings_in(Path(config))
     if out is not None:
         settings["out"] = out
     try:
         return built(settings)
     except ValidationError as error:
-        raise fault(f"{place}{first_fault(error)}") from None
+        raise fault(f"{prefix}{first_fault(error)}") from None
     except Sim2ReasonError as error:
-        error.args = (f"{place}{error}", *error.args[1:])
+        error.args = (f"{prefix}{error}", *error.args[1:])
         raise

@@ -59,9 +59,9 @@ def parse(text: str, lines: Lines | None = None) -> Plain:
     """
     if len(text) > MAX_BYTES or len(text.encode("utf-8", "replace")) > MAX_BYTES:
         raise SceneError("the file", f"it has more than {MAX_BYTES} bytes", "give a smaller scene")
-    if found := _FORBIDDEN.search(text):
-        line = text.count("\n", 0, found.start()) + 1
-        raise SceneError(f"line {line}", f"it holds the character U+{ord(found[0]):04X}", "take it out")
+    if match := _FORBIDDEN.search(text):
+        line = text.count("\n", 0, match.start()) + 1
+        raise SceneError(f"line {line}", f"it holds the character U+{ord(match[0]):04X}", "take it out")
     try:
         return _Reader(text, lines).document()
     except YAMLError as error:
@@ -73,15 +73,15 @@ def parse(text: str, lines: Lines | None = None) -> Plain:
 def _refusal(error: YAMLError) -> SceneError:
     """Return the SceneError for a YAML syntax error, with its line."""
     mark = getattr(error, "problem_mark", None)
-    place = f"line {mark.line + 1}" if mark is not None else "the file"
+    location = f"line {mark.line + 1}" if mark is not None else "the file"
     problem = " ".join(str(getattr(error, "problem", None) or error).split())
     if "nesting depth" in problem:
-        return _too_deep(place)
-    return SceneError(place, f"this is not YAML: {problem}", "mend the indentation and the punctuation")
+        return _too_deep(location)
+    return SceneError(location, f"this is not YAML: {problem}", "mend the indentation and the punctuation")
 
 
-def _too_deep(place: str) -> SceneError:
-    return SceneError(place, "it is nested too deeply", f"use at most {MAX_DEPTH} levels")
+def _too_deep(location: str) -> SceneError:
+    return SceneError(location, "it is nested too deeply", f"use at most {MAX_DEPTH} levels")
 
 
 class _Reader:
@@ -126,23 +126,23 @@ class _Reader:
         return self._mapping() if isinstance(event, MappingStartEvent) else self._list()
 
     def _mapping(self) -> dict[str, Plain]:
-        found: dict[str, Plain] = {}
+        mapping: dict[str, Plain] = {}
         while not isinstance(event := self._parser.get_event(), MappingEndEvent):
             key = self._key(event)
-            if key in found:
+            if key in mapping:
                 self._refuse(event, f"the key {shown(key)} stands here twice", "keep one of them")
             self._path.append(f".{key}" if self._path else key)
-            found[key] = self._value(self._parser.get_event())
+            mapping[key] = self._value(self._parser.get_event())
             self._path.pop()
-        return found
+        return mapping
 
     def _list(self) -> list[Plain]:
-        found: list[Plain] = []
+        entries: list[Plain] = []
         while not isinstance(event := self._parser.get_event(), SequenceEndEvent):
-            self._path.append(f"[{len(found)}]")
-            found.append(self._value(event))
+            self._path.append(f"[{len(entries)}]")
+            entries.append(self._value(event))
             self._path.pop()
-        return found
+        return entries
 
     def _key(self, event: Any) -> str:
         self._nodes += 1
@@ -187,8 +187,8 @@ class _Reader:
 
     def _refuse(self, event: Any, problem: str, remedy: str) -> NoReturn:
         line = event.start_mark.line + 1
-        place = "".join(self._path)
-        raise SceneError(f"{place} (line {line})" if place else f"line {line}", problem, remedy)
+        path = "".join(self._path)
+        raise SceneError(f"{path} (line {line})" if path else f"line {line}", problem, remedy)
 
 
 def write(value: Plain) -> str:

@@ -142,8 +142,8 @@ def stats_command(dataset: Path, to_json: bool) -> None:
 SPREAD = "least", "median", "greatest"
 
 
-def _spread(found: "Spread") -> tuple[object, ...]:
-    return found.items, f"{found.least:.4g}", f"{found.median:.4g}", f"{found.greatest:.4g}"
+def _spread(spread: "Spread") -> tuple[object, ...]:
+    return spread.items, f"{spread.least:.4g}", f"{spread.median:.4g}", f"{spread.greatest:.4g}"
 
 
 VERIFY_EXAMPLE = """\b

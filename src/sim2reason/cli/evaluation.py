@@ -165,17 +165,21 @@ def run(config: Path, out: Path | None, to_json: bool) -> int:
     evaluation = evaluation_from(config, out)
     remedy = f"what is finished stays in {evaluation.out}; give the same command again to go on"
     with console.resumable(remedy), console.Bar("answers") as bar:
-        found: Evaluated = evaluate(evaluation, begun=bar.begin, advance=bar.advance)
+        evaluated: Evaluated = evaluate(evaluation, begun=bar.begin, advance=bar.advance)
     if to_json:
-        console.as_json(found.report.model_dump(mode="json"))
+        console.as_json(evaluated.report.model_dump(mode="json"))
     else:
         head = ["benchmark", "policy", "problems", "k", "mean@k (%)", "missing"]
-        rows = [[r.benchmark, r.policy, r.items, r.samples, r.accuracy.shown, r.missing] for r in found.report.results]
+        rows = [
+            [r.benchmark, r.policy, r.items, r.samples, r.accuracy.shown, r.missing] for r in evaluated.report.results
+        ]
         console.table(head, rows)
-        click.echo(f"The whole report: {found.folder.report}")
-    if found.open:
-        console.explain(f"{len(found.open)} samples got no answer; give the same command again. {found.open[0]}")
-    return 1 if found.open else 0
+        click.echo(f"The whole report: {evaluated.folder.report}")
+    if evaluated.open:
+        console.explain(
+            f"{len(evaluated.open)} samples got no answer; give the same command again. {evaluated.open[0]}"
+        )
+    return 1 if evaluated.open else 0
 
 
 @eval_command.command("compare", epilog=COMPARE_EXAMPLE)
@@ -187,11 +191,11 @@ def compare_command(first: str, second: str, out: Path | None, to_json: bool) ->
     """Compare the policies of two runs, FIRST and SECOND, on the same problems; RUN:POLICY where a run has several."""
     from sim2reason.evaluation.reports.comparison import HEAD, compare, rows
 
-    found = compare(first, second, out)
+    pairs = compare(first, second, out)
     if to_json:
-        console.as_json([{**one._asdict(), "difference": one.difference._asdict()} for one in found])
+        console.as_json([{**one._asdict(), "difference": one.difference._asdict()} for one in pairs])
     else:
-        console.table(HEAD, rows(found))
+        console.table(HEAD, rows(pairs))
 
 
 @eval_command.command("correlate", epilog=CORRELATE_EXAMPLE)
@@ -210,14 +214,18 @@ def correlate_command(runs: tuple[Path, ...], across: str | None, up: str, out: 
     """Correlate, across the models of RUNS, accuracy on our problems with that on others: Spearman's ρ."""
     from sim2reason.evaluation.reports.comparison import correlate, correlation_text
 
-    found = correlate(runs, across, console.comma_separated(up) if up else (), out)
+    correlations = correlate(runs, across, console.comma_separated(up) if up else (), out)
     if to_json:
         console.as_json(
-            [{"across": f.across, "up": f.up, "models": f.models, "rho": f.rho and f.rho._asdict()} for f in found]
+            [
+                {"across": f.across, "up": f.up, "models": f.models, "rho": f.rho and f.rho._asdict()}
+                for f in correlations
+            ]
         )
     else:
         console.table(
-            ["across", "up", "models", "ρ"], [[f.across, f.up, len(f.models), correlation_text(f)] for f in found]
+            ["across", "up", "models", "ρ"],
+            [[f.across, f.up, len(f.models), correlation_text(f)] for f in correlations],
         )
 
 
@@ -238,12 +246,12 @@ def solvable_command(dataset: Path, policy: Path, k: int, between: str, seed: in
     total, bounds = len(Dataset(dataset)) * k, _bounds(between)
     remedy = f"what is finished stays in {out}; give the same command again to go on"
     with console.resumable(remedy), console.progress("answers", total) as advance:
-        found = solvable(dataset, out, policy, k=k, between=bounds, seed=seed, advance=advance)
+        result = solvable(dataset, out, policy, k=k, between=bounds, seed=seed, advance=advance)
     if to_json:
-        console.as_json(found.model_dump(mode="json"))
+        console.as_json(result.model_dump(mode="json"))
     else:
-        console.table(["right answers", "problems"], [[int(right), count] for right, count in found.rates.items()])
-        click.echo(f"{found.kept} of {found.items} problems kept: {out / 'problems'}")
+        console.table(["right answers", "problems"], [[int(right), count] for right, count in result.rates.items()])
+        click.echo(f"{result.kept} of {result.items} problems kept: {out / 'problems'}")
 
 
 def _bounds(text: str) -> tuple[float, float]:

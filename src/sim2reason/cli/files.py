@@ -128,5 +128,5 @@ def _spooled(out: Path) -> Generator[Path, None, None]:
         path = Path(folder) / f"whole{out.suffix}"
         path.touch()
         yield path
-        with path.open("rb") as whole, out.open("wb") as stream:
-            copyfileobj(whole, stream)
+        with path.open("rb") as source, out.open("wb") as stream:
+            copyfileobj(source, stream)

@@ -137,14 +137,14 @@ def generate_command(
 def _tell_attempt(attempt: Attempt) -> None:
     """Print the outcome of an attempt at a position to stderr."""
     draws = sum(attempt.rejected.values())
-    found = attempt.item.id if attempt.item is not None else f"no problem: {attempt.failure or 'no draw passed'}"
-    console.explain(f"position {attempt.position}: {found} ({attempt.seconds:.1f} s, {draws} draws refused)")
+    outcome = attempt.item.id if attempt.item is not None else f"no problem: {attempt.failure or 'no draw passed'}"
+    console.explain(f"position {attempt.position}: {outcome} ({attempt.seconds:.1f} s, {draws} draws refused)")
 
 
 def _given(order: Order) -> Order:
     """Return only those options that the user set on the command line, not those with default values."""
     context = click.get_current_context()
-    given = {n: held for n, held in order.items() if context.get_parameter_source(n) is not ParameterSource.DEFAULT}
+    given = {n: value for n, value in order.items() if context.get_parameter_source(n) is not ParameterSource.DEFAULT}
     return cast("Order", given)
 
 
@@ -158,7 +158,7 @@ def _part(text: str) -> tuple[int, int]:
 
 def _tell(out: Path, manifest: Manifest) -> None:
     counts = manifest.counts.get("recipe", {})
-    refused = {recipe: sum(found.values()) for recipe, found in manifest.rejected.items()}
+    refused = {recipe: sum(by_filter.values()) for recipe, by_filter in manifest.rejected.items()}
     names = sorted(counts.keys() | refused.keys())
     console.table(["recipe", "problems", "refused draws"], [(n, counts.get(n, 0), refused.get(n, 0)) for n in names])
     click.echo(f"{manifest.rows} problems in {out} (counts by filter: {out}/README.md)")

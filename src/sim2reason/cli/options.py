@@ -34,17 +34,17 @@ def names_or_none(ctx: click.Context, param: click.Parameter, value: str | None)
 def pairs(ctx: click.Context, param: click.Parameter, value: str | None) -> dict[str, float]:
     """Return the pairs of name and number of an option; empty if it is not given."""
     del ctx
-    found: dict[str, float] = {}
+    numbers: dict[str, float] = {}
     for pair in value.split(",") if value is not None else ():
         name, equals, number = (part.strip() for part in pair.partition("="))
-        if name in found:
+        if name in numbers:
             raise click.UsageError(f"--{param.name}: {name} is given twice; give it once.")
         try:
-            found[name] = float(number)
+            numbers[name] = float(number)
         except ValueError:
-            told = repr(pair.strip())
-            raise click.UsageError(f"--{param.name}: {told} is no pair; write NAME{equals or '='}NUMBER.") from None
-    return found
+            quoted = repr(pair.strip())
+            raise click.UsageError(f"--{param.name}: {quoted} is no pair; write NAME{equals or '='}NUMBER.") from None
+    return numbers
 
 
 def scene() -> Callable[[F], F]:
@@ -121,9 +121,9 @@ def index(text: str) -> Callable[[F], F]:
     return click.option("--index", type=click.IntRange(0, LARGEST), default=0, show_default=True, help=text)
 
 
-def items(default: int, least: int, most: int | None, text: str = "How many problems.") -> Callable[[F], F]:
+def items(default: int, minimum: int, most: int | None, text: str = "How many problems.") -> Callable[[F], F]:
     """Return a decorator that adds the option for the number of problems."""
-    bounds = click.IntRange(least, most)
+    bounds = click.IntRange(minimum, most)
     return click.option("-n", "--items", type=bounds, default=default, show_default=True, help=text)
 
 

@@ -254,18 +254,18 @@ def _explain_strategies(found: "Solution") -> None:
 
 
 def _document(solved: "SolvedProblem") -> dict[str, object]:
-    found = solved.solution
+    solution = solved.solution
     return {
         "problem": solved.problem,
         "read_as": solved.read_as,
-        "strategy": found.strategy,
-        "answer": found.answer if found.answer is not None else solved.answer,
+        "strategy": solution.strategy,
+        "answer": solution.answer if solution.answer is not None else solved.answer,
         "unit": solved.unit,
         "from_motion": solved.answer,
         "over": solved.over,
-        "needs": found.needs.label,
+        "needs": solution.needs.label,
         "reason": solved.reason,
-        "text": found.text,
+        "text": solution.text,
         "steps": [
             {
                 "id": step.id,
@@ -275,6 +275,6 @@ def _document(solved: "SolvedProblem") -> dict[str, object]:
                 "gives": list(step.gives),
                 "needs": list(step.needs),
             }
-            for step in found.steps
+            for step in solution.steps
         ],
     }

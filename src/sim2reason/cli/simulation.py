@@ -178,11 +178,11 @@ def _final(trace: "Trace") -> list[Summary]:
     from sim2reason.simulation.trace import channels
 
     state = trace.sample(np.array([trace.stable_until]))
-    found: list[Summary] = []
+    entries: list[Summary] = []
     for channel, quantity in channels(trace.mechanism):
         value = quantity.evaluate(state, channel.subject)[0].tolist()
         plain = [_plain(part) for part in value] if quantity.vector else _plain(value)
-        found.append(
+        entries.append(
             {
                 "subject": channel.subject,
                 "quantity": quantity.name,
@@ -190,31 +190,33 @@ def _final(trace: "Trace") -> list[Summary]:
                 "value": plain,
             }
         )
-    return found
+    return entries
 
 
 def _plain(value: float) -> float | None:
     return value + 0.0 if isfinite(value) else None
 
 
-def _tell(found: Summary) -> None:
-    until, unit = found["stable_until"], found["time_unit"]
-    rows = [row for row in found["final"] if row["quantity"] in SHOWN]
+def _tell(summary: Summary) -> None:
+    until, unit = summary["stable_until"], summary["time_unit"]
+    rows = [row for row in summary["final"] if row["quantity"] in SHOWN]
     rows.sort(key=lambda row: SHOWN.index(row["quantity"]))
     head = ["subject", "quantity", f"at {until:.6g} {unit}", "unit"]
     console.table(head, [_row(r) for r in rows])
-    for event in found["events"]:
+    for event in summary["events"]:
         click.echo(f"{event['time']:.6g} {unit}: {event['kind']} of {', '.join(event['subjects'])}")
-    if found["cut"]:
-        click.echo(f"The motion is followed until {until:.6g} {unit}, not {found['duration']:g} {unit}: {found['why']}")
-    if found["certificate"] is not None:
-        _tell_certificate(found["certificate"])
+    if summary["cut"]:
+        click.echo(
+            f"The motion is followed until {until:.6g} {unit}, not {summary['duration']:g} {unit}: {summary['why']}"
+        )
+    if summary["certificate"] is not None:
+        _tell_certificate(summary["certificate"])
 
 
-def _row(found: Summary) -> list[str]:
+def _row(entry: Summary) -> list[str]:
     from sim2reason.scenes.dsl.measures import show_unit
 
-    return [found["subject"], found["quantity"], _number(found["value"]), show_unit(found["unit"])]
+    return [entry["subject"], entry["quantity"], _number(entry["value"]), show_unit(entry["unit"])]
 
 
 def _number(value: Any) -> str:  # noqa: ANN401 - a number, a vector, or None
@@ -225,6 +227,6 @@ def _number(value: Any) -> str:  # noqa: ANN401 - a number, a vector, or None
 
 def _tell_certificate(certificate: Summary) -> None:
     engines, until = " and ".join(certificate["engines"]), certificate["stable_until"]
-    worst = max((apart for _, _, apart, _ in certificate["channels"]), default=0.0)
+    worst = max((difference for _, _, difference, _ in certificate["channels"]), default=0.0)
     why = f" ({certificate['reason']})" if certificate["reason"] else ""
     click.echo(f"{engines} agree until {until:.6g} s{why}; they differ by at most {worst:.1e} of the largest values")

@@ -89,21 +89,21 @@ def sft_command(config: Path, out: Path | None, until: str | None, to_json: bool
     with console.resumable(remedy), console.Phases() as phases:
         if until is not None:
             prepare_sft(settings)
-            found = None
+            result = None
         else:
-            found = train_sft(settings, begun=phases.begin, advance=phases.advance)
+            result = train_sft(settings, begun=phases.begin, advance=phases.advance)
     if int(os.environ.get("RANK", "0")):  # of several processes, the first speaks
         return
-    if found is None:
+    if result is None:
         _say_prepared(settings.out, "data")
         return
     if to_json:
-        console.as_json(found.model_dump(mode="json"))
+        console.as_json(result.model_dump(mode="json"))
     else:
-        left_out = sum(found.left_out.values())
+        left_out = sum(result.left_out.values())
         head = ["steps", "rows", "too long", "parameters", "last loss"]
-        console.table(head, [[found.steps, found.rows, left_out, found.parameters, round(found.loss, 4)]])
-        click.echo(f"The model: {settings.out / found.model}")
+        console.table(head, [[result.steps, result.rows, left_out, result.parameters, round(result.loss, 4)]])
+        click.echo(f"The model: {settings.out / result.model}")
 
 
 @train_command.command("rl", epilog=RL_EXAMPLE)
@@ -129,24 +129,24 @@ def rl_command(config: Path, out: Path | None, until: "Stage | None", to_json: b
                     answer_before(settings, phases.begin, phases.advance)
                 _say_prepared(settings.out, until)
             return
-        found = train_rl(settings, begun=phases.begin, advance=phases.advance)
+        result = train_rl(settings, begun=phases.begin, advance=phases.advance)
         main = is_main_process()
         report = report_training(settings, begun=phases.begin, advance=phases.advance) if main else None
     if report is None:
         return
     if to_json:
-        console.as_json(found.model_dump(mode="json"))
+        console.as_json(result.model_dump(mode="json"))
         return
-    console.table(["steps", "prompts", "seconds"], [[found.steps, found.prompts_consumed, round(found.seconds)]])
+    console.table(["steps", "prompts", "seconds"], [[result.steps, result.prompts_consumed, round(result.seconds)]])
     rows = [
         [name, each.benchmark, f"{100 * each.first:.1f}", f"{100 * each.second:.1f}", each.difference.shown]
-        for name, held in report.differences.items()
-        for each in held
+        for name, paired in report.differences.items()
+        for each in paired
     ]
     if rows:
         console.table(["responses", "problems", "before (%)", "after (%)", "difference"], rows)
     click.echo(f"The report: {report.folder / 'report.md'}")
-    click.echo(f"The model: {settings.out / found.model}")
+    click.echo(f"The model: {settings.out / result.model}")
 
 
 @train_command.command("study", epilog=STUDY_EXAMPLE)
@@ -168,12 +168,12 @@ def study_command(config: Path, out: Path | None, until: "Stage | None", to_json
             prepare_study(study, until=until, begun=phases.begin, advance=phases.advance)
             _say_prepared(study.out, until)
             return
-        found = train_study(study, begun=phases.begin, advance=phases.advance)
+        results = train_study(study, begun=phases.begin, advance=phases.advance)
     report = report_study(study) if study.configs[study.runs[0]].held_out else None
     if to_json:
-        console.as_json({name: each.model_dump(mode="json") for name, each in found.items()})
+        console.as_json({name: each.model_dump(mode="json") for name, each in results.items()})
         return
-    console.table(["run", "steps", "prompts", "seconds"], [_row(name, each) for name, each in found.items()])
+    console.table(["run", "steps", "prompts", "seconds"], [_row(name, each) for name, each in results.items()])
     if report is not None:
         rows = [
             [*each[:3], f"{100 * each.before:.1f}", f"{100 * each.after:.1f}", each.gain.shown] for each in report.arms
@@ -186,5 +186,5 @@ def _say_prepared(out: Path, until: str) -> None:
     click.echo(f"Prepared until {until}: {out}; the same command without --until goes on")
 
 
-def _row(name: str, found: "Trained") -> list[object]:
-    return [name, found.steps, found.prompts_consumed, round(found.seconds)]
+def _row(name: str, result: "Trained") -> list[object]:
+    return [name, result.steps, result.prompts_consumed, round(result.seconds)]

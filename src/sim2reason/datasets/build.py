@@ -98,7 +98,7 @@ class _Totals:
         self.rejected = merged([self.rejected, shard.rejected, *left_out])
         self.histograms = all_histograms([self.histograms, shard.histograms])
         self.cells = together([self.cells, shard.cells])
-        self.refused = {kind: held.with_more(getattr(shard, kind)) for kind, held in self.refused.items()}
+        self.refused = {kind: refusals.with_more(getattr(shard, kind)) for kind, refusals in self.refused.items()}
 
     def manifest(self, journal: Journal) -> Manifest:
         """Return the manifest without checksums and seal."""
@@ -262,8 +262,8 @@ def put_subset(source: Dataset, out: Path, keeps: Callable[[Item], bool], filter
     kept: list[Shard] = []
     gone: dict[str, Counts] = {}
     for shard in shards(source.path):
-        found, left_out = _subset(source, out, shard, keeps)
-        kept.append(found)
+        subset, left_out = _subset(source, out, shard, keeps)
+        kept.append(subset)
         gone = merged([gone, *({item.recipe: {filter_name: 1}} for item in left_out)])
     put_text(out / SHARDS, "".join(f"{shard.model_dump_json()}\n" for shard in kept), out)
     manifest = source.manifest.model_copy(
@@ -284,11 +284,11 @@ def put_subset(source: Dataset, out: Path, keeps: Callable[[Item], bool], filter
 
 def _subset(source: Dataset, out: Path, shard: Shard, keeps: Callable[[Item], bool]) -> tuple[Shard, list[Item]]:
     """Return a shard's record without the items that `keeps` rejects, and the rejected items."""
-    held = {file.split: shard_files.read(source.path, file) for file in shard.files}
-    kept = {split: [item for item in items if keeps(item)] for split, items in held.items()}
+    by_split = {file.split: shard_files.read(source.path, file) for file in shard.files}
+    kept = {split: [item for item in items if keeps(item)] for split, items in by_split.items()}
     changed = {
         "files": shard_files.write(out, out, shard.number, source.manifest.shards, kept),
         "counts": shard_files.counts(kept),
         "histograms": count_histograms(shard_files.flat(kept)),
     }
-    return shard.model_copy(update=changed), [item for item in shard_files.flat(held) if not keeps(item)]
+    return shard.model_copy(update=changed), [item for item in shard_files.flat(by_split) if not keeps(item)]

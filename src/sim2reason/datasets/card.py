@@ -98,7 +98,7 @@ def text(manifest: Manifest, examples: Sequence[Example], pictures: Collection[s
     """Return the whole card from the manifest (without its `files`), examples, and the names of pictures."""
     parts = _front(manifest), _body(manifest), _shown(manifest, pictures), _counts(manifest), _refused(manifest)
     lines = [line for part in parts for line in part]
-    lines += [line for number, held in enumerate(examples, start=1) for line in _example(number, held, pictures)]
+    lines += [line for number, example in enumerate(examples, start=1) for line in _example(number, example, pictures)]
     return "\n".join([*lines, *_table("Fields", ("field", "meaning"), FIELDS), *_end(manifest)]) + "\n"
 
 
@@ -131,8 +131,8 @@ def _body(manifest: Manifest) -> Iterator[str]:
         yield f"Two problems that differ in numbers only differ in one of them by {config.distance:.3g} or more of it."
     for file in config.decontaminate:
         yield f"No problem shares a run of words with the benchmark {_cell(file.name)} (SHA-256 `{file.sha256}`)."
-    held = _splits(manifest)
-    yield USE.format(split=TRAIN if TRAIN in held else held[0], data=DATA)
+    splits = _splits(manifest)
+    yield USE.format(split=TRAIN if TRAIN in splits else splits[0], data=DATA)
 
 
 def _shown(manifest: Manifest, pictures: Collection[str]) -> Iterator[str]:
@@ -163,11 +163,11 @@ def _refused(manifest: Manifest) -> Iterator[str]:
     rows = [(r, name, str(n)) for r, counts in manifest.rejected.items() for name, n in counts.items()]
     yield from _table("By recipe and filter", ("recipe", "filter", "refused"), rows, folded=True)
     for kind, refused in manifest.refused.items():
-        found = [(str(p.position), p.recipe, p.difficulty, p.mode, str(p.index), p.reason) for p in refused.first]
+        positions = [(str(p.position), p.recipe, p.difficulty, p.mode, str(p.index), p.reason) for p in refused.first]
         head = "position", "recipe", "difficulty", "mode", "index", "reason"
-        yield from _table(f"Positions without a problem: {kind}", head, found, folded=True)
-        if refused.total > len(found):
-            yield from ("", f"… and {refused.total - len(found)} more: see `{SHARDS}`.")
+        yield from _table(f"Positions without a problem: {kind}", head, positions, folded=True)
+        if refused.total > len(positions):
+            yield from ("", f"… and {refused.total - len(positions)} more: see `{SHARDS}`.")
 
 
 def _example(number: int, example: Example, pictures: Collection[str]) -> Iterator[str]:
@@ -213,8 +213,8 @@ def command(config: Config) -> str:
     return " ".join(["sim2reason generate OUT", *filter(None, options)])
 
 
-def _pairs(found: Mapping[str, float]) -> str:
-    return ",".join(f"{name}={size!r}" for name, size in found.items())
+def _pairs(sizes: Mapping[str, float]) -> str:
+    return ",".join(f"{name}={size!r}" for name, size in sizes.items())
 
 
 def _quoted(text: str) -> Iterator[str]:

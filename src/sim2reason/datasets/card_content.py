@@ -74,30 +74,30 @@ SHOWN: dict[str, Shown] = {
 
 def count_histograms(items: Iterable[Item]) -> dict[str, Counted]:
     """Return the counts of all histograms for some items."""
-    found: dict[str, Counted] = {name: {} for name in SHOWN}
+    histograms: dict[str, Counted] = {name: {} for name in SHOWN}
     for item in items:
         for name, shown in SHOWN.items():
-            series, place = found[name].setdefault(shown.series(item), {}), str(shown.bin(item))
-            series[place] = series.get(place, 0) + 1
-    return found
+            series, bin_key = histograms[name].setdefault(shown.series(item), {}), str(shown.bin(item))
+            series[bin_key] = series.get(bin_key, 0) + 1
+    return histograms
 
 
 def histogram(name: str, counts: Mapping[str, Mapping[str, int]]) -> Histogram:
     """Return the histogram for drawing from its counts."""
-    shown, found = SHOWN[name], {place for series in counts.values() for place in series}
-    numeric = all(place.lstrip("-").isdecimal() for place in found)
-    if numeric and found:
-        numbers = [int(place) for place in found]
+    shown, bin_keys = SHOWN[name], {bin_key for series in counts.values() for bin_key in series}
+    numeric = all(bin_key.lstrip("-").isdecimal() for bin_key in bin_keys)
+    if numeric and bin_keys:
+        numbers = [int(bin_key) for bin_key in bin_keys]
         bins = list(range(min(numbers), max(numbers) + 1, shown.step))
         places, labels = [str(number) for number in bins], [shown.label(number) for number in bins]
     else:
-        places = labels = sorted(found, key=lambda place: (NEEDS.get(place, 0), place))
-    series = {name: [counts[name].get(place, 0) for place in places] for name in _ordered(counts)}
+        places = labels = sorted(bin_keys, key=lambda bin_key: (NEEDS.get(bin_key, 0), bin_key))
+    series = {name: [counts[name].get(bin_key, 0) for bin_key in places] for name in _ordered(counts)}
     return Histogram(shown.axis, labels, series, lying=not numeric)
 
 
 def _ordered(names: Iterable[str]) -> list[str]:
-    known = {name: place for place, name in enumerate(DIFFICULTIES)}
+    known = {name: rank for rank, name in enumerate(DIFFICULTIES)}
     return sorted(names, key=lambda name: (known.get(name, len(known)), name))
 
 
@@ -118,13 +118,13 @@ class Example(NamedTuple):
 
 def choose_examples(items: Iterable[Item]) -> list[Item]:
     """Return a few items that differ in as many properties as possible; ties go to the first."""
-    waiting, found = list(items), list[Item]()
-    while waiting and len(found) < EXAMPLES:
-        seen = {name: [getattr(item, name) for item in found] for name in VARIED}
+    waiting, chosen = list(items), list[Item]()
+    while waiting and len(chosen) < EXAMPLES:
+        seen = {name: [getattr(item, name) for item in chosen] for name in VARIED}
         best = min(waiting, key=lambda item: [seen[name].count(getattr(item, name)) for name in VARIED])
         waiting.remove(best)
-        found.append(best)
-    return found
+        chosen.append(best)
+    return chosen
 
 
 def example(item: Item, config: Config) -> Example:
@@ -145,15 +145,15 @@ def _made_again(item: Item) -> tuple[str, bytes | None]:
     from sim2reason.generation.item_search import ItemSearch  # noqa: PLC0415 - it loads what else only workers need
 
     request = Request.of(item)
-    found = ItemSearch(request).find()
-    if found is None or found.prompt != item.prompt:
+    certified = ItemSearch(request).find()
+    if certified is None or certified.prompt != item.prompt:
         return "", None
     solution, unsolved = (
-        solution_record(worked_solution(request, found)) if item.solution is None else (item.solution, "")
+        solution_record(worked_solution(request, certified)) if item.solution is None else (item.solution, "")
     )
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", FigureWarning)
-        drawn = drawing.drawing(found.description.scene, found.description)
+        drawn = drawing.drawing(certified.description.scene, certified.description)
     try:
         picture = canvas.png(drawn)
     except MissingExtraError:
@@ -189,12 +189,12 @@ def put_pictures(
 ) -> tuple[str, ...]:
     """Write the pictures of a dataset and return their names; none without a plotting package."""
     try:
-        found = dict(_pictures(histograms, examples))
+        pictures = dict(_pictures(histograms, examples))
     except MissingExtraError:
         return ()
-    for name, data in found.items():
+    for name, data in pictures.items():
         put(out / name, lambda path, data=data: path.write_bytes(data), scratch)
-    return tuple(found)
+    return tuple(pictures)
 
 
 def _pictures(histograms: Mapping[str, Counted], examples: Sequence[Example]) -> Iterator[tuple[str, bytes]]:

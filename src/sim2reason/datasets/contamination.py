@@ -66,13 +66,13 @@ def _strings(value: object) -> Iterator[str]:
     """Yield all texts in a value, in order, without recursion, which a malicious file could exhaust."""
     waiting = [(value, 0)]
     while waiting:
-        found, depth = waiting.pop()
-        if isinstance(found, str):
-            yield found
-        elif isinstance(found, list | dict):
+        node, depth = waiting.pop()
+        if isinstance(node, str):
+            yield node
+        elif isinstance(node, list | dict):
             if depth == MAX_DEPTH:
                 raise DatasetError(f"an item is nested in more than {MAX_DEPTH} levels")
-            parts = found.values() if isinstance(found, dict) else cast("list[object]", found)
+            parts = node.values() if isinstance(node, dict) else cast("list[object]", node)
             waiting += [(part, depth + 1) for part in reversed(list(parts))]
 
 
@@ -183,8 +183,8 @@ class Benchmarks:
         self.files: tuple[BenchmarkFile, ...] = tuple(benchmark_file_record(Path(path)) for path in paths)
         """In the order in which they were given."""
         self._items: list[tuple[str, int]] = []  # of each item its file and number
-        found = [(np.zeros(0, np.uint64), np.zeros(0, np.int32)), *self._read([Path(path) for path in paths])]
-        hashes, places = (np.concatenate(part) for part in zip(*found, strict=True))
+        chunks = [(np.zeros(0, np.uint64), np.zeros(0, np.int32)), *self._read([Path(path) for path in paths])]
+        hashes, places = (np.concatenate(part) for part in zip(*chunks, strict=True))
         order = np.argsort(hashes, kind="stable")
         self._hashes, self._places = hashes[order], places[order]
 
@@ -193,9 +193,9 @@ class Benchmarks:
         total = 0
         for path in paths:
             some = False
-            for number, held in enumerate(texts(path), start=1):
+            for number, item_texts in enumerate(texts(path), start=1):
                 self._items.append((path.name, number))
-                for own in map(words, held):
+                for own in map(words, item_texts):
                     some, runs = some or bool(own), _runs(own, self._run)
                     total += len(runs)
                     if total > MAX_WORDS:
@@ -209,9 +209,9 @@ class Benchmarks:
         own = words(text)
         runs = _runs(own, self._run)
         places = np.searchsorted(self._hashes, runs)
-        for start, place in enumerate(places.tolist()):
-            if place < len(self._hashes) and self._hashes[place] == runs[start]:
-                return Overlap(*self._items[self._places[place]], " ".join(own[start : start + self._run]))
+        for start, index in enumerate(places.tolist()):
+            if index < len(self._hashes) and self._hashes[index] == runs[start]:
+                return Overlap(*self._items[self._places[index]], " ".join(own[start : start + self._run]))
         return None
 
 
@@ -221,12 +221,12 @@ def words(text: str) -> list[str]:
     return _WORD.findall(plain)
 
 
-def _runs(found: Sequence[str], run: int) -> Hashes:
+def _runs(tokens: Sequence[str], run: int) -> Hashes:
     """Return a hash of each run of `run` words, in order."""
-    hashes = np.fromiter(map(_word_hash, found), dtype=np.uint64, count=len(found))
-    total = np.zeros(max(0, len(found) - run + 1), dtype=np.uint64)
-    for place in range(run if len(total) else 0):
-        total = total * np.uint64(_MULTIPLIER) + hashes[place : place + len(total)]
+    hashes = np.fromiter(map(_word_hash, tokens), dtype=np.uint64, count=len(tokens))
+    total = np.zeros(max(0, len(tokens) - run + 1), dtype=np.uint64)
+    for offset in range(run if len(total) else 0):
+        total = total * np.uint64(_MULTIPLIER) + hashes[offset : offset + len(total)]
     return total
 
 

@@ -100,8 +100,8 @@ class Dataset:
         """Return the folder, the number of items, and a line with the counts by recipe, difficulty, mode and split."""
         lines = [f"Dataset {str(self.path)!r}: {counted(len(self), 'item')}"]
         for column in ("split", "recipe", "difficulty", "mode"):
-            found = self.manifest.counts.get(column, {})
-            lines.extend([f"  {column}: {', '.join(f'{name} {n}' for name, n in found.items())}"] if found else [])
+            counts = self.manifest.counts.get(column, {})
+            lines.extend([f"  {column}: {', '.join(f'{name} {n}' for name, n in counts.items())}"] if counts else [])
         return "\n".join(lines)
 
     def __len__(self) -> int:
@@ -128,8 +128,10 @@ class Dataset:
         """
         if isinstance(key, str):
             if key not in self.splits():
-                held = ", ".join(self.splits())
-                raise DatasetError(f"{self.path}: has no split {shortened(key)}; there is {held}; for an id: .item(ID)")
+                available = ", ".join(self.splits())
+                raise DatasetError(
+                    f"{self.path}: has no split {shortened(key)}; there is {available}; for an id: .item(ID)"
+                )
             return ItemFiles(self.path, tuple(self._files((key,))), key)
         if isinstance(key, slice) or hasattr(key, "__index__"):
             return self._all[key]
@@ -193,12 +195,12 @@ class Dataset:
         Raises:
             DatasetError: There is no such split.
         """
-        held = tuple(self.manifest.config.split)
-        chosen = held if names == ALL else several("split", names)
+        available = tuple(self.manifest.config.split)
+        chosen = available if names == ALL else several("split", names)
         for name in chosen:
-            if name not in held:
-                raise DatasetError(f"{self.path}: has no split {name!r}; there is {', '.join(held)}")
-        return tuple(name for name in held if name in chosen)
+            if name not in available:
+                raise DatasetError(f"{self.path}: has no split {name!r}; there is {', '.join(available)}")
+        return tuple(name for name in available if name in chosen)
 
     def item(self, name: str) -> Item:
         """Return the item with an id, for which a single file is read.
@@ -239,15 +241,15 @@ class Dataset:
         rows = sum(len(self._places(file, wanted)) for file in self._files(splits)) if some else len(self)
         wide = rows // max(count, 1)  # one is taken from each stretch of so many
         chosen = (n * rows // count + n * STRIDE % wide for n in range(count)) if wide else iter(range(rows))
-        place, behind = next(chosen, None), 0
+        position, behind = next(chosen, None), 0
         for file in self._files(splits):
-            if place is None:
+            if position is None:
                 return
-            found, taken = self._places(file, wanted), list[int]()
-            while place is not None and place < behind + len(found):
-                taken.append(found[place - behind])
-                place = next(chosen, None)
-            behind += len(found)
+            matches, taken = self._places(file, wanted), list[int]()
+            while position is not None and position < behind + len(matches):
+                taken.append(matches[position - behind])
+                position = next(chosen, None)
+            behind += len(matches)
             if taken:
                 yield from shard_files.read(self.path, file, taken)
 
@@ -273,13 +275,13 @@ class Dataset:
             The rows by id. Each row also has ``split``, which is not a column of a file.
         """
         numbers = {self._shard_of(name) for name in names} - {None}
-        last, found = max((n for n in numbers if n is not None), default=-1), dict[str, Row]()
-        for held in islice(shards(self.path), last + 1):
-            for file in held.files if held.number in numbers else ():
+        last, rows_by_id = max((n for n in numbers if n is not None), default=-1), dict[str, Row]()
+        for shard_record in islice(shards(self.path), last + 1):
+            for file in shard_record.files if shard_record.number in numbers else ():
                 places = self._places(file, {"id": names})
                 rows = shard_files.rows(self.path, file, ("id", *columns), places) if places else ()
-                found.update({row["id"]: row | {"split": file.split} for row in rows})
-        return found
+                rows_by_id.update({row["id"]: row | {"split": file.split} for row in rows})
+        return rows_by_id
 
     def _files(self, splits: Collection[str] | None = None) -> Iterator[ShardFile]:
         return (f for shard in shards(self.path) for f in shard.files if splits is None or f.split in splits)

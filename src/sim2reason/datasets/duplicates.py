@@ -73,31 +73,33 @@ def hashed(variant: Variant) -> int:
     return int.from_bytes(blake2b(variant.problem.encode(), digest_size=8, person=b"variant").digest(), "little")
 
 
-def too_close(found: Variants, distance: float) -> Iterator[tuple[int, int]]:
+def too_close(variants: Variants, distance: float) -> Iterator[tuple[int, int]]:
     """Yield pairs of positions: an item whose numbers are too close to those of an earlier kept item, and that item."""
-    starts = np.concatenate([[0], np.cumsum(found.counts, dtype=np.int64)])
+    starts = np.concatenate([[0], np.cumsum(variants.counts, dtype=np.int64)])
     limit = np.float32(log1p(distance))
     stay: dict[int, list[int]] = {}
-    for row, cells in _neighbours(found, starts, float(limit) * (1.0 + ROUNDING)):
-        near = _first(found, starts, row, sorted({other for cell in cells for other in stay.get(cell, ())}), limit)
+    for row, cells in _neighbours(variants, starts, float(limit) * (1.0 + ROUNDING)):
+        near = _first(variants, starts, row, sorted({other for cell in cells for other in stay.get(cell, ())}), limit)
         if near is not None:
-            yield int(found.positions[row]), int(found.positions[near])
+            yield int(variants.positions[row]), int(variants.positions[near])
             continue
         for cell in cells:
             stay.setdefault(cell, []).append(row)
 
 
-def _first(found: Variants, starts: NDArray[np.int64], row: int, others: list[int], limit: np.float32) -> int | None:
+def _first(variants: Variants, starts: NDArray[np.int64], row: int, others: list[int], limit: np.float32) -> int | None:
     """Return the first of some rows with the same problem whose numbers all differ by less than the limit."""
     rows = np.array(others, dtype=np.int64)
-    rows = rows[found.problems[rows] == found.problems[row]]  # two problems may meet in a cell by chance
-    places = np.arange(int(found.counts[row]))
-    apart = np.abs(found.logarithms[starts[rows][:, None] + places] - found.logarithms[starts[row] + places])
-    close = np.flatnonzero(apart.max(axis=1, initial=0.0) < limit)
+    rows = rows[variants.problems[rows] == variants.problems[row]]  # two problems may meet in a cell by chance
+    places = np.arange(int(variants.counts[row]))
+    differences = np.abs(
+        variants.logarithms[starts[rows][:, None] + places] - variants.logarithms[starts[row] + places]
+    )
+    close = np.flatnonzero(differences.max(axis=1, initial=0.0) < limit)
     return int(rows[close[0]]) if len(close) else None
 
 
-def _neighbours(found: Variants, starts: NDArray[np.int64], limit: float) -> Iterator[tuple[int, list[int]]]:
+def _neighbours(variants: Variants, starts: NDArray[np.int64], limit: float) -> Iterator[tuple[int, list[int]]]:
     """Yield each item that shares a grid cell of numbers with another, with the hashes of its shared cells.
 
     For d numbers there are d + 1 grids with cells of d + 1 times the limit, each shifted by the limit from the previous
@@ -106,16 +108,16 @@ def _neighbours(found: Variants, starts: NDArray[np.int64], limit: float) -> Ite
     """
     rows: list[NDArray[np.int64]] = []
     shared: list[NDArray[np.uint64]] = []
-    for grid in range(int(found.counts.max(initial=0)) + 1):
-        inside = np.flatnonzero(found.counts >= grid)
+    for grid in range(int(variants.counts.max(initial=0)) + 1):
+        inside = np.flatnonzero(variants.counts >= grid)
         parts = [
-            _cells(found, starts, inside[n : n + BLOCK], grid, limit) for n in range(0, max(len(inside), 1), BLOCK)
+            _cells(variants, starts, inside[n : n + BLOCK], grid, limit) for n in range(0, max(len(inside), 1), BLOCK)
         ]
         cells = np.concatenate(parts)
         repeated = repeated_values(cells.copy())
-        held = holds(repeated, cells)
-        rows.append(inside[held])
-        shared.append(cells[held])
+        mask = holds(repeated, cells)
+        rows.append(inside[mask])
+        shared.append(cells[mask])
     all_rows, all_cells = np.concatenate(rows), np.concatenate(shared)
     order = np.argsort(all_rows, kind="stable")
     all_rows, all_cells = all_rows[order], all_cells[order]
@@ -125,20 +127,20 @@ def _neighbours(found: Variants, starts: NDArray[np.int64], limit: float) -> Ite
 
 
 def _cells(
-    found: Variants, starts: NDArray[np.int64], rows: NDArray[np.int64], grid: int, limit: float
+    variants: Variants, starts: NDArray[np.int64], rows: NDArray[np.int64], grid: int, limit: float
 ) -> NDArray[np.uint64]:
     """Return, for each item, a hash of its problem and of the cell of its numbers' logarithms in one grid."""
-    counts = found.counts[rows]
+    counts = variants.counts[rows]
     ends = np.cumsum(counts, dtype=np.int64)
-    place = np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - counts, counts)  # of a number among its item's
-    values = found.logarithms[np.repeat(starts[rows], counts) + place].astype(np.float64)
+    offsets = np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - counts, counts)  # of a number among its item's
+    values = variants.logarithms[np.repeat(starts[rows], counts) + offsets].astype(np.float64)
     width = np.repeat((counts + 1) * limit, counts)
     cell = np.floor((values + grid * limit) / width).astype(np.int64).astype(np.uint64)
-    mixed = (cell * np.uint64(_MIX) ^ (place.astype(np.uint64) + np.uint64(1)) * np.uint64(_AGAIN)) * np.uint64(_MIX)
+    mixed = (cell * np.uint64(_MIX) ^ (offsets.astype(np.uint64) + np.uint64(1)) * np.uint64(_AGAIN)) * np.uint64(_MIX)
     mixed ^= mixed >> np.uint64(29)
     sums = np.concatenate([np.zeros(1, np.uint64), np.cumsum(mixed * np.uint64(_AGAIN), dtype=np.uint64)])
     total = sums[ends] - sums[ends - counts]  # whole numbers of 64 bits overflow, and differences are right again
-    return total ^ (found.problems[rows] + np.uint64(grid * _MIX % 2**64))
+    return total ^ (variants.problems[rows] + np.uint64(grid * _MIX % 2**64))
 
 
 def repeated_values(values: NDArray[np.uint64]) -> NDArray[np.uint64]:
@@ -190,12 +192,12 @@ Others = NDArray[np.int64]
 def marks(items: Sequence[tuple[int, Item]], *, scenes: bool) -> Marks:
     """Return the hashes and numbers of items for the detection of duplicates; `scenes` adds hashes of scenes."""
     columns = OWN + (3 if scenes else 2)
-    found = [variant(item) for _, item in items]
+    variants = [variant(item) for _, item in items]
     rows = [
         (position, hashed(each), len(each.logarithms), *map(_hash, _keys(item)))[:columns]
-        for (position, item), each in zip(items, found, strict=True)
+        for (position, item), each in zip(items, variants, strict=True)
     ]
-    logarithms = [number for each in found for number in each.logarithms]
+    logarithms = [number for each in variants for number in each.logarithms]
     return Marks(np.array(rows, np.uint64).reshape(len(rows), columns), np.array(logarithms, np.float32))
 
 
@@ -215,7 +217,7 @@ def find_duplicates(read: Read, shards: int, items: int, distance: float) -> Ite
         positions = read(number).table[:, POSITION].astype(np.int64)
         gone = positions[(same[positions] != NOBODY) | (alike[positions] != NOBODY)].tolist()
         if gone:
-            pairs = ((place, int(same[place]), int(alike[place])) for place in gone)
+            pairs = ((position, int(same[position]), int(alike[position])) for position in gone)
             yield (
                 number,
                 [Duplicate(at, first if first != NOBODY else near, first == NOBODY) for at, first, near in pairs],
@@ -234,11 +236,11 @@ def _same(read: Read, shards: int, alike: Others) -> Others:
         shared = [holds(values, table[:, column]) for values, column in zip(repeated, columns, strict=True)]
         for row in np.flatnonzero(np.any(shared, axis=0)).tolist():
             at = [(n, int(places[n][row])) for n in range(len(columns)) if shared[n][row]]
-            seen = next((int(first[n][place]) for n, place in at if first[n][place] != NOBODY), NOBODY)
+            seen = next((int(first[n][index]) for n, index in at if first[n][index] != NOBODY), NOBODY)
             position = int(table[row, POSITION])
             same[position] = seen
-            for n, place in at if seen == NOBODY and alike[position] == NOBODY else ():
-                first[n][place] = position
+            for n, index in at if seen == NOBODY and alike[position] == NOBODY else ():
+                first[n][index] = position
     return same
 
 
@@ -267,22 +269,22 @@ def _stretches(read: Read, shards: int, problems: Table) -> Iterator[tuple[int, 
 def _variants(read: Read, shards: int, problems: Table, same: Others) -> Variants:
     """Return the items of some problems with the logarithms of their numbers, without exact duplicates."""
     tables: list[Table] = []
-    held: list[Logarithms] = []
+    kept_logarithms: list[Logarithms] = []
     for number in range(shards):
         table, logarithms = read(number)
         wanted = holds(problems, table[:, PROBLEM]) & (same[table[:, POSITION].astype(np.int64)] == NOBODY)
         tables.append(table[wanted, : COUNT + 1])
-        held.append(logarithms[np.repeat(wanted, table[:, COUNT].astype(np.int64))])
+        kept_logarithms.append(logarithms[np.repeat(wanted, table[:, COUNT].astype(np.int64))])
     table = np.concatenate(tables)
     counts = table[:, COUNT].astype(np.int32)
-    return Variants(table[:, POSITION].astype(np.int64), table[:, PROBLEM], counts, np.concatenate(held))
+    return Variants(table[:, POSITION].astype(np.int64), table[:, PROBLEM], counts, np.concatenate(kept_logarithms))
 
 
 def _keys(item: Item) -> tuple[str, str, str]:
     """Return the text of an item, its scene with its question, and its scene."""
-    asked = item.asked.model_dump_json()
+    query = item.asked.model_dump_json()
     words = " ".join(item.prompt.split()).casefold()
-    return words, f"{item.mode} {item.kind} {asked}\n{item.scene}", item.scene
+    return words, f"{item.mode} {item.kind} {query}\n{item.scene}", item.scene
 
 
 def _hash(key: str) -> int:

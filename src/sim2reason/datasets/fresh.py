@@ -66,9 +66,9 @@ class LazyProblems:
             raise IndexError(f"position {position} of {len(self)}")
         first = self.config.request(position)
         for attempt in range(TRIES):
-            found = self._drawn(replace(first, index=first.index + attempt * INDEX_STRIDE))
-            if found is not None:
-                return found
+            item = self._drawn(replace(first, index=first.index + attempt * INDEX_STRIDE))
+            if item is not None:
+                return item
         raise DrawError(
             f"{first.id}: none of {TRIES} draws gave a problem of the split {self.split!r}; give it a larger share, or "
             f"leave {first.recipe} out"

@@ -97,15 +97,15 @@ DEFAULTS: Order = {
 
 def _ordered(function: F) -> F:
     """Add the options of `Order` to the signature and docstring of a function that takes them as keyword arguments."""
-    taken, told = signature(function), get_type_hints(Order, include_extras=True)
+    taken, hints = signature(function), get_type_hints(Order, include_extras=True)
     own = [each for each in taken.parameters.values() if each.kind is not Parameter.VAR_KEYWORD]
     options = [
         Parameter(name, Parameter.KEYWORD_ONLY, default=DEFAULTS.get(name), annotation=get_args(kind)[0])
-        for name, kind in told.items()
+        for name, kind in hints.items()
     ]
     function.__signature__ = taken.replace(parameters=own[:1] + options + own[1:])  # type: ignore[attr-defined]
-    lines = [f"{name}: {get_args(kind)[1]}" for name, kind in told.items()]
-    function.__doc__ = ORDER.sub(lambda found: "\n".join(found[1] + line for line in lines), function.__doc__ or "")
+    lines = [f"{name}: {get_args(kind)[1]}" for name, kind in hints.items()]
+    function.__doc__ = ORDER.sub(lambda match: "\n".join(match[1] + line for line in lines), function.__doc__ or "")
     return function
 
 
@@ -156,17 +156,17 @@ def configured(**order: Unpack[Order]) -> Config:
     if unknown:  # as Python says of all other functions
         known = ", ".join(sorted(Order.__annotations__))
         raise TypeError(f"generate() got an unexpected keyword argument {unknown[0]!r}; an order has {known}")
-    held: dict[str, Any] = {**DEFAULTS, **order}
-    ours = held["maker"] == MAKER  # another may know names that the library doesn't
-    pairs = {name: numbers(name, {} if held[name] is None else held[name]) for name in ("weights", "split")}
+    options: dict[str, Any] = {**DEFAULTS, **order}
+    ours = options["maker"] == MAKER  # another may know names that the library doesn't
+    pairs = {name: numbers(name, {} if options[name] is None else options[name]) for name in ("weights", "split")}
     given = pairs | {name: value for name, value in order.items() if name in AS_GIVEN and name not in pairs}
     fields = {
-        "items": held["items"],
-        "recipes": recipes_named(held["recipe"], check=ours),
-        "difficulties": difficulties_named(held["difficulty"]),
-        "modes": modes_named(held["mode"], check=ours),
-        "units": system_named(held["units"]).name,
-        "needs": needs_named(held["needs"]),
+        "items": options["items"],
+        "recipes": recipes_named(options["recipe"], check=ours),
+        "difficulties": difficulties_named(options["difficulty"]),
+        "modes": modes_named(options["mode"], check=ours),
+        "units": system_named(options["units"]).name,
+        "needs": needs_named(options["needs"]),
         "decontaminate": tuple(benchmark_file_record(path) for path in files_to_avoid(order)),
         **{name: value for name, value in given.items() if value != {}},
     }
@@ -198,13 +198,13 @@ def order_in(path: Path) -> Order:
         OSError: the file can't be read.
     """
     try:
-        found = settings_in(path)
+        settings = settings_in(path)
     except EvaluationError as error:
         raise DatasetError(str(error)) from None
     options = [name for name in DEFAULTS if name != "maker"]
-    for name in found:
+    for name in settings:
         if name not in options:
             near = nearest(name, options)
             known = f"did you mean: {near[0]}" if near else f"there are: {', '.join(options)}"
             raise DatasetError(f"{path}: {name}: there is no such option; {known}")
-    return cast("Order", found)
+    return cast("Order", settings)

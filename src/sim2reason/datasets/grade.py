@@ -72,12 +72,12 @@ def plain(value: object, depth: int = MAX_DEPTH) -> object:
     if not depth:
         return value
     for conversion in ("as_py", "tolist", "to_list"):  # a scalar of pyarrow; an array or a number; a Series of polars
-        found = getattr(value, conversion, None)
-        if callable(found):
-            return plain(found(), depth - 1)
+        method = getattr(value, conversion, None)
+        if callable(method):
+            return plain(method(), depth - 1)
     if isinstance(value, Mapping):
-        held = {str(key): plain(member, depth - 1) for key, member in cast("Mapping[object, object]", value).items()}
-        return held if any(member is not None for member in held.values()) else None
+        members = {str(key): plain(member, depth - 1) for key, member in cast("Mapping[object, object]", value).items()}
+        return members if any(member is not None for member in members.values()) else None
     if isinstance(value, list | tuple):
         return [plain(member, depth - 1) for member in cast("Iterable[object]", value)]
     return None if isinstance(value, float) and isnan(value) else value
@@ -144,8 +144,8 @@ def grade(
         (0.0, 'wrong')
     """
     answer = item.answer if isinstance(item, Item) else answer_of(item)
-    said = opened(response) if thinking_opened else response
-    return grade_answer(answer, said, lenient=lenient, partial=partial)
+    reply = opened(response) if thinking_opened else response
+    return grade_answer(answer, reply, lenient=lenient, partial=partial)
 
 
 def graded(
@@ -162,21 +162,21 @@ def graded(
     Responses to problems of other splits are skipped. DatasetError names an unknown id or split, or states that no
     response is to a problem of these splits.
     """
-    splits, passed_over, found = data.splits(split), False, False
+    splits, passed_over, matched = data.splits(split), False, False
     for _, some in groupby(_numbered(given), key=lambda pair: pair[0]):
-        held = [response for _, response in some]
-        rows = data.rows_of({response.id for response in held}, "recipe", "kind", "answer")
-        for response in held:
+        batch = [response for _, response in some]
+        rows = data.rows_of({response.id for response in batch}, "recipe", "kind", "answer")
+        for response in batch:
             row = rows.get(response.id)
             if row is None:
                 raise DatasetError(f"{shortened(response.id)} is no item of {data.path}; give the dataset it is from")
             if row["split"] not in splits:
                 passed_over = True
                 continue
-            found = True
+            matched = True
             score = grade(row, response.response, lenient=lenient, partial=partial, thinking_opened=thinking_opened)
             yield GradedResponse(response, score, row["recipe"], row["kind"])
-    if passed_over and not found:
+    if passed_over and not matched:
         raise DatasetError(f"{data.path}: no response is to a problem of {' or '.join(splits)}; give another --split")
 
 
@@ -192,34 +192,34 @@ def _numbered(given: Iterable[Response]) -> Iterator[tuple[int, Response]]:
 
 def responses(file: IO[bytes], name: str) -> Iterator[Response]:
     """Yield the responses in JSON lines ``{id, response}``; DatasetError, with the file's `name`, if invalid."""
-    found = False
+    any_response = False
     for count, text in enumerate(iter(lambda: file.readline(LONGEST_LINE), b""), start=1):
         if len(text) == LONGEST_LINE:
             raise DatasetError(f"{name}:{count}: more than {LONGEST_LINE} bytes; a line is {{id, response}}")
         if text.strip():
-            found = True
+            any_response = True
             yield from _each(_response(text, f"{name}:{count}"))
-    if not found:
+    if not any_response:
         raise DatasetError(f"{name}: holds no response; give a line {{id, response}} for each")
 
 
 def _each(line: Response) -> Iterator[Response]:
     """Yield the responses on a line of a responses file: each text in a list, or the messages of one conversation."""
-    held = line.response
-    if isinstance(held, list) and held and all(isinstance(said, str) for said in held):
-        yield from (line.model_copy(update={"response": said}) for said in held)
+    response = line.response
+    if isinstance(response, list) and response and all(isinstance(text, str) for text in response):
+        yield from (line.model_copy(update={"response": text}) for text in response)
     else:
         yield line
 
 
-def _response(text: bytes, place: str) -> Response:
+def _response(text: bytes, location: str) -> Response:
     try:
         return Response.model_validate(_whole(json.loads(text)))
     except ValidationError as error:
         problem = "; ".join(f"{'.'.join(map(str, fault['loc']))} {fault['msg']}" for fault in error.errors())
-        raise DatasetError(f"{place}: {problem.strip()}; a line is {{id, response}}") from error
+        raise DatasetError(f"{location}: {problem.strip()}; a line is {{id, response}}") from error
     except (ValueError, RecursionError) as error:
-        raise DatasetError(f"{place}: no JSON: {error}; a line is {{id, response}}") from error
+        raise DatasetError(f"{location}: no JSON: {error}; a line is {{id, response}}") from error
 
 
 def _whole(read: object) -> object:

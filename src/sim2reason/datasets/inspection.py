@@ -81,21 +81,23 @@ def show(  # noqa: PLR0913 - filters, by name
 
 
 def _check(data: Dataset, by: str, names: Sequence[str]) -> None:
-    held = data.manifest.counts.get(by, {})
+    available = data.manifest.counts.get(by, {})
     for name in names:
-        if name not in held:
-            raise DatasetError(f"{data.path}: holds no problem of {by} {name!r}; there is {', '.join(held) or 'none'}")
+        if name not in available:
+            raise DatasetError(
+                f"{data.path}: holds no problem of {by} {name!r}; there is {', '.join(available) or 'none'}"
+            )
 
 
 def _some(data: Dataset, items: int, wanted: Mapping[str, Sequence[str]], split: Sequence[str]) -> Iterator[Item]:
-    found = data.some(items, wanted, split)
-    first = next(found, None)
+    matches = data.some(items, wanted, split)
+    first = next(matches, None)
     if first is not None:
         yield first
-        yield from found
+        yield from matches
     elif chosen := wanted if split == data.splits() else {**wanted, "split": split}:
-        said = ", ".join(f"{by.rpartition('.')[2]} {' or '.join(names)}" for by, names in chosen.items())
-        raise DatasetError(f"{data.path}: holds no problem of {said}; see: sim2reason stats {data.path}")
+        criteria = ", ".join(f"{by.rpartition('.')[2]} {' or '.join(names)}" for by, names in chosen.items())
+        raise DatasetError(f"{data.path}: holds no problem of {criteria}; see: sim2reason stats {data.path}")
 
 
 COUNTED = "recipe", "difficulty", "mode", "kind", "needs", "shape"
@@ -140,9 +142,9 @@ class Stats(Record):
     def __str__(self) -> str:
         """Return a line with the counts of each column, and with the spread of prompts and answers."""
         counts = (
-            f"  {by}: {', '.join(f'{name} {n}' for name, n in found.items())}" for by, found in self.counts.items()
+            f"  {by}: {', '.join(f'{name} {n}' for name, n in entry.items())}" for by, entry in self.counts.items()
         )
-        answers = (f"  answers in {unit or 'pure numbers'}: {found}" for unit, found in self.answers.items())
+        answers = (f"  answers in {unit or 'pure numbers'}: {entry}" for unit, entry in self.answers.items())
         return "\n".join([repr(self)[1:-1], *counts, f"  words of prompts: {self.words}", *answers])
 
 
@@ -196,15 +198,15 @@ def stats(dataset: Dataset | Path | str) -> Stats:
     manifest = data.manifest
     return Stats(
         items=len(data),
-        counts={name: _sorted(found) for name, found in counts.items()} | {"split": manifest.counts.get("split", {})},
-        refused=_sorted(sum((Counter(found) for found in manifest.rejected.values()), Counter[str]())),
+        counts={name: _sorted(group) for name, group in counts.items()} | {"split": manifest.counts.get("split", {})},
+        refused=_sorted(sum((Counter(group) for group in manifest.rejected.values()), Counter[str]())),
         words=words.spread(),
-        answers={unit: found.spread() for unit, found in sorted(answers.items(), key=_commonest_first)},
+        answers={unit: group.spread() for unit, group in sorted(answers.items(), key=_commonest_first)},
     )
 
 
-def _sorted(found: Counter[str]) -> Counts:
-    return dict(sorted(found.items(), key=lambda pair: (-pair[1], pair[0])))
+def _sorted(counter: Counter[str]) -> Counts:
+    return dict(sorted(counter.items(), key=lambda pair: (-pair[1], pair[0])))
 
 
 def _commonest_first(pair: tuple[str, _Numbers]) -> tuple[int, str]:
@@ -275,19 +277,19 @@ def explain(
     request = Request.named(id) if item is None else Request.of(item)
     search, record = ItemSearch(request), RefusalRecord()
     search.on_refusal = record.add if refused else None
-    found = search.find()
-    made = None if found is None else item_of(request, found)
+    certified = search.find()
+    made = None if certified is None else item_of(request, certified)
     if item is not None and made != item:
         remedy = "install the versions that it names, or make the dataset anew"
         raise DatasetError(f"{id}: this version of sim2reason makes another problem of these coordinates; {remedy}")
     before = _refusals(search, record if refused else None)
-    if found is None or made is None:
+    if certified is None or made is None:
         return Explanation({"Problem": ("none: no question passed every filter",), **before})
     if figure is not None:
-        canvas.draw(drawing(found.description.scene, found.description), Path(figure))
+        canvas.draw(drawing(certified.description.scene, certified.description), Path(figure))
     if trace is not None:
-        trace_files.write_trace(found.study.trace, trace)
-    return Explanation(_sections(made, request, found, before))
+        trace_files.write_trace(certified.study.trace, trace)
+    return Explanation(_sections(made, request, certified, before))
 
 
 class RefusalRecord:
@@ -319,7 +321,7 @@ def _refusals(search: ItemSearch, record: RefusalRecord | None) -> dict[str, tup
 
 
 def _sections(
-    item: Item, request: Request, found: CertifiedQuestion, before: dict[str, tuple[str, ...]]
+    item: Item, request: Request, certified: CertifiedQuestion, before: dict[str, tuple[str, ...]]
 ) -> dict[str, tuple[str, ...]]:
     """Return the lines of an explanation by title."""
     return {
@@ -327,8 +329,8 @@ def _sections(
         "Scene": tuple(item.scene.splitlines()),
         "Certificate": tuple(_certificates(item)),
         **before,
-        "Solution": (*_measured(item), "", *_solution(request, found).splitlines()),
-        "Filters": tuple(_filters(found)),
+        "Solution": (*_measured(item), "", *_solution(request, certified).splitlines()),
+        "Filters": tuple(_filters(certified)),
         "Wrong answers": tuple(_wrong_answers(item)) or ("none",),
         "Without bearing": (*item.idle, *(f"the number {path}" for path in item.idle_numbers)) or ("nothing",),
     }
@@ -349,9 +351,9 @@ def _measured(item: Item) -> Iterator[str]:
         yield from (f"{name}: {number}" for name, number in item.measured)
 
 
-def _solution(request: Request, found: CertifiedQuestion) -> str:
+def _solution(request: Request, certified: CertifiedQuestion) -> str:
     """Return the worked solution, or the reason why there is none."""
-    solution = worked_solution(request, found)
+    solution = worked_solution(request, certified)
     return f"by {solution.strategy}\n\n{solution.text}" if solution.answer is not None else f"none: {solution.reason}"
 
 
@@ -366,20 +368,20 @@ def _wrong_answers(item: Item) -> Iterator[str]:
         yield from (f"{label}{each.value:.4g}: {each.reason}" for each in wrong)
 
 
-def _labelled(parts: Sequence[T], whole: T) -> Iterator[tuple[str, T]]:
+def _labelled(parts: Sequence[T], complete: T) -> Iterator[tuple[str, T]]:
     """Yield each part's value with its label, such as (a); without parts, the value of the whole problem."""
     labels = [f"({label}) " for label in LABELS]
-    yield from zip(labels, parts, strict=False) if parts else [("", whole)]
+    yield from zip(labels, parts, strict=False) if parts else [("", complete)]
 
 
-def _filters(found: CertifiedQuestion) -> Iterator[str]:
+def _filters(certified: CertifiedQuestion) -> Iterator[str]:
     """Yield report lines: each filter's verdict and findings, for each part of the problem if there are several."""
-    for label, held in _labelled([part.certified for part in found.parts], found):
-        yield from (f"{label}{line}" for line in _verdicts(held))
+    for label, question in _labelled([part.certified for part in certified.parts], certified):
+        yield from (f"{label}{line}" for line in _verdicts(question))
 
 
-def _verdicts(found: CertifiedQuestion) -> Iterator[str]:
-    candidate = replace(found.candidate, certificate=found.certificate)
+def _verdicts(certified: CertifiedQuestion) -> Iterator[str]:
+    candidate = replace(certified.candidate, certificate=certified.certificate)
     for name, each in in_order():
         yield f"{name}: {each.reason(candidate) or 'keeps it'}"
         yield from (f"  {line}" for line in each.findings(candidate))

@@ -192,9 +192,9 @@ def stream(  # noqa: PLR0913 - the same
     )
     check(config.weights, config.modes, config.recipes)
     for position in count(first):
-        found = make(config.request(position)).item
-        if found is not None:
-            yield found
+        problem = make(config.request(position)).item
+        if problem is not None:
+            yield problem
 
 
 def requested(  # noqa: PLR0913 - the same
@@ -220,14 +220,14 @@ def requested(  # noqa: PLR0913 - the same
 
 def made(request: Request) -> tuple[Item, CertifiedQuestion]:
     """Return the item of a request, with its certified question; DrawError if no draw passed the filters."""
-    found = _found(request)
-    return item_of(request, found), found
+    certified = _found(request)
+    return item_of(request, certified), certified
 
 
 def _found(request: Request) -> CertifiedQuestion:
     search = ItemSearch(request)
-    found = search.find()
-    if found is None:
+    certified = search.find()
+    if certified is None:
         refused = ", ".join(f"{count} {name}" for name, count in sorted(search.rejected.items()))
         raise DrawError(f"{request.id}: no draw passed the filters ({refused}); take another index")
-    return found
+    return certified

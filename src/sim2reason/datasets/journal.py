@@ -95,11 +95,11 @@ class Journal:
         strangers = sorted(path.name for path in self.out.iterdir() if not self._is_fresh(path))
         begun = _read(self.folder / PLAN, RunPlan)  # after the look at the folder: another part may be putting it
         manifest = load(self.out) if (self.out / MANIFEST).is_file() else None
-        found = RunPlan(config=manifest.config, versions=manifest.versions) if manifest else begun
-        if found is None:
+        existing = RunPlan(config=manifest.config, versions=manifest.versions) if manifest else begun
+        if existing is None:
             if strangers:
                 raise DatasetError(f"{self.out}: holds {strangers[0]} and is no dataset; choose a new folder")
-        elif differences := (begun or found).differences(self.plan):
+        elif differences := (begun or existing).differences(self.plan):
             raise DatasetError(
                 f"{self.out}: holds a dataset of another configuration ({'; '.join(differences)}); "
                 "choose a new folder, or the same options and versions to go on"
@@ -110,7 +110,7 @@ class Journal:
         """Return whether a path is only the remains of a run that was interrupted before it wrote its plan."""
         if path != self.folder or not path.is_dir():
             return False
-        return all(held.name.startswith(f"{PLAN}.") and held.suffix == TEMPORARY for held in path.iterdir())
+        return all(child.name.startswith(f"{PLAN}.") and child.suffix == TEMPORARY for child in path.iterdir())
 
     def _open_again(self, manifest: Manifest) -> None:
         """Restore the records of a finished dataset; the manifest is removed if the dataset grows."""

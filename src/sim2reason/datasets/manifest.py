@@ -42,9 +42,9 @@ Key = tuple[str, str, str]
 """Mode, kind and recipe."""
 
 
-def table(asked: Iterable[tuple[Key, int]], kept: Iterable[Key]) -> tuple[Cell, ...]:
+def table(requests: Iterable[tuple[Key, int]], kept: Iterable[Key]) -> tuple[Cell, ...]:
     """Return all cells with requests or items, in alphabetical order."""
-    return _summed([*((key, number, 0) for key, number in asked), *((key, 0, 1) for key in kept)])
+    return _summed([*((key, number, 0) for key, number in requests), *((key, 0, 1) for key in kept)])
 
 
 def together(tables: Iterable[Iterable[Cell]]) -> tuple[Cell, ...]:
@@ -53,14 +53,14 @@ def together(tables: Iterable[Iterable[Cell]]) -> tuple[Cell, ...]:
     return _summed(((cell.mode, cell.kind, cell.recipe), cell.asked, cell.kept) for cell in cells)
 
 
-def _summed(found: Iterable[tuple[Key, int, int]]) -> tuple[Cell, ...]:
+def _summed(entries: Iterable[tuple[Key, int, int]]) -> tuple[Cell, ...]:
     counts: dict[Key, tuple[int, int]] = {}
-    for key, asked, kept in found:
+    for key, requested, kept in entries:
         before = counts.get(key, (0, 0))
-        counts[key] = before[0] + asked, before[1] + kept
+        counts[key] = before[0] + requested, before[1] + kept
     return tuple(
-        Cell(mode=mode, kind=kind, recipe=recipe, asked=asked, kept=kept)
-        for (mode, kind, recipe), (asked, kept) in sorted(counts.items())
+        Cell(mode=mode, kind=kind, recipe=recipe, asked=requested, kept=kept)
+        for (mode, kind, recipe), (requested, kept) in sorted(counts.items())
     )
 
 
@@ -75,9 +75,9 @@ def enough(cells: int) -> int:
 
 def empty(cells: Iterable[Cell]) -> Iterator[str]:
     """Yield a line for each mode, kind and recipe without an item, after too many requests for an accident."""
-    found = tuple(cells)
-    for cell in found:
-        if cell.kept == 0 and cell.asked >= enough(len(found)):
+    all_cells = tuple(cells)
+    for cell in all_cells:
+        if cell.kept == 0 and cell.asked >= enough(len(all_cells)):
             name = f"{cell.recipe}.{cell.mode}.{cell.kind}"
             yield (
                 f"{name}: asked for {cell.asked} times, and none was kept; see which filters refuse them, "
@@ -279,7 +279,7 @@ def _shard(path: Path, count: int, line: bytes) -> Shard:
 
 def refused(path: Path, kind: Refusal) -> Iterator[RefusedPosition]:
     """Yield all positions of a finished dataset without items for one cause, in order."""
-    return (found for shard in shards(path) for found in getattr(shard, kind))
+    return (position for shard in shards(path) for position in getattr(shard, kind))
 
 
 def merged(parts: Iterable[Mapping[str, Counts]]) -> dict[str, Counts]:
@@ -293,8 +293,11 @@ def merged(parts: Iterable[Mapping[str, Counts]]) -> dict[str, Counts]:
 
 def all_histograms(parts: Iterable[Mapping[str, Counted]]) -> dict[str, Counted]:
     """Return the sum of histograms."""
-    found = tuple(parts)
-    return {name: merged(part.get(name, {}) for part in found) for name in sorted({n for part in found for n in part})}
+    histograms = tuple(parts)
+    return {
+        name: merged(part.get(name, {}) for part in histograms)
+        for name in sorted({n for part in histograms for n in part})
+    }
 
 
 def _first(error: ValidationError) -> str:

@@ -54,20 +54,20 @@ _LICENSE = re.compile(r"[a-z0-9][a-z0-9.+-]{0,39}")
 def several(what: str, names: object) -> tuple[str, ...]:
     """Return one or more names as a tuple; DatasetError, with `what`, for anything else."""
     many = isinstance(names, Iterable) and not isinstance(names, str)
-    for name in (found := tuple(cast("Iterable[object]", names if many else (names,)))):
+    for name in (chosen := tuple(cast("Iterable[object]", names if many else (names,)))):
         if not isinstance(name, str):
             raise DatasetError(f"{what}: {name!r} is no name; give one, several, or {ALL!r}")
-    return cast("tuple[str, ...]", found)
+    return cast("tuple[str, ...]", chosen)
 
 
 def numbers(what: str, pairs: object) -> dict[str, float]:
     """Return numbers by name, such as weights; DatasetError for anything else."""
     if not isinstance(pairs, Mapping):
         raise DatasetError(f"{what}: {pairs!r} is no mapping; give numbers by name, as in {{'period': 2}}")
-    for name, size in (found := cast("Mapping[object, object]", pairs)).items():
+    for name, size in (by_name := cast("Mapping[object, object]", pairs)).items():
         if not isinstance(name, str) or not isinstance(size, Real):
             raise DatasetError(f"{what}: {name!r}: {size!r} is no number of that name; write as in {{'period': 2}}")
-    return cast("dict[str, float]", dict(found))
+    return cast("dict[str, float]", dict(by_name))
 
 
 class Config(Record):
@@ -163,9 +163,9 @@ class Config(Record):
 
     def request(self, position: int) -> Request:
         """Return the request at a position; positions cycle through all recipes, difficulties and modes."""
-        turn, place = divmod(position, len(self._cells))
-        cell = self._cells[place]
-        index = turn * self._cells.count(cell) + self._cells[:place].count(cell)
+        turn, slot = divmod(position, len(self._cells))
+        cell = self._cells[slot]
+        index = turn * self._cells.count(cell) + self._cells[:slot].count(cell)
         how = self._weights, self.units, self.solutions, self.unfiltered
         return Request(*cell, self.seed, index, *how, tolerance=self.tolerance, needs=self.needs)
 
@@ -191,8 +191,8 @@ class Config(Record):
         times = self._cells.count(cell)
         if times:
             turn, among = divmod(request.index, times)
-            place = [n for n, found in enumerate(self._cells) if found == cell][among]
-            position = turn * len(self._cells) + place
+            slot = [n for n, candidate in enumerate(self._cells) if candidate == cell][among]
+            position = turn * len(self._cells) + slot
             if self.request(position).id == request.id:
                 return position
         raise DrawError(f"{request.id}: no item of this dataset")
@@ -210,24 +210,24 @@ def file_name(number: int, total: int, split: str = TRAIN) -> str:
 
 def recipes_named(names: Names, *, check: bool = True) -> tuple[str, ...]:
     """Return recipes by name; with `check`, UnknownNameError suggests similar names for an unknown one."""
-    found = all_recipes() if names == ALL else several("recipe", names)
-    for name in found if check else ():
+    recipes = all_recipes() if names == ALL else several("recipe", names)
+    for name in recipes if check else ():
         RECIPES[name]
-    return found
+    return recipes
 
 
 def modes_named(names: Names, *, check: bool = True) -> tuple[str, ...]:
     """Return modes by name; with `check`, UnknownNameError suggests similar names for an unknown one."""
-    found = tuple(MODES) if names == ALL else several("mode", names)
-    for name in found if check else ():
+    modes = tuple(MODES) if names == ALL else several("mode", names)
+    for name in modes if check else ():
         MODES[name]
-    return found
+    return modes
 
 
 def difficulties_named(names: Names) -> tuple[Difficulty, ...]:
     """Return difficulties by name; UnknownNameError for an unknown one."""
-    found = DIFFICULTIES if names == ALL else several("difficulty", names)
-    return tuple(difficulty_named(name) for name in found)
+    difficulties = DIFFICULTIES if names == ALL else several("difficulty", names)
+    return tuple(difficulty_named(name) for name in difficulties)
 
 
 def needs_named(names: Names) -> tuple[str, ...]:
@@ -235,8 +235,8 @@ def needs_named(names: Names) -> tuple[str, ...]:
 
     A hyphen may replace a space. Without names the default quota applies.
     """
-    found = {_need(name) for name in (tuple(NEEDS) if names == ALL else several("needs", names))}
-    return tuple(need.label for need in sorted(found))
+    needs = {_need(name) for name in (tuple(NEEDS) if names == ALL else several("needs", names))}
+    return tuple(need.label for need in sorted(needs))
 
 
 def _need(name: str) -> Need:

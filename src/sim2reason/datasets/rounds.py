@@ -163,9 +163,9 @@ def _rows(journal: Journal) -> int:
 def _write(journal: Journal, overlap: FindsOverlap, positions: range, outcomes: Sequence[Attempt]) -> None:
     """Write the items of a completed range of positions into its shard, after those that the shard already has."""
     number = positions.start // journal.plan.config.shard
-    found = [(outcome.position, outcome.item) for outcome in outcomes if outcome.item is not None]
-    overlaps = {position: shared for position, item in found if (shared := overlap(item.prompt))}
-    items = [(position, item) for position, item in found if position not in overlaps]
+    placed = [(outcome.position, outcome.item) for outcome in outcomes if outcome.item is not None]
+    overlaps = {position: shared for position, item in placed if (shared := overlap(item.prompt))}
+    items = [(position, item) for position, item in placed if position not in overlaps]
     shard = _record(journal.plan.config, positions, outcomes, overlaps)
     if positions.start > journal.range(number).start:
         before = shard_of(journal, number)
@@ -187,7 +187,7 @@ def _record(config: Config, positions: range, outcomes: Sequence[Attempt], overl
         rejected=merged({r.recipe: each.rejected} for each, r in requests),
         cells=table(wanted, ()),
         quarantined=tuple(failed),
-        contaminated=tuple(RefusedPosition.of(k, config.request(k), found.text) for k, found in overlaps.items()),
+        contaminated=tuple(RefusedPosition.of(k, config.request(k), overlap.text) for k, overlap in overlaps.items()),
         unfilled=tuple(RefusedPosition.of(each.position, r, _why(each.rejected)) for each, r in empty),
     )
 
@@ -208,22 +208,22 @@ def _behind_last_item(journal: Journal) -> int:
 def _leave_doubles_out(journal: Journal) -> None:
     """Rewrite shards without duplicates of items at lower positions."""
     read = partial(marks_of, journal)
-    for number, found in find_duplicates(read, journal.shards, journal.positions, journal.plan.config.distance):
-        _leave_out(journal, number, found)
+    for number, duplicates in find_duplicates(read, journal.shards, journal.positions, journal.plan.config.distance):
+        _leave_out(journal, number, duplicates)
 
 
-def _leave_out(journal: Journal, number: int, found: Sequence[Duplicate]) -> None:
-    config, shard, gone = journal.plan.config, shard_of(journal, number), {each.position for each in found}
+def _leave_out(journal: Journal, number: int, duplicates: Sequence[Duplicate]) -> None:
+    config, shard, gone = journal.plan.config, shard_of(journal, number), {each.position for each in duplicates}
     kept: list[tuple[int, Item]] = [pair for pair in items_of(journal, shard) if pair[0] not in gone]
     changed = {
-        "duplicates": _left_out(shard.duplicates, config, [each for each in found if not each.alike]),
-        "variants": _left_out(shard.variants, config, [each for each in found if each.alike]),
+        "duplicates": _left_out(shard.duplicates, config, [each for each in duplicates if not each.alike]),
+        "variants": _left_out(shard.variants, config, [each for each in duplicates if each.alike]),
     }
     put_shard(journal, shard.model_copy(update=changed), kept)
 
 
 def _left_out(
-    before: Sequence[RefusedPosition], config: Config, found: Sequence[Duplicate]
+    before: Sequence[RefusedPosition], config: Config, duplicates: Sequence[Duplicate]
 ) -> tuple[RefusedPosition, ...]:
     """Return the positions of a shard without an item, after the duplicates found now are added, in order."""
     more = [
@@ -232,6 +232,6 @@ def _left_out(
             config.request(each.position),
             f"{'like' if each.alike else 'same as'} {config.request(each.first).id}",
         )
-        for each in found
+        for each in duplicates
     ]
     return tuple(sorted([*before, *more], key=lambda each: each.position))

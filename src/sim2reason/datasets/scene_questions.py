@@ -237,14 +237,14 @@ def solve(  # noqa: PLR0913 - the parts of a question, by name
     if (scene is None) == (id is None):
         raise SceneError("solve", "it takes a scene or an id", "give one of the two")
     parts = {"find": find, "of": of, "when": when, "along": along, "given": given, "change": change}
-    said = {name: part for name, part in parts.items() if part}
-    if said and question is not None:
+    given_parts = {name: part for name, part in parts.items() if part}
+    if given_parts and question is not None:
         raise SceneError("question", "it is there twice, as a whole and in parts", "give one of the two")
-    asked = {**said, "compare": compare} if said else question
+    asked = {**given_parts, "compare": compare} if given_parts else question
     if scene is not None and not isinstance(scene, Item):
-        held, text = given_scene(scene, "solve")
+        loaded, text = given_scene(scene, "solve")
         asked = question_of(text) if asked is None and text else asked
-        return _of_structured(held, asked, seed) if isinstance(asked, Mapping) else _of_scene(held, asked, seed)
+        return _of_structured(loaded, asked, seed) if isinstance(asked, Mapping) else _of_scene(loaded, asked, seed)
     if asked is not None:
         raise SceneError("question", "the problem of an item or id has its own", "give a scene instead")
     return _of_request(Request.of(scene) if scene is not None else Request.named(str(id)))
@@ -253,10 +253,10 @@ def solve(  # noqa: PLR0913 - the parts of a question, by name
 def _of_request(request: Request) -> SolvedProblem:
     name = request.id
     system_named(request.units)
-    found = ItemSearch(request).find()
-    if found is None:
+    certified = ItemSearch(request).find()
+    if certified is None:
         raise DrawError(f"{name}: no draw passed the filters, so that there is no such problem; take another index")
-    item, solution = item_of(request, found), worked_solution(request, found)
+    item, solution = item_of(request, certified), worked_solution(request, certified)
     return SolvedProblem(item.prompt, solution, item.answer.value, item.answer.unit, solution.reason)
 
 
@@ -266,7 +266,7 @@ def _of_scene(scene: Scene, question: str | None, seed: int) -> SolvedProblem:
     search = QuestionSearch(simulate_until_event(motion).study, seed)
     if question is None:
         draws = (search.ask(MODES["numeric"], generator("solve", seed, n), Counter[str]()) for n in range(SOLVE_TRIES))
-        drawn = next((held for held in draws if held is not None), None)
+        drawn = next((draw for draw in draws if draw is not None), None)
         if drawn is None:
             raise SceneError(scene.name, "no question about it passes the filters", "give one, by --question")
         query, question = drawn.question.query, drawn.question.text
@@ -275,11 +275,11 @@ def _of_scene(scene: Scene, question: str | None, seed: int) -> SolvedProblem:
     problem = f"{search.description.text} {question}"
     if query is not None:
         return _answered(problem, search, PosedQuestion(query), simulate_until_answer(query, motion))
-    meant = understood(question, motion, search.words)
-    if meant is None:
+    interpretation = understood(question, motion, search.words)
+    if interpretation is None:
         raise TextError("question", f"{question!r} is not understood", suggestion(question, motion, search.words))
-    read_as = meant.posed.sentence(search.words) or meant.asked.told
-    return _answered(problem, search, meant.posed, meant.followed)._replace(read_as=read_as)
+    read_as = interpretation.posed.sentence(search.words) or interpretation.asked.told
+    return _answered(problem, search, interpretation.posed, interpretation.followed)._replace(read_as=read_as)
 
 
 def _of_structured(scene: Scene, parts: Mapping[str, object], seed: int) -> SolvedProblem:
@@ -292,29 +292,31 @@ def _of_structured(scene: Scene, parts: Mapping[str, object], seed: int) -> Solv
     return _answered(problem, search, question, question.followed(motion))
 
 
-def _answered(problem: str, search: QuestionSearch, question: PosedQuestion, found: SimulatedAnswer) -> SolvedProblem:
+def _answered(
+    problem: str, search: QuestionSearch, question: PosedQuestion, simulated: SimulatedAnswer
+) -> SolvedProblem:
     """Return a question's answer from the motion, with a worked solution if there is one."""
     unit = question.unit(search.words)
-    if found.answer is None:
-        return SolvedProblem(problem, Solution("", reason=found.reason), None, unit, found.reason)
+    if simulated.answer is None:
+        return SolvedProblem(problem, Solution("", reason=simulated.reason), None, unit, simulated.reason)
     target, moment = question.query.target, question.query.moment
-    over = moment.told(found.study.trace) if isinstance(moment, WholeMotion) else ""
+    over = moment.told(simulated.study.trace) if isinstance(moment, WholeMotion) else ""
     compared = question.compare != VALUE or question.varied is not None
     if compared or (target is not None and target not in targets(search.words) and not _only_in_parts(target)):
         unsaid = Solution("", reason="no sentence of the library asks this")
-        return SolvedProblem(problem, unsaid, found.answer, unit, unsaid.reason, over=over)
-    symbols, study, unknown = search.description.symbols, found.study, question.unknown
+        return SolvedProblem(problem, unsaid, simulated.answer, unit, unsaid.reason, over=over)
+    symbols, study, unknown = search.description.symbols, simulated.study, question.unknown
     if unknown is None:
         setting = ProblemContext(study.scene, search.words, symbols, study, question.query)
     else:
         study = simulate_until_answer(
-            question.query, simulate_scene(with_number(study.scene, unknown.path, found.answer))
+            question.query, simulate_scene(with_number(study.scene, unknown.path, simulated.answer))
         ).study
         stated = StatedResult(f"{question.given:.15g}", question.given_unit(search.words))
         words = Words.of(study.scene, search.words.mentions, {unknown.path: unknown.symbol}, search.words.symbols)
         setting = ProblemContext(study.scene, words, symbols, study, question.query, unknown.path, stated)
     solution = solved(setting)
-    return SolvedProblem(problem, solution, found.answer, unit, solution.reason, over=over)
+    return SolvedProblem(problem, solution, simulated.answer, unit, solution.reason, over=over)
 
 
 def _only_in_parts(target: Target) -> bool:

@@ -39,10 +39,12 @@ BySplit = Mapping[str, Sequence[Item]]
 def write(out: Path, scratch: Path, number: int, total: int, items: BySplit) -> tuple[ShardFile, ...]:
     """Write the files of a shard, one for each split with items, since the Hub rejects files without rows."""
     named = {split: file_name(number, total, split) for split in items}
-    for split, found in items.items():
-        if not found:
+    for split, split_items in items.items():
+        if not split_items:
             (out / named[split]).unlink(missing_ok=True)
-    return tuple(_write(out, scratch, named[split], split, found) for split, found in items.items() if found)
+    return tuple(
+        _write(out, scratch, named[split], split, split_items) for split, split_items in items.items() if split_items
+    )
 
 
 def _write(out: Path, scratch: Path, name: str, split: str, items: Sequence[Item]) -> ShardFile:
@@ -55,13 +57,13 @@ def counts(items: BySplit) -> dict[str, Counts]:
     of_items = [
         {by: str(getattr(item, by)) for by in COUNTED} | {"quantity": item.asked.quantity} for item in flat(items)
     ]
-    found = (merged({by: {name: 1}} for by, name in each.items()) for each in of_items)
-    return merged([*found, {"split": {name: len(held) for name, held in items.items()}}])
+    tallies = (merged({by: {name: 1}} for by, name in each.items()) for each in of_items)
+    return merged([*tallies, {"split": {name: len(split_items) for name, split_items in items.items()}}])
 
 
 def flat(items: BySplit) -> list[Item]:
     """Return the items of all splits."""
-    return [item for held in items.values() for item in held]
+    return [item for split_items in items.values() for item in split_items]
 
 
 def read(out: Path, file: ShardFile, places: Sequence[int] | None = None) -> list[Item]:
@@ -105,12 +107,12 @@ def put_shard(journal: Journal, shard: Shard, items: Placed) -> None:
     config = journal.plan.config
     homes = [(split_of(item, config.split), item) for _, item in items]
     by_split = {name: [item for home, item in homes if home == name] for name in config.split}
-    asked = [((cell.mode, cell.kind, cell.recipe), cell.asked) for cell in shard.cells]
+    requested = [((cell.mode, cell.kind, cell.recipe), cell.asked) for cell in shard.cells]
     changed = {
         "files": write(journal.out, journal.folder, shard.number, journal.shards, by_split),
         "counts": counts(by_split),
         "histograms": count_histograms(item for _, item in items),
-        "cells": table(asked, ((item.mode, kind, item.recipe) for _, item in items for kind in item.kinds)),
+        "cells": table(requested, ((item.mode, kind, item.recipe) for _, item in items for kind in item.kinds)),
     }
     journal.note(shard.model_copy(update=changed), marks(items, scenes=len(config.split) > 1))
 
@@ -196,14 +198,14 @@ class ItemFiles(Sequence[Item]):
             MissingExtraError: pandas is not installed.
         """
         pandas = optional("pandas")
-        found = [row for file in self._files for row in rows(self.path, file, store.COLUMNS)]
-        return pandas.DataFrame(found, columns=store.COLUMNS)
+        records = [row for file in self._files for row in rows(self.path, file, store.COLUMNS)]
+        return pandas.DataFrame(records, columns=store.COLUMNS)
 
     def _at(self, number: int) -> Item:
-        place = next(n for n, end in enumerate(self._ends) if number < end)
-        if self._last[0] != place:
-            self._last = place, read(self.path, self._files[place])
-        return self._last[1][number - self._ends[place]]
+        index = next(n for n, end in enumerate(self._ends) if number < end)
+        if self._last[0] != index:
+            self._last = index, read(self.path, self._files[index])
+        return self._last[1][number - self._ends[index]]
 
 
 class Findings(Record):

@@ -145,8 +145,8 @@ def _opened(path: Path) -> Generator[Any, None, None]:
 
 def _row(item: Item) -> dict[str, Any]:
     row = item.model_dump(mode="json")
-    for held in (row, *row["parts"]):
-        held["certificate"] = _json(held["certificate"])
+    for record in (row, *row["parts"]):
+        record["certificate"] = _json(record["certificate"])
     row["provenance"] |= {name: _json(row["provenance"][name]) for name in OPEN}
     return row
 

@@ -67,15 +67,15 @@ def asked(
         EvaluationError: a folder that holds something else, or tries that got no answer.
         PolicyError: a policy that can't be asked; what was finished is kept.
     """
-    held = _policy(policy)
+    loaded_policy = _policy(policy)
     plan = PolicyPass.model_validate(
-        {"dataset": checksum(source.path / MANIFEST), "policy": held.decisive, "seed": seed}
+        {"dataset": checksum(source.path / MANIFEST), "policy": loaded_policy.decisive, "seed": seed}
     )
     with working_in(out):
-        _claim(out, plan, held)
+        _claim(out, plan, loaded_policy)
         with SampleJournal(out / SAMPLES) as journal:
             prompts = ((item.id, item.prompt) for item in items)
-            done = ask(held, requests_for(prompts, k, seed), journal, advance=advance)
+            done = ask(loaded_policy, requests_for(prompts, k, seed), journal, advance=advance)
         if done.open:
             raise EvaluationError(f"{len(done.open)} tries got no answer; give the same command again. {done.open[0]}")
         yield plan
@@ -185,7 +185,7 @@ def _finished(source: Dataset, out: Path, plan: PolicyPass, k: int, between: tup
     )
     manifest = put_subset(source, out / KEPT, lambda item: rates[item.id].kept, "solvable", why)
     counts = [rate.right for rate in rates.values()]
-    found = Solvable(
+    record = Solvable(
         plan=plan,
         tries=k,
         between=between,
@@ -195,16 +195,16 @@ def _finished(source: Dataset, out: Path, plan: PolicyPass, k: int, between: tup
         samples=checksum(out / SAMPLES),
         versions={"sim2reason": version("sim2reason")},
     )
-    put_text(out / RESULT, canonical(found.model_dump(mode="json")), out)
-    return found
+    put_text(out / RESULT, canonical(record.model_dump(mode="json")), out)
+    return record
 
 
 def _rates(source: Dataset, journal: Path, k: int, between: tuple[float, float]) -> Iterator[PassRate]:
     """Yield the pass rate of each problem, in the dataset's order."""
     answers: Mapping[str, Answer] = {item.id: item.answer for item in source}
     right = dict.fromkeys(answers, 0)
-    for found in finished(journal):
-        if found.sample < k and found.id in answers:
-            right[found.id] += grade_answer(answers[found.id], found.completion.whole).reward == 1.0
+    for sample in finished(journal):
+        if sample.sample < k and sample.id in answers:
+            right[sample.id] += grade_answer(answers[sample.id], sample.completion.whole).reward == 1.0
     for name, count in right.items():
         yield PassRate(id=name, right=count, tries=k, kept=between[0] < count / k < between[1])

@@ -145,13 +145,13 @@ def _patch(shape: Shape, order: int) -> "Patch":
 
     match shape:
         case LineShape(points, weight):
-            way = [(p.real, p.imag) for p in points]
+            vertices = [(p.real, p.imag) for p in points]
             look: dict[str, Any] = {"arrowstyle": "-|>", "mutation_scale": 9.0, "color": "black", "zorder": order}
             if len(points) > 2:  # a curved one: filled, its shaft would be too
-                bent = Path2D(way)
+                bent = Path2D(vertices)
                 return patches.FancyArrowPatch(path=bent, linewidth=WIDTHS[weight], fill=False, **look)
             look |= {"shrinkA": 0.0, "shrinkB": 0.0}
-            return patches.FancyArrowPatch(way[0], way[-1], linewidth=WIDTHS[weight], **look)
+            return patches.FancyArrowPatch(vertices[0], vertices[-1], linewidth=WIDTHS[weight], **look)
         case Area(points, fill, weight):
             corners = [(p.real, p.imag) for p in points]
             look = {"facecolor": FILLS[fill], "edgecolor": "black", "linewidth": WIDTHS[weight]}

@@ -38,17 +38,17 @@ class Trajectories:
 
 def trajectories(state: State, mentions: Mapping[str, str], origins: Mapping[str, Vector]) -> tuple[Trajectories, ...]:
     """Return the trajectories, by entity, of all bodies with two directions along axes named in the text."""
-    of, found = Bodies(), dict[tuple[str, str, str], list[Trajectory]]()
+    of, groups = Bodies(), dict[tuple[str, str, str], list[Trajectory]]()
     unit = show_unit(state.mechanism.units.length)
     for name, phrase in of.phrases(state.mechanism, mentions).items():
         axes = [sense for sense in of.senses(state.mechanism, name) if sense.axis]
         if len(axes) == 2:
             owner = name.split(".", maxsplit=1)[0]
-            place = state.vector(state.frames.center(name).place) - np.array(origins.get(owner, (0.0, 0.0, 0.0)))
-            x, y = (place @ np.array(axis.vector) for axis in axes)
+            position = state.vector(state.frames.center(name).place) - np.array(origins.get(owner, (0.0, 0.0, 0.0)))
+            x, y = (position @ np.array(axis.vector) for axis in axes)
             one, other = (f"{axis.axis} ({unit})" for axis in axes)
-            found.setdefault((owner, one, other), []).append(Trajectory(name, of.label(phrase), x, y))
-    return tuple(Trajectories(one, other, tuple(members)) for (_, one, other), members in found.items())
+            groups.setdefault((owner, one, other), []).append(Trajectory(name, of.label(phrase), x, y))
+    return tuple(Trajectories(one, other, tuple(members)) for (_, one, other), members in groups.items())
 
 
 SAMPLES = 400
@@ -102,10 +102,10 @@ def motion_curves(trace: Trace, description: Description) -> MotionCurves:
     mentions = {address: description.mention(address) for address in description.scene.bodies}
     duration = float(trace.state.times[-1])
     times = instants(trace, duration)
-    state, said = trace.sample(times), frozenset(p.path for p in description.scene.parameters if not p.hidden)
+    state, stated = trace.sample(times), frozenset(p.path for p in description.scene.parameters if not p.hidden)
     paths = trajectories(state, mentions, description.scene.builder.origins)
     traced = {member.name for group in paths for member in group.members}
-    shown = tuple(panel for panel in panels(state, mentions, said) if not _superfluous(panel, traced))
+    shown = tuple(panel for panel in panels(state, mentions, stated) if not _superfluous(panel, traced))
     marks = [
         Mark(event.time, describe_event(event, trace.mechanism, mentions), event.subjects)
         for event in _worth(trace, duration)
@@ -125,19 +125,19 @@ def instants(trace: Trace, duration: float) -> Array:
     return np.unique(np.concatenate([grid, events, np.nextafter(events, 0.0)]))
 
 
-def panels(state: State, mentions: dict[str, str], said: frozenset[str] | None = None) -> tuple[Panel, ...]:
+def panels(state: State, mentions: dict[str, str], stated: frozenset[str] | None = None) -> tuple[Panel, ...]:
     """Return a panel for each plotted quantity that the text mentions; some quantities share a panel.
 
-    Curves that are always zero are omitted. `said` contains the addresses of the stated numbers: a quantity that needs
+    Curves that are always zero are omitted. `stated` contains the addresses of the stated numbers: a quantity that needs
     others is omitted; None allows all.
     """
-    found: dict[str, list[tuple[str, Curve]]] = {}
+    curves_by_title: dict[str, list[tuple[str, Curve]]] = {}
     for quantity in ordered():
         if quantity.panel:
             unit = show_unit(state.mechanism.units.spell(quantity.unit))
-            for title, curve in _curves(quantity, state, mentions, said):
-                found.setdefault(f"{title} ({unit})".removesuffix(" ()"), []).append((quantity.name, curve))
-    panels = (Panel(title, _disambiguated(curves)) for title, curves in found.items())
+            for title, curve in _curves(quantity, state, mentions, stated):
+                curves_by_title.setdefault(f"{title} ({unit})".removesuffix(" ()"), []).append((quantity.name, curve))
+    panels = (Panel(title, _disambiguated(curves)) for title, curves in curves_by_title.items())
     return tuple(panel for panel in panels if _shows(panel.curves))
 
 
@@ -162,7 +162,7 @@ def _shows(curves: tuple[Curve, ...]) -> bool:
 
 
 def _curves(
-    quantity: Quantity, state: State, mentions: dict[str, str], said: frozenset[str] | None
+    quantity: Quantity, state: State, mentions: dict[str, str], stated: frozenset[str] | None
 ) -> Iterator[tuple[str, Curve]]:
     """Yield the panel titles and curves of a quantity, one for each subject, or one for their sum."""
     mechanism, of = state.mechanism, quantity.of
@@ -170,7 +170,7 @@ def _curves(
         name: phrase
         for name, phrase in of.phrases(mechanism, mentions).items()
         if quantity.present(mechanism, name)
-        and (said is None or all(of.gives(need, mechanism, name, said) for need in quantity.needs))
+        and (stated is None or all(of.gives(need, mechanism, name, stated) for need in quantity.needs))
     }
     if quantity.pooled and names:
         total = np.sum([quantity.evaluate(state, name) for name in names], axis=0)
@@ -206,11 +206,11 @@ def _axle(values: Array) -> Array | None:
     sizes = np.linalg.norm(values, axis=1)
     if not np.isfinite(sizes).all() or sizes.max() <= ZERO_LEVEL:
         return None
-    way: Array = values[int(np.argmax(sizes > 1e-3 * sizes.max()))]
-    way = way / np.linalg.norm(way)
-    along = values @ way
-    straight = np.abs(values - np.outer(along, way)).max() <= STRAIGHT * sizes.max()
-    return way if straight else None
+    direction: Array = values[int(np.argmax(sizes > 1e-3 * sizes.max()))]
+    direction = direction / np.linalg.norm(direction)
+    along = values @ direction
+    straight = np.abs(values - np.outer(along, direction)).max() <= STRAIGHT * sizes.max()
+    return direction if straight else None
 
 
 def _forward(state: State, body: str, direction: Array) -> float:
@@ -255,13 +255,13 @@ VERBS = {
 
 def describe_event(event: Event, mechanism: Mechanism, mentions: dict[str, str]) -> str:
     """Return the description of an event in the words of the text."""
-    said = [_subject(subject, mechanism, mentions) for subject in event.subjects if subject] or [""]
-    said.sort(key=lambda phrase: 2 if phrase == FIXED else int("pulley" in phrase))  # a block meets a pulley
-    if "component of" in said[0]:
-        return f"{said[0]} changes its sign"
-    if event.kind == "collision" and len(said) == 1:
-        return f"{said[0]} hits {_obstacle(event, mechanism)}"
-    return VERBS.get(event.kind, event.kind).format(*said, *([""] * 2))
+    phrases = [_subject(subject, mechanism, mentions) for subject in event.subjects if subject] or [""]
+    phrases.sort(key=lambda phrase: 2 if phrase == FIXED else int("pulley" in phrase))  # a block meets a pulley
+    if "component of" in phrases[0]:
+        return f"{phrases[0]} changes its sign"
+    if event.kind == "collision" and len(phrases) == 1:
+        return f"{phrases[0]} hits {_obstacle(event, mechanism)}"
+    return VERBS.get(event.kind, event.kind).format(*phrases, *([""] * 2))
 
 
 def _obstacle(event: Event, mechanism: Mechanism) -> str:

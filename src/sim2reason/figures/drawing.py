@@ -54,10 +54,10 @@ def _component(scene: Scene, owners: frozenset[str]) -> Component:
     if not scaled:
         return Component(owners, ())
     rigid = {name: _ends(scene, name) for name in owners if name in scene.joints and not _is_string(scene, name)}
-    carried = any(not held <= scaled and scene.joints[name].connection.carries for name, held in rigid.items())
+    carried = any(not ends <= scaled and scene.joints[name].connection.carries for name, ends in rigid.items())
     if scaled == {name for name in owners if _is_entity(scene, name)} or carried:
         return Component(frozenset(), (owners,))
-    inner = {name: sorted(held) for name, held in rigid.items() if held <= scaled}
+    inner = {name: sorted(ends) for name, ends in rigid.items() if ends <= scaled}
     groups = _clusters([*sorted(scaled), *inner], inner)
     return Component(owners - frozenset[str]().union(*groups), tuple(groups))
 
@@ -83,12 +83,12 @@ def _ends(scene: Scene, name: str) -> frozenset[str]:
 def _clusters(names: Iterable[str], joined: Mapping[str, Iterable[str]]) -> list[frozenset[str]]:
     """Return the names in groups: each key of `joined` together with all names of its value."""
     leader = {name: name for name in names}
-    for name, held in joined.items():
-        for other in held:
+    for name, group in joined.items():
+        for other in group:
             old, new = leader[other], leader[name]
             leader = {each: new if head == old else head for each, head in leader.items()}
     heads = dict.fromkeys(leader.values())
-    return [frozenset(name for name, held in leader.items() if held == head) for head in heads]
+    return [frozenset(name for name, group in leader.items() if group == head) for head in heads]
 
 
 BETWEEN = 1.2  # units between unconnected parts of a scene
@@ -108,8 +108,8 @@ def drawing(scene: Scene, description: Description | None = None, *, numbers: bo
         if body.look is None:
             problem = f"no figure shows a body of the type {type(body).__name__}, here {address}"
             warnings.warn(f"{problem}; give its class a look", FigureWarning, stacklevel=2)
-    _, found = disguise_unknowns(scene, description, partial(_drawn, description=description, numbers=numbers))
-    return found
+    _, disguised = disguise_unknowns(scene, description, partial(_drawn, description=description, numbers=numbers))
+    return disguised
 
 
 def _drawn(scene: Scene, description: Description, *, numbers: bool) -> Drawing:
@@ -151,7 +151,7 @@ def _parts(plan: DrawingPlan, component: Component, scaled: Iterable[str]) -> It
     leader = {name: name for name in names}
     for strand in strands:
         old, new = leader[strand.b.piece], leader[strand.a.piece]
-        leader = {name: new if held == old else held for name, held in leader.items()}
+        leader = {name: new if root == old else root for name, root in leader.items()}
     for head in dict.fromkeys(leader.values()):
         members = [name for name in names if leader[name] == head]
         yield members, [strand for strand in strands if strand.a.piece in members]
@@ -170,16 +170,16 @@ def _standing(plan: DrawingPlan, owners: frozenset[str]) -> Iterator[str]:
 
 def _finished(layout: Layout, plan: DrawingPlan) -> Sketch:
     """Return the sketch of a layout: pieces, strings, and brackets of pulleys at corners."""
-    found = Sketch()
+    combined = Sketch()
     for name, piece in layout.pieces.items():
         sketch = piece.sketch().moved(layout.at[name])
         if isinstance(piece, PulleyPiece) and piece.corners:
             sketch.shapes[1:1] = _mounted(layout, name, piece)  # over the disc, to its axle
-        found.extend(sketch)
+        combined.extend(sketch)
     for strand, a, b in layout.strands:
-        found.shapes += _strokes(plan.scene, strand.string, a, b)
-    _speeds(layout, plan, found)
-    return found
+        combined.shapes += _strokes(plan.scene, strand.string, a, b)
+    _speeds(layout, plan, combined)
+    return combined
 
 
 def _strokes(scene: Scene, name: str, a: complex, b: complex) -> Iterator[LineShape]:
@@ -198,8 +198,8 @@ def _mounted(layout: Layout, name: str, piece: PulleyPiece) -> list[Shape]:
     ends = [
         layout.at[corner] + edge
         for corner in piece.corners
-        for way in (1.0 + 0j, -1.0 + 0j)
-        if (edge := layout.pieces[corner].edge(way)) is not None
+        for direction in (1.0 + 0j, -1.0 + 0j)
+        if (edge := layout.pieces[corner].edge(direction)) is not None
     ]
     nearest = min(ends, key=lambda end: abs(end - here))
     if abs(nearest - here) <= MOUNT:
@@ -207,35 +207,36 @@ def _mounted(layout: Layout, name: str, piece: PulleyPiece) -> list[Shape]:
     return plate(piece.support, here)
 
 
-def _speeds(layout: Layout, plan: DrawingPlan, found: Sketch) -> None:
+def _speeds(layout: Layout, plan: DrawingPlan, sketch: Sketch) -> None:
     """Draw an arrow beside every block that moves at the start."""
     for block, carrier in plan.paths.carriers.items():
         body, piece = plan.paths.mechanism.body[block], layout.pieces.get(carrier)
         moving = [c for c in body.coordinates if c.speed != 0.0]
         if piece is None or not moving or not isinstance(piece, faces.FacePiece):
             continue
-        way = flat(moving[0].axis) * (1.0 if moving[0].speed > 0.0 else -1.0)
-        way = mirrored(way) if carrier in piece.plan.mirrored else way
-        out = way * 1j if (way * 1j).imag > 0.0 or abs(way.imag) > 0.999 else way * -1j
-        start = layout.at[carrier] + piece.center(block) + out * (0.5 * plan.sizes.height + 0.22) - 0.45 * way
-        found.shapes.append(LineShape((start, start + 0.9 * way), "thin", arrow=True))
+        direction = flat(moving[0].axis) * (1.0 if moving[0].speed > 0.0 else -1.0)
+        direction = mirrored(direction) if carrier in piece.plan.mirrored else direction
+        out = direction * 1j if (direction * 1j).imag > 0.0 or abs(direction.imag) > 0.999 else direction * -1j
+        start = layout.at[carrier] + piece.center(block) + out * (0.5 * plan.sizes.height + 0.22) - 0.45 * direction
+        sketch.shapes.append(LineShape((start, start + 0.9 * direction), "thin", arrow=True))
         text = plan.stated(owner_of(block), "m/s", abs(moving[0].speed))
         wide = 0.5 * width(text, SMALL)
         spots = [
-            start + along * way + complex(out.real * (wide + 0.1), out.imag * 0.36) for along in (0.45, 0.0, 0.9, 1.4)
+            start + along * direction + complex(out.real * (wide + 0.1), out.imag * 0.36)
+            for along in (0.45, 0.0, 0.9, 1.4)
         ]
-        found.labels.append(LabelRequest(text, tuple(spots), block, SMALL, name=False))
+        sketch.labels.append(LabelRequest(text, tuple(spots), block, SMALL, name=False))
 
 
 def _beside(parts: Sequence[Sketch]) -> Sketch:
     """Return several sketches side by side from left to right, on one ground level."""
-    found, right = Sketch(), 0.0
+    combined, right = Sketch(), 0.0
     for part in parts:
         left, low, end, _ = box(point for shape in part.shapes for point in outline(shape))
         part = part.moved(complex(right - left, -low))  # noqa: PLW2901 - the same part, in its place
-        found.extend(part)
+        combined.extend(part)
         right += end - left + BETWEEN
-    return found
+    return combined
 
 
 def figure(
@@ -311,8 +312,8 @@ def plot(
 
 def _given(scene: SceneLike, wording: Wording | None, function: str) -> tuple[Scene, Wording | None]:
     """Return the scene with its wording; the default is the wording in the scene's file, else None."""
-    held, text = given_scene(scene, function)
-    return held, wording or (wording_of(text) if text else None)
+    resolved, text = given_scene(scene, function)
+    return resolved, wording or (wording_of(text) if text else None)
 
 
 def _described(scene: Scene, seed: int | None, wording: Wording | None) -> Description:

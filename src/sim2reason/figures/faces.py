@@ -86,12 +86,12 @@ class FacePiece(Piece):
         groups: dict[complex, tuple[complex, list[tuple[float, str]]]] = {}
         for block, carrier in self.plan.paths.carriers.items():
             if carrier == self.name:
-                held = mechanism.body[block]
+                body = mechanism.body[block]
                 along = mechanism.contacts[block].slip[0][0]
-                axis = next(c.axis for c in held.coordinates if c.name == along)
+                axis = next(c.axis for c in body.coordinates if c.name == along)
                 up = flat(axis)
                 up = -up if up.imag < -NOISE or (up.imag <= NOISE and up.real < 0.0) else up
-                groups.setdefault(drawn_direction(up), (up, []))[1].append((dot(flat(held.at), up), block))
+                groups.setdefault(drawn_direction(up), (up, []))[1].append((dot(flat(body.at), up), block))
         if not groups:
             bare = rect(1.0, radians(getattr(self.plan.scene.bodies[self.name], "angle", 0.0)))
             groups[drawn_direction(bare)] = bare, []
@@ -151,7 +151,7 @@ class FacePiece(Piece):
         return (face.at(face.length - 0.3) if site == face.foot else 0j) + heights[0] * face.normal
 
     def _lift(self, face: Facet, bend: Bend) -> float:
-        along = max(bend.ways, key=lambda way: abs(dot(way, face.uphill)))
+        along = max(bend.ways, key=lambda direction: abs(dot(direction, face.uphill)))
         return 0.5 * self.plan.sizes.height - self.plan.sizes.small * dot(bend.touches(along), face.normal)
 
     def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
@@ -218,24 +218,24 @@ class FacePiece(Piece):
     def sketch(self) -> Sketch:
         """Return the sketch of the solid, its floor, its angles, its blocks and small pulleys."""
         solid = self.outline()
-        found = Sketch([Area(solid, "fixed" if self.fixed else "wedge")])
+        combined = Sketch([Area(solid, "fixed" if self.fixed else "wedge")])
         left, low, right, _ = box(solid)
         extra = 0.0 if self.fixed else FLOOR
-        found.shapes += hatched(complex(left - extra, low), complex(right + extra, low))
+        combined.shapes += hatched(complex(left - extra, low), complex(right + extra, low))
         for site in self._wheels():
-            found.shapes += self._small(site)
+            combined.shapes += self._small(site)
         for face in self.faces:
             if face.uphill.imag > FLAT:
-                self._angle(face, found)
+                self._angle(face, combined)
             for block in face.blocks:
                 center = self.center(block)
                 sizes = self.plan.sizes
-                found.shapes.append(Area(rectangle(center, sizes.width, sizes.height, face.uphill), "block"))
-                found.labels += block_labels(self.plan, block, center)
-        self._rough(found)
+                combined.shapes.append(Area(rectangle(center, sizes.width, sizes.height, face.uphill), "block"))
+                combined.labels += block_labels(self.plan, block, center)
+        self._rough(combined)
         if not self.fixed:
-            found.labels.append(self._name())
-        return found
+            combined.labels.append(self._name())
+        return combined
 
     def _small(self, site: str) -> Iterator[Shape]:
         """Yield the shapes of a small pulley on its bracket, with the string round it."""
@@ -270,12 +270,12 @@ class FacePiece(Piece):
     def _rough(self, found: Sketch) -> None:
         """Draw dots under faces with friction, and the friction coefficient as in the text."""
         lying = [self.plan.paths.mechanism.contacts[b] for face in self.faces for b in face.blocks]
-        if not any(held.friction for held in lying):
+        if not any(contact.friction for contact in lying):
             return
         for face in self.faces:
             found.shapes.append(rough(face.at(face.length), 0j, face.normal))
         owner = owner_of(self.name)
-        text = next((said for held in lying if (said := self.plan.friction_text(owner, held))), "")
+        text = next((coefficient for contact in lying if (coefficient := self.plan.friction_text(owner, contact))), "")
         if text:
             solid = self.outline()
             left, low, right, _ = box(solid)

@@ -57,19 +57,19 @@ def block_labels(
     broad, tall = size or (plan.sizes.width, plan.sizes.height)
     inside, out = len(name) <= LETTER, 0.5 * tall + 0.3
     both = bool(mass) and inside and width(mass, TINY) < broad and tall > SIZE + 2.0 * LINE
-    found: list[LabelRequest] = []
+    mass_labels: list[LabelRequest] = []
     if mass:
         aside = 0.5 * (broad + width(mass, TINY)) + 0.12
         spots = tuple(center + spot for spot in ((-LINE * 1j,) if both else ()) + (out * 1j, aside, -aside, -out * 1j))
-        found = [LabelRequest(mass, spots, address, TINY, name=False, anchors=(center + 0.4 * tall * 1j,))]
+        mass_labels = [LabelRequest(mass, spots, address, TINY, name=False, anchors=(center + 0.4 * tall * 1j,))]
     if inside:
         first = center + LINE * 1j if both else center
-        return [LabelRequest(name, (first, center, center - out * 1j, center + out * 1j), address), *found]
+        return [LabelRequest(name, (first, center, center - out * 1j, center + out * 1j), address), *mass_labels]
     wide = width(name, SIZE)
     across, up = 0.5 * (broad + wide) + 0.15, 0.5 * tall + 0.35
     beside = [center + spot for spot in (across, -across, -1j * up, 1j * up)]
     far = 0.5 * max(broad, tall) + 0.2
-    return [LabelRequest(name, (*beside, *around(center, far, wide)), address), *found]
+    return [LabelRequest(name, (*beside, *around(center, far, wide)), address), *mass_labels]
 
 
 @draws(PulleyWheel)
@@ -100,9 +100,12 @@ class PulleyPiece(Piece):
         ways = self.plan.ends.get(block.item, ())
         if self.bend is None or not ways:
             return False
-        way = max((-w for w in ways), key=lambda w: max(dot(w, held) for held in self.bend.ways) if self.bend else 0.0)
-        out = way * 1j if (way * 1j).imag > 0.0 else way * -1j
-        return dot(self.bend.touches(way), out) > 0.0
+        direction = max(
+            (-w for w in ways),
+            key=lambda w: max(dot(w, bend_direction) for bend_direction in self.bend.ways) if self.bend else 0.0,
+        )
+        out = direction * 1j if (direction * 1j).imag > 0.0 else direction * -1j
+        return dot(self.bend.touches(direction), out) > 0.0
 
     def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
         """Return the point on the rim, or on the axle, where a string segment begins."""
@@ -119,7 +122,10 @@ class PulleyPiece(Piece):
         bend = self.bend
         ways = (UP, 1.0 + 0j, -1.0 + 0j, -UP)
         return max(
-            ways, key=lambda way: dot(way, bend.support_direction) - 2.0 * max(0.5, *(dot(way, w) for w in bend.ways))
+            ways,
+            key=lambda direction: (
+                dot(direction, bend.support_direction) - 2.0 * max(0.5, *(dot(direction, w) for w in bend.ways))
+            ),
         )
 
     @property
@@ -129,10 +135,10 @@ class PulleyPiece(Piece):
 
     def hulls(self) -> list[Polygon]:
         """Return the hulls of the disc and, if the pulley is fixed, of its bracket."""
-        found = [ring(0j, self.radius + 0.05)]
+        polygons = [ring(0j, self.radius + 0.05)]
         if self.mounted:
-            found.append(rectangle(self.support * (self.bracket + 0.15), PLATE, 0.35, self.support * -1j))
-        return found
+            polygons.append(rectangle(self.support * (self.bracket + 0.15), PLATE, 0.35, self.support * -1j))
+        return polygons
 
     @property
     def level(self) -> tuple[str, float] | None:
@@ -169,9 +175,9 @@ def wrapped(first: complex, last: complex, middle: complex, center: complex, rad
     return Arc(center, radius, start, stop, weight="string")
 
 
-def plate(way: complex, start: complex = 0j, far: float = BRACKET, wide: float = PLATE) -> list[Shape]:
-    """Return the shapes of a bracket from `start` along `way` to a hatched support."""
-    end, half = start + way * far, 0.5 * wide * way * 1j
+def plate(direction: complex, start: complex = 0j, far: float = BRACKET, wide: float = PLATE) -> list[Shape]:
+    """Return the shapes of a bracket from `start` along `direction` to a hatched support."""
+    end, half = start + direction * far, 0.5 * wide * direction * 1j
     return [LineShape((start, end), "edge"), *hatched(end - half, end + half)]
 
 

@@ -33,9 +33,9 @@ def unknowns(scene: Scene, description: Description) -> tuple[str, ...]:
 
     A text with only symbols asks for a formula, so no figure hides anything.
     """
-    told, symbolic = frozenset(description.told), frozenset(description.symbolic)
+    stated, symbolic = frozenset(description.told), frozenset(description.symbolic)
     own = {p.path: p for p in scene.parameters if p.value and not p.hidden}
-    if len(symbolic) > 1 and not any(path in told and path not in symbolic for path in own):
+    if len(symbolic) > 1 and not any(path in stated and path not in symbolic for path in own):
         return ()
     return tuple(path for path, parameter in own.items() if path in symbolic and _is_drawn_to_scale(parameter))
 
@@ -51,10 +51,10 @@ def disguise_unknowns(scene: Scene, description: Description, draw: Draw) -> tup
     Each unknown gets the first value for which the drawing has the same parts and labels, or else the same parts;
     without such a value it is unchanged.
     """
-    found = draw(scene)
+    drawing = draw(scene)
     for path in unknowns(scene, description):
-        scene, found = _other(scene, found, path, draw)
-    return scene, found
+        scene, drawing = _other(scene, drawing, path, draw)
+    return scene, drawing
 
 
 def _other(scene: Scene, drawing: Drawing, path: str, draw: Draw) -> tuple[Scene, Drawing]:
@@ -73,10 +73,10 @@ def _other(scene: Scene, drawing: Drawing, path: str, draw: Draw) -> tuple[Scene
 def _others(scene: Scene, path: str) -> Iterator[Scene]:
     """Yield valid scenes with other values of a number and the same connections."""
     parameter = next(p for p in scene.parameters if p.path == path)
-    value, (least, most) = parameter.value or 0.0, limits_of(scene, path)
-    told = float(f"{value:.2g}")  # an item's answer may differ a little from the value that was drawn
-    for drawn in (float(f"{factor * told:.3g}") for factor in FACTORS):
-        if not least <= drawn <= most or abs(drawn - value) < MIN_DISGUISE * abs(value):
+    value, (lower, most) = parameter.value or 0.0, limits_of(scene, path)
+    rounded = float(f"{value:.2g}")  # an item's answer may differ a little from the value that was drawn
+    for drawn in (float(f"{factor * rounded:.3g}") for factor in FACTORS):
+        if not lower <= drawn <= most or abs(drawn - value) < MIN_DISGUISE * abs(value):
             continue
         if parameter.measure.unit == "deg" and not _is_alike(value, drawn):
             continue
@@ -97,10 +97,10 @@ def _is_alike(angle: float, other: float) -> bool:
 
 def _parts(drawing: Drawing) -> Counter[str]:
     """Return the numbers of shapes by kind, and the number of pairs of bodies whose outlines overlap."""
-    found = Counter(_kind(shape) for shape in drawing.shapes if shape.weight not in MINOR)
+    counts = Counter(_kind(shape) for shape in drawing.shapes if shape.weight not in MINOR)
     bodies = [_body(shape) for shape in drawing.shapes if not isinstance(shape, LineShape) and shape.fill]
-    found["overlap"] = sum(depth(one, other) > TOUCHING for one, other in combinations(bodies, 2))
-    return found
+    counts["overlap"] = sum(depth(one, other) > TOUCHING for one, other in combinations(bodies, 2))
+    return counts
 
 
 def _body(shape: Area | Arc) -> Polygon:
@@ -204,12 +204,12 @@ def _seen(label: Label, strokes: Sequence[Stroke], grounds: Sequence[tuple[int, 
 def _options(wanted: LabelRequest) -> Iterator[Option]:
     """Yield the candidate positions of a label: the wanted ones, then those with a leader line, nearest first."""
     made = partial(Label, wanted.text, subject=wanted.subject, size=wanted.size, name=wanted.name)
-    for number, place in enumerate(wanted.places):
-        yield Option(made(at=place), LATER * number, wanted.places[0])
+    for number, position in enumerate(wanted.places):
+        yield Option(made(at=position), LATER * number, wanted.places[0])
     _, _, wide, tall = made(at=0j).box
     for anchor, far, turn in product(wanted.anchors, REACHES, range(16)):
-        way = 1j ** (turn / 4.0)
-        label = made(at=anchor + complex(way.real * (far + wide), way.imag * (far + tall)))
+        direction = 1j ** (turn / 4.0)
+        label = made(at=anchor + complex(direction.real * (far + wide), direction.imag * (far + tall)))
         left, low, right, high = label.box
         near = complex(min(max(anchor.real, left), right), min(max(anchor.imag, low), high))
         later = LATER * len(wanted.places) + FARTHER * far
@@ -218,14 +218,14 @@ def _options(wanted: LabelRequest) -> Iterator[Option]:
 
 def _crowded(option: Option, others: Sequence[Option]) -> float:
     """Return the cost of a label's overlaps with other labels, also of crossings with their leader lines."""
-    mine, found = _wider(option.label.box), 0.0
+    mine, cost = _wider(option.label.box), 0.0
     for label, _, _, leader in others:
         shared = common(mine, label.box)
-        found += ON_LABEL * shared + 5.0 if shared > 0.0 else 0.0
-        found += LED_OVER if leader and length_inside(*leader, mine) > 0.0 else 0.0
-        found += LED_OVER if option.leader and length_inside(*option.leader, _wider(label.box)) > 0.0 else 0.0
-        found += LED_OVER if option.leader and leader and crosses(*option.leader, *leader) else 0.0
-    return found
+        cost += ON_LABEL * shared + 5.0 if shared > 0.0 else 0.0
+        cost += LED_OVER if leader and length_inside(*leader, mine) > 0.0 else 0.0
+        cost += LED_OVER if option.leader and length_inside(*option.leader, _wider(label.box)) > 0.0 else 0.0
+        cost += LED_OVER if option.leader and leader and crosses(*option.leader, *leader) else 0.0
+    return cost
 
 
 def _led(option: Option, strokes: Sequence[Stroke]) -> float:
@@ -267,21 +267,21 @@ def _mistaken(label: Label, wanted: LabelRequest, wheels: Sequence[Arc]) -> floa
     return MISTAKEN * sum(abs(wheel.center - label.at) < wheel.radius + AMBIGUOUS_DISTANCE for wheel in others)
 
 
-def _wider(held: Box) -> Box:
-    return held[0] - LABEL_MARGIN, held[1] - LABEL_MARGIN, held[2] + LABEL_MARGIN, held[3] + LABEL_MARGIN
+def _wider(box: Box) -> Box:
+    return box[0] - LABEL_MARGIN, box[1] - LABEL_MARGIN, box[2] + LABEL_MARGIN, box[3] + LABEL_MARGIN
 
 
 def _strokes(shapes: Sequence[Shape]) -> list[Stroke]:
     """Return all shapes as segments with weights; thin lines have smaller weights."""
-    found: list[Stroke] = []
+    strokes: list[Stroke] = []
     for order, shape in enumerate(shapes):
         if isinstance(shape, LineShape):
             points, weight = shape.points, LIGHT.get(shape.weight, 1.0)
         else:
             points, weight = outline(shape), 1.0 if shape.fill in OPEN else BODY
             points = (*points, points[0]) if isinstance(shape, Area) or shape.whole else points
-        found += [Stroke(a, b, weight, order) for a, b in pairwise(points)]
+        strokes += [Stroke(a, b, weight, order) for a, b in pairwise(points)]
         if isinstance(shape, LineShape) and shape.arrow:
-            tip, way = points[-1], unit_vector(points[-1] - points[-2])
-            found.append(Stroke(tip - HEAD * way, tip, HEADED, order))
-    return found
+            tip, direction = points[-1], unit_vector(points[-1] - points[-2])
+            strokes.append(Stroke(tip - HEAD * direction, tip, HEADED, order))
+    return strokes

@@ -31,9 +31,9 @@ class Pose:
     def __init__(self, pieces: Mapping[str, Piece], strands: Sequence[Strand], ways: Sequence[complex]) -> None:
         """Compute the outlines of pieces and the ends of string segments, which do not depend on segment lengths."""
         self.pieces = pieces
-        self.joints = [self._joint(strand, way) for strand, way in zip(strands, ways, strict=True)]
+        self.joints = [self._joint(strand, direction) for strand, direction in zip(strands, ways, strict=True)]
         self.solids = {name: [(p, box(p)) for p in piece.hulls()] for name, piece in pieces.items()}
-        self.boxes = {name: box(p for polygon, _ in held for p in polygon) for name, held in self.solids.items()}
+        self.boxes = {name: box(p for polygon, _ in hulls for p in polygon) for name, hulls in self.solids.items()}
         self.levels = {name: level for name, piece in pieces.items() if (level := piece.level) is not None}
 
     def _joint(self, strand: Strand, way: complex) -> DrawnJoint:
@@ -107,8 +107,8 @@ def _ragged(layout: Layout) -> float:
     levels: dict[str, list[float]] = {}
     for name, (kind, offset) in layout.pose.levels.items():
         levels.setdefault(kind, []).append(layout.at[name].imag + offset)
-    pairs = (abs(a - b) for held in levels.values() for a, b in combinations(held, 2))
-    return sum(min(MOST_RAGGED, RAGGED * apart) for apart in pairs)
+    pairs = (abs(a - b) for heights in levels.values() for a, b in combinations(heights, 2))
+    return sum(min(MOST_RAGGED, RAGGED * difference) for difference in pairs)
 
 
 def _moved(area: Box, by: complex) -> Box:
@@ -149,7 +149,7 @@ class Arranger:
         self.wheels = self._wheels()
         self.options = [self._lengths(strand) for strand in self.outer]
         self.flips = len(self.groups) + len(self.swaps)
-        self.counts = [2] * self.flips + [len(held) for held in self.options] + [len(WIDER)] * len(self.wheels)
+        self.counts = [2] * self.flips + [len(lengths) for lengths in self.options] + [len(WIDER)] * len(self.wheels)
         self.weights = [FLIPPED] * self.flips + [LONGER] * len(self.outer) + [WIDENED] * len(self.wheels)
         self._poses: dict[tuple[Choice, Choice], Pose] = {}
 
@@ -166,10 +166,10 @@ class Arranger:
                 and self._directed(strand.b.piece)
             ):
                 old, new = leader[strand.a.piece], leader[strand.b.piece]
-                leader = {name: new if held == old else held for name, held in leader.items()}
+                leader = {name: new if root == old else root for name, root in leader.items()}
         groups: dict[str, set[str]] = {}
-        for name, held in leader.items():
-            groups.setdefault(held, set()).add(name)
+        for name, root in leader.items():
+            groups.setdefault(root, set()).add(name)
         bare = {
             name: self.make(name, self._bent(self.plan, [s.way or RIGHT for s in self.strands])) for name in self.names
         }
@@ -196,7 +196,10 @@ class Arranger:
     def ways(self, turned: frozenset[str], swapped: frozenset[str]) -> list[complex]:
         """Return the direction of each straight string segment, chosen here where the scene fixes none."""
         known = [self._turned(strand, turned) for strand in self.strands]
-        return [way if way is not None else self._free(number, known, swapped) for number, way in enumerate(known)]
+        return [
+            direction if direction is not None else self._free(number, known, swapped)
+            for number, direction in enumerate(known)
+        ]
 
     @staticmethod
     def _turned(strand: Strand, turned: frozenset[str]) -> complex | None:
@@ -211,7 +214,10 @@ class Arranger:
         if strand.a.rim and strand.b.rim:
             return side * RIGHT
         others = (known[n] for n in (number - 1, number + 1) if 0 <= n < len(known) and self._joined(number, n))
-        upwards = any(way is not None and abs(way.imag) > 0.7 and self._leaves_up(number, way) for way in others)
+        upwards = any(
+            direction is not None and abs(direction.imag) > 0.7 and self._leaves_up(number, direction)
+            for direction in others
+        )
         down = side * RIGHT if upwards else -UP
         return down if strand.a.rim else -down
 
@@ -233,13 +239,13 @@ class Arranger:
         bends: dict[str, Bend] = {}
         ends: dict[str, tuple[complex, ...]] = {}
         before: tuple[Strand, complex] | None = None
-        for strand, way in zip(self.strands, ways, strict=True):
-            for knot, away in ((strand.a, way), (strand.b, -way)):
+        for strand, direction in zip(self.strands, ways, strict=True):
+            for knot, away in ((strand.a, direction), (strand.b, -direction)):
                 ends[knot.item] = (*ends.get(knot.item, ()), away)
             if before is not None and before[0].string == strand.string and strand.a.rim:
                 side = strand.a.side * (-1.0 if strand.a.item in swapped else 1.0)
-                bends[strand.a.item] = Bend((-before[1], way), side)
-            before = (strand, way)
+                bends[strand.a.item] = Bend((-before[1], direction), side)
+            before = (strand, direction)
         return replace(plan, bends=bends, ends=ends, mirrored=turned)
 
     def pose(self, choice: Choice) -> Pose:
@@ -288,16 +294,16 @@ class Arranger:
     def best(self) -> Layout:
         """Return the best layout of several local searches; the first one starts from the shortest string segments."""
         random = Random(0)  # noqa: S311 - it chooses where to look
-        found = self._descend((0,) * len(self.counts))
+        best_layout = self._descend((0,) * len(self.counts))
         idle = 0
         for _ in range(ROUNDS if self.outer else 0):
             layout = self._descend(tuple(self._drawn(random)))
             idle += 1
-            if layout.cost < found.cost - LEAST:
-                found, idle = layout, 0
-            if idle >= PATIENCE and found.cost < GOOD:
+            if layout.cost < best_layout.cost - LEAST:
+                best_layout, idle = layout, 0
+            if idle >= PATIENCE and best_layout.cost < GOOD:
                 break
-        return found
+        return best_layout
 
     def _drawn(self, random: Random) -> Iterator[int]:
         """Yield the components of a random candidate layout, biased to short string segments and small pulleys."""
@@ -313,9 +319,9 @@ class Arranger:
             for index, count in enumerate(self.counts):
                 for number in range(count):
                     other = (*choice[:index], number, *choice[index + 1 :])
-                    tried = self.place(other) if other != choice else layout
-                    if tried.cost < layout.cost - LEAST:
-                        choice, layout, better = other, tried, True
+                    trial = self.place(other) if other != choice else layout
+                    if trial.cost < layout.cost - LEAST:
+                        choice, layout, better = other, trial, True
         return layout
 
 

@@ -21,8 +21,8 @@ def spring(a: complex, b: complex, line: Line | None) -> Iterator[Polygon]:
     if not (line is not None and isinstance(line.law, Elastic) and line.law.damping):
         yield _zigzag(a, b)
         return
-    way = unit_vector(b - a)
-    out, lead = ASIDE * way * 1j, min(0.5 * LEAD, 0.08 * abs(b - a)) * way
+    direction = unit_vector(b - a)
+    out, lead = ASIDE * direction * 1j, min(0.5 * LEAD, 0.08 * abs(b - a)) * direction
     yield (a, a + lead)
     yield (b - lead, b)
     for end in (a + lead, b - lead):
@@ -33,8 +33,8 @@ def spring(a: complex, b: complex, line: Line | None) -> Iterator[Polygon]:
 
 def _dashpot(a: complex, b: complex) -> Iterator[Polygon]:
     """Yield the outline of a cup that opens towards `b`, and of a piston in it."""
-    way, long = unit_vector(b - a), abs(b - a)
-    across, middle, deep = way * 1j, 0.5 * (a + b), min(0.12 * long, DEEP) * way
+    direction, long = unit_vector(b - a), abs(b - a)
+    across, middle, deep = direction * 1j, 0.5 * (a + b), min(0.12 * long, DEEP) * direction
     bottom, top, piston = middle - deep, middle + deep, middle + 0.2 * deep
     yield (a, bottom)
     yield tuple(at + side * CUP * across for at, side in ((top, 1.0), (bottom, 1.0), (bottom, -1.0), (top, -1.0)))
@@ -43,13 +43,13 @@ def _dashpot(a: complex, b: complex) -> Iterator[Polygon]:
 
 
 def _zigzag(a: complex, b: complex) -> Polygon:
-    way, long = unit_vector(b - a), abs(b - a)
+    direction, long = unit_vector(b - a), abs(b - a)
     lead = min(LEAD, 0.15 * long)
     count = max(4, min(14, round((long - 2.0 * lead) / LOOPS)))
     step = (long - 2.0 * lead) / count
-    across = COIL * way * 1j
-    zigzag = (a + way * (lead + (n + 0.5) * step) + across * (1.0 if n % 2 else -1.0) for n in range(count))
-    return (a, a + lead * way, *zigzag, b - lead * way, b)
+    across = COIL * direction * 1j
+    zigzag = (a + direction * (lead + (n + 0.5) * step) + across * (1.0 if n % 2 else -1.0) for n in range(count))
+    return (a, a + lead * direction, *zigzag, b - lead * direction, b)
 
 
 def has_faces(body: Body | None) -> bool:
@@ -128,15 +128,15 @@ def carriers(scene: Scene) -> dict[str, str]:
     """Return the addresses of the bodies with faces, by the address of each block that rests on them."""
     mechanism = scene.mechanism
     planes = [address for address, body in scene.bodies.items() if is_plane(body)]
-    found: dict[str, str] = {}
+    carrier_by_block: dict[str, str] = {}
     for body in mechanism.bodies:
         if body.name not in mechanism.contacts or has_faces(scene.bodies.get(body.name)):
             continue
         if body.parent is not None and has_faces(scene.bodies.get(body.parent)):
-            found[body.name] = body.parent
+            carrier_by_block[body.name] = body.parent
         elif planes:
-            found[body.name] = near(body.name, planes)
-    return found
+            carrier_by_block[body.name] = near(body.name, planes)
+    return carrier_by_block
 
 
 class Paths:
@@ -194,14 +194,14 @@ class Paths:
         near_by = a.leaves.split(".")[0] == b.arrives.split(".")[0]
         if not near_by and builder.faces[a.leaves] is None and builder.faces[b.arrives] is None:
             return None
-        apart = flat(builder.position(b.arrives)) - flat(builder.position(a.leaves))
-        return unit_vector(apart) if abs(apart) > 1e-9 else None
+        separation = flat(builder.position(b.arrives)) - flat(builder.position(a.leaves))
+        return unit_vector(separation) if abs(separation) > 1e-9 else None
 
 
 def _sites(mechanism: Mechanism, owners: frozenset[str]) -> dict[str, list[str]]:
     """Return the sites of each string from end to end; segments on both sides of massive pulleys are joined."""
-    found: dict[str, list[str]] = {}
+    sites_by_string: dict[str, list[str]] = {}
     for line in mechanism.lines:
         if owner_of(line.whole) in owners:
-            found.setdefault(line.whole, []).extend(line.through)
-    return found
+            sites_by_string.setdefault(line.whole, []).extend(line.through)
+    return sites_by_string

@@ -101,11 +101,11 @@ class DrawingPlan:
 
     def stated(self, owner: str, unit_vector: str, value: float) -> str:
         """Return the text of an entity's number with this unit and value; empty if the text states no such number."""
-        said = self._numbers(owner, unit_vector)
+        parameters = self._numbers(owner, unit_vector)
         return next(
             (
                 self.number_text(p)
-                for p in said
+                for p in parameters
                 if isclose(p.value or 0.0, value, rel_tol=1e-6, abs_tol=VALUE_TOLERANCE)
             ),
             "",
@@ -117,11 +117,11 @@ class DrawingPlan:
 
     def friction_text(self, owner: str, face: SurfaceContact, letter: str = "µ") -> str:
         """Return a face's stated friction coefficient with its letter, or both coefficients if they differ."""
-        said = self.stated(owner, "", face.friction) if face.friction else ""
-        if not said or face.static_ratio == 1.0:
-            return self.equated(letter, said) if said else ""
-        held = self.stated(owner, "", face.static_friction)
-        both = zip((r"$\mu_s$", r"$\mu_k$"), (held, said), strict=True)
+        kinetic = self.stated(owner, "", face.friction) if face.friction else ""
+        if not kinetic or face.static_ratio == 1.0:
+            return self.equated(letter, kinetic) if kinetic else ""
+        static = self.stated(owner, "", face.static_friction)
+        both = zip((r"$\mu_s$", r"$\mu_k$"), (static, kinetic), strict=True)
         return ", ".join(self.equated(symbol, text) for symbol, text in both if text)
 
     def leaves_open(self, owner: str, unit_vector: str) -> bool:
@@ -182,9 +182,9 @@ def around(center: complex, near: float, text_width: float, *, start: complex = 
     turns = (0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 7, -7, 8)
     ways = [start * complex(0.92388, 0.38268) ** turn for turn in turns]
     return tuple(
-        center + complex(way.real * (far + 0.5 * text_width), way.imag * (far + 0.24))
+        center + complex(direction.real * (far + 0.5 * text_width), direction.imag * (far + 0.24))
         for far in (near, near + 0.3)
-        for way in ways
+        for direction in ways
     )
 
 

@@ -67,8 +67,8 @@ def _chain(points: Sequence[complex]) -> list[complex]:
 
 def box(points: Iterable[complex]) -> Box:
     """Return the smallest axis-aligned rectangle around points."""
-    held = list(points)
-    across, up = [p.real for p in held], [p.imag for p in held]
+    point_list = list(points)
+    across, up = [p.real for p in point_list], [p.imag for p in point_list]
     return min(across), min(up), max(across), max(up)
 
 
@@ -86,32 +86,32 @@ def ring(center: complex, radius: float) -> Polygon:
 
 def depth(one: Polygon, other: Polygon) -> float:
     """Return the penetration depth of two convex polygons; negative or zero if they are separate."""
-    found = float("inf")
+    overlap = float("inf")
     for polygon in (one, other):
         for a, b in pairwise((*polygon, polygon[0])):
             if a == b:
                 continue
             axis = 1j * unit_vector(b - a)
             mine, yours = [dot(axis, p) for p in one], [dot(axis, p) for p in other]
-            found = min(found, max(mine) - min(yours), max(yours) - min(mine))
-            if found <= 0.0:
-                return found
-    return found
+            overlap = min(overlap, max(mine) - min(yours), max(yours) - min(mine))
+            if overlap <= 0.0:
+                return overlap
+    return overlap
 
 
 def inside(point: complex, polygon: Polygon) -> bool:
     """Return whether a point lies in a polygon, convex or not."""
-    found = False
+    is_inside = False
     for a, b in pairwise((*polygon, polygon[0])):
         if (a.imag > point.imag) != (b.imag > point.imag):
-            found ^= point.real < a.real + (point.imag - a.imag) * (b.real - a.real) / (b.imag - a.imag)
-    return found
+            is_inside ^= point.real < a.real + (point.imag - a.imag) * (b.real - a.real) / (b.imag - a.imag)
+    return is_inside
 
 
 def from_segment(point: complex, a: complex, b: complex) -> float:
     """Return the distance of a point from the segment from `a` to `b`."""
-    way = unit_vector(b - a)
-    return abs(point - a - min(max(dot(point - a, way), 0.0), abs(b - a)) * way)
+    direction = unit_vector(b - a)
+    return abs(point - a - min(max(dot(point - a, direction), 0.0), abs(b - a)) * direction)
 
 
 def crosses(a: complex, b: complex, c: complex, d: complex) -> bool:
@@ -128,15 +128,18 @@ def common(one: Box, other: Box) -> float:
 
 def length_inside(a: complex, b: complex, area: Box) -> float:
     """Return the length of the part of a segment inside a box."""
-    enter, leave, way = 0.0, 1.0, b - a
-    for start, step, low, high in ((a.real, way.real, area[0], area[2]), (a.imag, way.imag, area[1], area[3])):
+    enter, leave, displacement = 0.0, 1.0, b - a
+    for start, step, low, high in (
+        (a.real, displacement.real, area[0], area[2]),
+        (a.imag, displacement.imag, area[1], area[3]),
+    ):
         if step == 0.0:
             if not low < start < high:
                 return 0.0
             continue
         near, far = sorted(((low - start) / step, (high - start) / step))
         enter, leave = max(enter, near), min(leave, far)
-    return max(0.0, leave - enter) * abs(way)
+    return max(0.0, leave - enter) * abs(displacement)
 
 
 SMALL = 1e-9

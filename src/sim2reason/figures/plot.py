@@ -123,9 +123,9 @@ class Colors:
 
     def unexplained(self, names: Iterable[str]) -> bool:
         """Return whether a legend is needed for some of these names; all of them then count as explained."""
-        found = set(names)
-        new = bool(found - self._explained)
-        self._explained |= found
+        distinct = set(names)
+        new = bool(distinct - self._explained)
+        self._explained |= distinct
         return new
 
     def style(self, name: str) -> str:
@@ -201,7 +201,7 @@ def _upright(axes: "Axes", panel: Panel) -> None:
     """Set the vertical range of a panel so that rounding errors of a constant are not magnified."""
     values = np.concatenate([[0.0], *(curve.values[np.isfinite(curve.values)] for curve in panel.curves)])
     size = float(np.abs(values).max()) or 1.0
-    if all(np.ptp(found) < FLAT * size for c in panel.curves if (found := c.values[np.isfinite(c.values)]).size):
+    if all(np.ptp(finite) < FLAT * size for c in panel.curves if (finite := c.values[np.isfinite(c.values)]).size):
         axes.set_ylim(float(values.min()) - 0.2 * size, float(values.max()) + 0.2 * size)
 
 
@@ -281,7 +281,7 @@ def png(histogram: Histogram, dpi: int = 100) -> bytes:
                 axes.bar(places, values, bottom=below, color=color, label=name)
             below = [low + value for low, value in zip(below, values, strict=True)]
         shown = range(0, count, 1 if lying else -(-count // TICKS) or 1)
-        ticks = [histogram.labels[place] for place in shown]
+        ticks = [histogram.labels[index] for index in shown]
         if lying:
             axes.set_yticks(shown, ticks)
             axes.invert_yaxis()

@@ -32,16 +32,16 @@ def curves(path: Path, panels: Mapping[str, Series]) -> None:
         for axes, (title, series) in zip(places, panels.items(), strict=False):
             for number, (name, values) in enumerate(series.items()):
                 points = [(step, value) for step, value in enumerate(values, start=1) if value is not None]
-                steps, held = [step for step, _ in points], [value for _, value in points]
+                steps, plotted = [step for step, _ in points], [value for _, value in points]
                 color = RUN_COLORS[number % len(RUN_COLORS)]
-                axes.plot(steps, held, color=color, alpha=0.25, linewidth=0.8)
-                axes.plot(steps, averaged(held), color=color, linewidth=1.4, label=name)
+                axes.plot(steps, plotted, color=color, alpha=0.25, linewidth=0.8)
+                axes.plot(steps, averaged(plotted), color=color, linewidth=1.4, label=name)
             axes.set_title(title, fontsize=8.5)
             axes.grid(color="#dddddd", linewidth=0.5)
         for axes in places[len(panels) :]:
             axes.set_visible(False)
         shown = [axes.get_legend_handles_labels() for axes in places]
-        lines = {name: line for held, names in shown for line, name in zip(held, names, strict=True)}
+        lines = {name: line for plotted, names in shown for line, name in zip(plotted, names, strict=True)}
         figure.legend(lines.values(), lines, loc="outside upper center", ncols=6, frameon=False, fontsize=7.5)
         figure.supxlabel("step", fontsize=8.5)
         save(figure, path, DPI)
@@ -49,12 +49,12 @@ def curves(path: Path, panels: Mapping[str, Series]) -> None:
 
 def averaged(values: Sequence[float]) -> list[float]:
     """Return the exponential average of values, with bias correction at the start."""
-    found, total, weight = list[float](), 0.0, 0.0
+    averages, total, weight = list[float](), 0.0, 0.0
     for value in values:
         total = SMOOTH * total + (1.0 - SMOOTH) * value
         weight = SMOOTH * weight + 1.0 - SMOOTH
-        found.append(total / weight)
-    return found
+        averages.append(total / weight)
+    return averages
 
 
 # pyright: reportUnknownMemberType=false
@@ -91,19 +91,20 @@ def _errors(held: Sequence[Bar]) -> list[list[float]]:
     return [below, [100 * max(0.0, bar.high - bar.value) for bar in held]]
 
 
-def bars(path: Path, title: str, groups: Sequence[str], held: Mapping[str, Sequence[Bar | None]]) -> None:
+def bars(path: Path, title: str, groups: Sequence[str], bars_by_policy: Mapping[str, Sequence[Bar | None]]) -> None:
     """Plot a bar for each policy in each group, in per cent with its interval; None leaves a gap."""
     check(path)
     with matplotlib().rc_context({**SETTINGS, "font.size": 9.0}):
         from matplotlib.figure import Figure  # noqa: PLC0415 - heavy, and an extra
 
-        wide = 0.8 / max(len(held), 1)
+        wide = 0.8 / max(len(bars_by_policy), 1)
         figure = Figure(
-            figsize=(max(5.0, 1.2 + 0.9 * len(groups) * max(1.0, 0.45 * len(held))), 3.8), layout="constrained"
+            figsize=(max(5.0, 1.2 + 0.9 * len(groups) * max(1.0, 0.45 * len(bars_by_policy))), 3.8),
+            layout="constrained",
         )
         axes = figure.subplots()
-        for number, (name, row) in enumerate(held.items()):
-            places = [place + wide * (number + 0.5) - 0.4 for place, bar in enumerate(row) if bar is not None]
+        for number, (name, row) in enumerate(bars_by_policy.items()):
+            places = [index + wide * (number + 0.5) - 0.4 for index, bar in enumerate(row) if bar is not None]
             there = [bar for bar in row if bar is not None]
             color = SERIES_COLORS[number % len(SERIES_COLORS)]
             axes.bar(places, [100 * b.value for b in there], wide, color=color, label=_short(name))
@@ -118,7 +119,7 @@ def bars(path: Path, title: str, groups: Sequence[str], held: Mapping[str, Seque
         axes.set_title(title)
         axes.grid(axis="y", color="#dddddd", linewidth=0.5)
         axes.set_axisbelow(True)
-        figure.legend(loc="outside lower center", ncols=min(4, len(held)), frameon=False, fontsize=8)
+        figure.legend(loc="outside lower center", ncols=min(4, len(bars_by_policy)), frameon=False, fontsize=8)
         save(figure, path, DPI)
 
 

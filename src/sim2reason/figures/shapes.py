@@ -119,11 +119,11 @@ class Sketch:
 
     def moved(self, by: complex) -> "Sketch":
         """Return the sketch shifted by a vector."""
-        return Sketch([moved(shape, by) for shape in self.shapes], [_label_moved(held, by) for held in self.labels])
+        return Sketch([moved(shape, by) for shape in self.shapes], [_label_moved(label, by) for label in self.labels])
 
 
 def _label_moved(wanted: LabelRequest, by: complex) -> LabelRequest:
-    places, anchors = (tuple(point + by for point in held) for held in (wanted.places, wanted.anchors))
+    places, anchors = (tuple(point + by for point in points) for points in (wanted.places, wanted.anchors))
     return replace(wanted, places=places, anchors=anchors)
 
 
@@ -151,19 +151,19 @@ def moved(shape: Shape, by: complex) -> Shape:
 
 def hatched(a: complex, b: complex) -> Iterable[Shape]:
     """Return the shapes of a fixed surface: a line with slanting strokes to the right of the way from `a` to `b`."""
-    way = (b - a) / abs(b - a)
-    slant = way * SLANT
+    direction = (b - a) / abs(b - a)
+    slant = direction * SLANT
     yield LineShape((a, b), "edge")
     count = max(2, round(abs(b - a) / STEP))
     for number in range(1, count + 1):
-        start = a + way * abs(b - a) * (number - 0.35) / count
+        start = a + direction * abs(b - a) * (number - 0.35) / count
         yield LineShape((start, start + HATCH * slant), "hair")
 
 
 def rough(a: complex, b: complex, normal: complex) -> Shape:
     """Return dots along a face from `a` to `b` that mark friction, on the side opposite to `normal`."""
-    way = (b - a) / abs(b - a)
-    return LineShape((a + 0.1 * way - 0.1 * normal, b - 0.1 * way - 0.1 * normal), "dots")
+    direction = (b - a) / abs(b - a)
+    return LineShape((a + 0.1 * direction - 0.1 * normal, b - 0.1 * direction - 0.1 * normal), "dots")
 
 
 def dot_at(center: complex, radius: float = 0.06) -> Shape:

@@ -43,8 +43,8 @@ class CertifiedQuestion:
     @cached_property
     def shortest(self) -> Solution:
         """Return the worked solution that determines difficulty and needs; integrated only if no other exists."""
-        found = self.candidate.solution
-        return found if found is not None and found.answer is not None else solve(self.setting)
+        solution = self.candidate.solution
+        return solution if solution is not None and solution.answer is not None else solve(self.setting)
 
     @cached_property
     def measured(self) -> SolutionDifficulty | None:
@@ -53,7 +53,7 @@ class CertifiedQuestion:
         if any(part.shortest.answer is None for part in parts):
             return None
         studied = [(part.shortest, part.candidate) for part in parts]
-        return measure_difficulty(*((found, number_of_events(of.study.trace, of.time)) for found, of in studied))
+        return measure_difficulty(*((solution, number_of_events(of.study.trace, of.time)) for solution, of in studied))
 
     @property
     def setting(self) -> ProblemContext:
@@ -72,32 +72,36 @@ class CertifiedPart:
     uses: tuple[int, ...]
 
 
-def worked_solution(request: Request, found: CertifiedQuestion) -> Solution:
+def worked_solution(request: Request, certified: CertifiedQuestion) -> Solution:
     """Return the worked solution of a question in the units of its text; without an answer, it states the reason.
 
     For several parts this is the solution of all parts.
     """
-    if found.parts:
-        return combine_parts(part_solutions(request, found, whole=True))
-    solution = _in_units(request, found, found.question, solve(found.setting))
-    if found.options and solution.answer is not None:
-        return chosen(solution, LETTERS_OF_OPTIONS[found.options.index(None)])
+    if certified.parts:
+        return combine_parts(part_solutions(request, certified, whole=True))
+    solution = _in_units(request, certified, certified.question, solve(certified.setting))
+    if certified.options and solution.answer is not None:
+        return chosen(solution, LETTERS_OF_OPTIONS[certified.options.index(None)])
     return solution
 
 
-def part_solutions(request: Request, found: CertifiedQuestion, *, whole: bool = False) -> list[Solution]:
+def part_solutions(request: Request, certified: CertifiedQuestion, *, whole: bool = False) -> list[Solution]:
     """Return the solution of each part of a problem, using the answers to earlier parts."""
-    settings = [part.certified.setting for part in found.parts]
-    solutions = sequential_solutions(settings, [part.solution for part in found.parts], whole=whole)
-    asked = (part.certified.question for part in found.parts)
-    return [_in_units(request, found, *pair) for pair in zip(asked, solutions, strict=True)]
+    settings = [part.certified.setting for part in certified.parts]
+    solutions = sequential_solutions(settings, [part.solution for part in certified.parts], whole=whole)
+    questions = (part.certified.question for part in certified.parts)
+    return [_in_units(request, certified, *pair) for pair in zip(questions, solutions, strict=True)]
 
 
-def _in_units(request: Request, found: CertifiedQuestion, asked: Question, solution: Solution) -> Solution:
+def _in_units(
+    request: Request, certified: CertifiedQuestion, target_question: Question, solution: Solution
+) -> Solution:
     """Return the solution of one question in the units of the complete text."""
-    answers = [part.certified.question for part in found.parts] or [asked]
-    said = ((question.answer, question.unit) for question in answers)
-    return convert_answer(system_named(request.units).beside(found.prompt, *said), solution, asked.unit)
+    answers = [part.certified.question for part in certified.parts] or [target_question]
+    amounts = ((question.answer, question.unit) for question in answers)
+    return convert_answer(
+        system_named(request.units).beside(certified.prompt, *amounts), solution, target_question.unit
+    )
 
 
 def solution_record(solution: Solution) -> tuple[SolutionRecord | None, str]:
@@ -106,7 +110,10 @@ def solution_record(solution: Solution) -> tuple[SolutionRecord | None, str]:
         return None, solution.reason
     steps = tuple(
         SolutionStep(
-            kind=step.kind, text=step.text, relations=tuple(held.latex() for held in step.relations), needs=step.needs
+            kind=step.kind,
+            text=step.text,
+            relations=tuple(relation.latex() for relation in step.relations),
+            needs=step.needs,
         )
         for step in solution.steps
     )

@@ -82,7 +82,9 @@ class FormulaRecord(Record):
 
     @model_validator(mode="after")
     def _complete(self) -> Self:
-        if any(len(held) != len(self.symbols) for held in (self.units, *(each.numbers for each in self.bindings))):
+        if any(
+            len(entries) != len(self.symbols) for entries in (self.units, *(each.numbers for each in self.bindings))
+        ):
             raise ValueError("each symbol has a unit, and a number in each binding")
         for unit in (self.unit, *self.units):
             if formula_unit(unit) != unit:
@@ -364,8 +366,8 @@ def grade_answer(answer: Answer, response: object, *, lenient: bool = False, par
             return choice(response, answer.letter, letters, texts=answer.texts)
         return choice(response, answer.letter, letters, answer.options, answer.unit)
     if answer.formula is not None:
-        held = answer.formula
-        return formula(response, held.latex, held.points, symbols=held.symbols, positive=answer.sign)
+        reference = answer.formula
+        return formula(response, reference.latex, reference.points, symbols=reference.symbols, positive=answer.sign)
     return number(
         response, answer.value, answer.unit, tolerance=answer.tolerance, positive=answer.sign, lenient=lenient
     )

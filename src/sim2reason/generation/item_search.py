@@ -38,11 +38,11 @@ def sample(recipe: str, difficulty: str = "medium", *, seed: int = 0, index: int
         UnknownNameError: no such recipe or difficulty.
         DrawError: nothing fitted together within the budget.
     """
-    found = RECIPES[recipe]
+    draw = RECIPES[recipe]
     checked = difficulty_named(difficulty)
     for attempt in range(TRIES):
         try:
-            scene = found(checked, generator("scene", recipe, difficulty, seed, index, attempt))
+            scene = draw(checked, generator("scene", recipe, difficulty, seed, index, attempt))
             scene.check()
         except SceneError:
             continue
@@ -61,15 +61,15 @@ def allowed(request: Request) -> frozenset[Need]:
         return frozenset(NEEDS[name] for name in request.needs)
     if request.unfiltered:
         return EVERY
-    asked = request.recipe, request.difficulty, request.mode, request.seed, request.index
-    return EVERY if generator(*asked, "needs").random() < SHARE else SIMPLE
+    coordinates = request.recipe, request.difficulty, request.mode, request.seed, request.index
+    return EVERY if generator(*coordinates, "needs").random() < SHARE else SIMPLE
 
 
 FEW_OPTIONS = "options: too few wrong answers"
 
 
 def form_problem(
-    found: CertifiedQuestion,
+    certified: CertifiedQuestion,
     search: QuestionSearch,
     mode: QuestionMode,
     difficulty: Difficulty,
@@ -82,19 +82,21 @@ def form_problem(
     The order of options depends only on `name`.
     """
     if mode.several:
-        return PartSearch(search, mode, difficulty, rng, refused).around(found)
+        return PartSearch(search, mode, difficulty, rng, refused).around(certified)
     if not mode.offers_options:
-        return found
-    question = found.question
-    answer = Answer(value=question.answer, unit=question.unit, sign=question.sign, tolerance=found.candidate.tolerance)
-    if found.candidate.kind.names_one:
-        chosen = options_of_two(answer, distractors(found.candidate, found.description), name)
+        return certified
+    question = certified.question
+    answer = Answer(
+        value=question.answer, unit=question.unit, sign=question.sign, tolerance=certified.candidate.tolerance
+    )
+    if certified.candidate.kind.names_one:
+        chosen = options_of_two(answer, distractors(certified.candidate, certified.description), name)
     else:
-        chosen = options(answer, distractors(found.candidate, found.description, MAX_DISTRACTORS), name)
+        chosen = options(answer, distractors(certified.candidate, certified.description, MAX_DISTRACTORS), name)
     if chosen is None:
         refused[FEW_OPTIONS] += 1
         return None
-    return replace(found, options=chosen)
+    return replace(certified, options=chosen)
 
 
 MAX_SCENES = 60  # drawn for one item, at most
@@ -157,11 +159,11 @@ class ItemSearch:
     def find(self) -> CertifiedQuestion | None:
         """Return the first question that passes every filter; None if none does within the budget."""
         for turn, first in enumerate(range(0, MAX_SCENES, SCENES_PER_KIND)):
-            found = self._among(range(first, first + SCENES_PER_KIND), self._order(turn))
+            certified = self._among(range(first, first + SCENES_PER_KIND), self._order(turn))
             hopeless = not self._first and self.rejected[NOTHING] >= EMPTY
             hopeless = hopeless or self.rejected[UNSUITED] >= UNFIT
-            if found is not None or hopeless:
-                return found
+            if certified is not None or hopeless:
+                return certified
         return None
 
     def _order(self, turn: int) -> list[str]:
@@ -184,18 +186,18 @@ class ItemSearch:
         drawn: list[Drawn] = []
         for search, rng in self._scenes(attempts):
             drawn.append((search, rng))
-            found = self._first_kind(search, rng, kinds)
-            if found is not None:
-                return found
+            certified = self._first_kind(search, rng, kinds)
+            if certified is not None:
+                return certified
         turns = 0
         for kind in kinds:
             for search, rng in drawn:
                 if kind in search.kinds or kind in search.beyond or len(search.beyond) >= BEYOND:
                     continue
-                found = self._asked(search, rng, kind)
+                certified = self._asked(search, rng, kind)
                 turns += kind in search.kinds or kind in search.beyond
-                if found is not None or turns == OTHERS:
-                    return found
+                if certified is not None or turns == OTHERS:
+                    return certified
         return None
 
     def _scenes(self, attempts: range) -> Iterator[Drawn]:
@@ -232,34 +234,34 @@ class ItemSearch:
         for kind in kinds:
             if len(search.beyond) >= BEYOND:
                 return None
-            found = self._asked(search, rng, kind)
+            certified = self._asked(search, rng, kind)
             if kind in search.kinds:
                 self._first = self._first or kind
-                return found
+                return certified
             self._absent[kind] += 1
         self.rejected[NOTHING] += 1
         return None
 
     def _asked(self, search: QuestionSearch, rng: np.random.Generator, kind: str) -> CertifiedQuestion | None:
-        refused, found = Counter[str](), None
+        refused, certified = Counter[str](), None
         try:
-            found = search.ask(self._mode, rng, refused, kind, QUESTIONS_PER_SCENE)
-            if found is not None:
+            certified = search.ask(self._mode, rng, refused, kind, QUESTIONS_PER_SCENE)
+            if certified is not None:
                 name = self._request.id
-                found = form_problem(found, search, self._mode, self._difficulty, rng, refused, name)
+                certified = form_problem(certified, search, self._mode, self._difficulty, rng, refused, name)
         except (SceneError, SimulationError, UnsupportedError) as error:
             refused[_counted(error)] += 1
         self._known[kind] += refused[FEW_LAWS]
         self._refused[kind] += refused.total()
         self._unsuited[kind] += refused[UNSUITED]
-        if found is not None or refused.keys() - {FEW_LAWS, *COUNTED}:
+        if certified is not None or refused.keys() - {FEW_LAWS, *COUNTED}:
             self._problems.add(kind)
         self.rejected.update(refused)
-        return found
+        return certified
 
     def _generator(self, name: object) -> np.random.Generator:
-        asked = self._request
-        return generator(asked.recipe, asked.difficulty, asked.mode, asked.seed, asked.index, name)
+        request = self._request
+        return generator(request.recipe, request.difficulty, request.mode, request.seed, request.index, name)
 
 
 def _counted(error: Exception) -> str:

@@ -50,12 +50,12 @@ def in_units(system: SpokenUnits, item: Item) -> Item:
     if item.answer.letter:
         return _options_told_in(system, item)
     unit = system.spelled(item.answer.unit)[0]
-    begin, asked, end = item.prompt.rpartition(f" in {unit_in_words(item.answer.unit)}")
-    if asked and item.answer.unit and ". " not in end:  # the last sentence
-        asked = f" in {unit_in_words(unit)}"
+    begin, unit_phrase, end = item.prompt.rpartition(f" in {unit_in_words(item.answer.unit)}")
+    if unit_phrase and item.answer.unit and ". " not in end:  # the last sentence
+        unit_phrase = f" in {unit_in_words(unit)}"
     return item.model_copy(
         update={
-            "prompt": spoken_in(system, f"{begin}{asked}{end}"),
+            "prompt": spoken_in(system, f"{begin}{unit_phrase}{end}"),
             "answer": _answer(system, item.answer),
             "distractors": tuple(_distractor(system, wrong, item.answer.unit) for wrong in item.distractors),
             "idle": tuple(spoken_in(system, part) for part in item.idle),
@@ -66,8 +66,8 @@ def in_units(system: SpokenUnits, item: Item) -> Item:
 
 def _options_told_in(system: SpokenUnits, item: Item) -> Item:
     """Return a multiple-choice item converted to a system of units; its options have the unit of the answer."""
-    answer, told = _answer(system, item.answer), ChoicePrompt.read(item.prompt)
-    question = spoken_in(system, told.question)
+    answer, prompt = _answer(system, item.answer), ChoicePrompt.read(item.prompt)
+    question = spoken_in(system, prompt.question)
     return item.model_copy(
         update={
             "prompt": ChoicePrompt(question, answer.texts or amounts(answer.options, answer.unit)).text,
@@ -82,13 +82,15 @@ def _options_told_in(system: SpokenUnits, item: Item) -> Item:
 def _parts_told_in(system: SpokenUnits, item: Item) -> Item:
     """Return a multipart item converted to a system of units, with the units of all answers in its last line."""
     units = [system.spelled(answer.unit)[0] for answer in item.answer.parts]
-    told = PartPrompt.read(item.prompt)
-    said = tuple(unit_in_words(unit) if unit else old for unit, old in zip(units, told.units, strict=True))
-    questions = tuple(spoken_in(system, question) for question in told.questions)
+    prompt = PartPrompt.read(item.prompt)
+    unit_names = tuple(unit_in_words(unit) if unit else old for unit, old in zip(units, prompt.units, strict=True))
+    questions = tuple(spoken_in(system, question) for question in prompt.questions)
     parts = zip(item.parts, questions, item.answer.parts, strict=True)
     return item.model_copy(
         update={
-            "prompt": replace(told, scene=spoken_in(system, told.scene), questions=questions, units=said).text,
+            "prompt": replace(
+                prompt, scene=spoken_in(system, prompt.scene), questions=questions, units=unit_names
+            ).text,
             "answer": _answer(system, item.answer),
             "parts": tuple(_part(system, part, question, answer.unit) for part, question, answer in parts),
             "idle": tuple(spoken_in(system, part) for part in item.idle),
@@ -107,8 +109,8 @@ def _answer(system: SpokenUnits, answer: Answer) -> Answer:
     parts = tuple(_answer(system, part) for part in answer.parts)
     options = tuple(value * float(factor) for value in answer.options)
     texts = tuple(spoken_in(system, text) for text in answer.texts)
-    told = {"unit": unit, "value": answer.value * float(factor), "parts": parts, "options": options, "texts": texts}
-    return answer.model_copy(update=told)
+    changes = {"unit": unit, "value": answer.value * float(factor), "parts": parts, "options": options, "texts": texts}
+    return answer.model_copy(update=changes)
 
 
 def _distractor(system: SpokenUnits, wrong: Distractor, unit: str) -> Distractor:
@@ -116,11 +118,11 @@ def _distractor(system: SpokenUnits, wrong: Distractor, unit: str) -> Distractor
     return wrong.model_copy(update={"value": value, "reason": spoken_in(system, wrong.reason)})
 
 
-def _asked(system: SpokenUnits, asked: QueryRecord) -> QueryRecord:
-    if asked.given is None or asked.given_unit is None:
-        return asked
-    unit, factor = system.spelled(asked.given_unit)
-    return asked.model_copy(update={"given": asked.given * float(factor), "given_unit": unit})
+def _asked(system: SpokenUnits, query: QueryRecord) -> QueryRecord:
+    if query.given is None or query.given_unit is None:
+        return query
+    unit, factor = system.spelled(query.given_unit)
+    return query.model_copy(update={"given": query.given * float(factor), "given_unit": unit})
 
 
 SETTINGS = hashlib.sha256(
@@ -131,37 +133,37 @@ SETTINGS = hashlib.sha256(
 def make(request: Request) -> Made:
     """Draw scenes and questions until one passes every filter; UnknownNameError for an unknown name."""
     search = ItemSearch(request)
-    found = search.find()
-    item = item_of(request, found) if found is not None else None
+    certified = search.find()
+    item = item_of(request, certified) if certified is not None else None
     return Made(item, dict(search.rejected), search.wanted)
 
 
-def item_of(request: Request, found: CertifiedQuestion) -> Item:
+def item_of(request: Request, certified: CertifiedQuestion) -> Item:
     """Return the item for a certified question."""
-    scene = found.description.scene
-    question = found.question
-    solution, unsolved = solution_record(worked_solution(request, found)) if request.solutions else (None, "")
+    scene = certified.description.scene
+    question = certified.question
+    solution, unsolved = solution_record(worked_solution(request, certified)) if request.solutions else (None, "")
     item = Item(
         id=request.id,
-        prompt=found.prompt,
-        shape=found.shape,
-        answer=answer_of(found),
+        prompt=certified.prompt,
+        shape=certified.shape,
+        answer=answer_of(certified),
         mode=request.mode,
         kind=question.query.kind,
         recipe=request.recipe,
         difficulty=request.difficulty,
         entities=tuple(type(named.entity).__name__ for named in scene.entities),
-        asked=_query_of(found),
-        needs=_needs_of(found),
-        measured=_difficulty_of(found.measured) if found.measured is not None else None,
-        parts=_parts_of(request, found),
-        distractors=_wrong_answers(found),
-        idle=_in_all(found, idle_parts),
-        idle_numbers=_in_all(found, idle_numbers),
+        asked=_query_of(certified),
+        needs=_needs_of(certified),
+        measured=_difficulty_of(certified.measured) if certified.measured is not None else None,
+        parts=_parts_of(request, certified),
+        distractors=_wrong_answers(certified),
+        idle=_in_all(certified, idle_parts),
+        idle_numbers=_in_all(certified, idle_numbers),
         solution=solution,
         unsolved=unsolved,
-        scene=dump(found.study.scene, _wording_of(found.description)),
-        certificate=summary(found.certificate),
+        scene=dump(certified.study.scene, _wording_of(certified.description)),
+        certificate=summary(certified.certificate),
         provenance=Provenance(
             recipe=request.recipe,
             difficulty=request.difficulty,
@@ -175,60 +177,60 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
             needs=request.needs,
         ),
     )
-    return in_units(system_named(request.units), with_options(item, found) if found.options else item)
+    return in_units(system_named(request.units), with_options(item, certified) if certified.options else item)
 
 
-def with_options(item: Item, found: CertifiedQuestion) -> Item:
+def with_options(item: Item, certified: CertifiedQuestion) -> Item:
     """Return a numeric item as a multiple-choice item, with the options of its certified question."""
-    answer, body, chosen = item.answer, without_form(item.prompt)[0], found.options
+    answer, body, chosen = item.answer, without_form(item.prompt)[0], certified.options
     numbers, letter = tuple(values(answer, chosen)), LETTERS[chosen.index(None)]
-    texts = _names_and(numbers, answer.unit, found)
-    told = answer.model_copy(update={"letter": letter, "options": numbers, "texts": texts})
+    texts = _names_and(numbers, answer.unit, certified)
+    lettered_answer = answer.model_copy(update={"letter": letter, "options": numbers, "texts": texts})
     prompt = ChoicePrompt(body, texts or amounts(numbers, answer.unit)).text
-    return item.model_copy(update={"prompt": prompt, "answer": told})
+    return item.model_copy(update={"prompt": prompt, "answer": lettered_answer})
 
 
-def _names_and(numbers: Sequence[float], unit: str, found: CertifiedQuestion) -> tuple[str, ...]:
+def _names_and(numbers: Sequence[float], unit: str, certified: CertifiedQuestion) -> tuple[str, ...]:
     """Return the texts of options that each state a name and a number; empty if options are only numbers."""
-    kind, query, words = found.candidate.kind, found.question.query, found.candidate.words
+    kind, query, words = certified.candidate.kind, certified.question.query, certified.candidate.words
     if not isinstance(kind, WhichKind) or not isinstance(query, WhichQuery) or words is None:
         return ()
-    said = zip(amounts([abs(number) for number in numbers], unit), numbers, strict=True)
-    return tuple(kind.option(query, words, size, first=number > 0.0) for size, number in said)
+    pairs = zip(amounts([abs(number) for number in numbers], unit), numbers, strict=True)
+    return tuple(kind.option(query, words, size, first=number > 0.0) for size, number in pairs)
 
 
-def _wrong_answers(found: CertifiedQuestion) -> tuple[Distractor, ...]:
+def _wrong_answers(certified: CertifiedQuestion) -> tuple[Distractor, ...]:
     """Return the distractors of a question: the wrong options if it has options, none for parts."""
-    if found.parts:
+    if certified.parts:
         return ()
-    if found.options:
-        return tuple(wrong for wrong in found.options if wrong is not None)
-    return distractors(found.candidate, found.description)
+    if certified.options:
+        return tuple(wrong for wrong in certified.options if wrong is not None)
+    return distractors(certified.candidate, certified.description)
 
 
-def _parts_of(request: Request, found: CertifiedQuestion) -> tuple[QuestionPart, ...]:
+def _parts_of(request: Request, certified: CertifiedQuestion) -> tuple[QuestionPart, ...]:
     """Return the records of the parts of a multi-part problem."""
-    solutions = part_solutions(request, found) if request.solutions else []
-    records = [solution_record(solution) for solution in solutions] or [(None, "")] * len(found.parts)
+    solutions = part_solutions(request, certified) if request.solutions else []
+    records = [solution_record(solution) for solution in solutions] or [(None, "")] * len(certified.parts)
     return tuple(
         QuestionPart(
             text=part.text,
             kind=part.certified.question.query.kind,
             asked=_query_of(part.certified),
             uses=part.uses,
-            distractors=distractors(part.certified.candidate, found.description),
+            distractors=distractors(part.certified.candidate, certified.description),
             solution=solution,
             unsolved=unsolved,
             certificate=summary(part.certified.certificate),
         )
-        for part, (solution, unsolved) in zip(found.parts, records, strict=True)
+        for part, (solution, unsolved) in zip(certified.parts, records, strict=True)
     )
 
 
-def _in_all(found: CertifiedQuestion, idle: Callable[[Candidate, Description], tuple[str, ...]]) -> tuple[str, ...]:
+def _in_all(certified: CertifiedQuestion, idle: Callable[[Candidate, Description], tuple[str, ...]]) -> tuple[str, ...]:
     """Return the names of parts or numbers of the scene that `idle` finds irrelevant for every part of the problem."""
-    candidates = [part.certified.candidate for part in found.parts] or [found.candidate]
-    each = [idle(candidate, found.description) for candidate in candidates]
+    candidates = [part.certified.candidate for part in certified.parts] or [certified.candidate]
+    each = [idle(candidate, certified.description) for candidate in candidates]
     return tuple(name for name in each[0] if all(name in others for others in each[1:]))
 
 
@@ -237,9 +239,9 @@ def _wording_of(description: Description) -> Wording:
     return Wording(description.seed, description.symbolic, tuple(sorted(description.without)))
 
 
-def answer_of(found: CertifiedQuestion) -> Answer:
+def answer_of(certified: CertifiedQuestion) -> Answer:
     """Return the record of the answer, or of the answers to all parts."""
-    question, tolerance = found.question, found.candidate.tolerance
+    question, tolerance = certified.question, certified.candidate.tolerance
     formula = _formula_of(question.formula, question.unit) if question.formula is not None else None
     return Answer(
         value=question.answer,
@@ -247,7 +249,7 @@ def answer_of(found: CertifiedQuestion) -> Answer:
         sign=question.sign,
         tolerance=tolerance,
         formula=formula,
-        parts=tuple(answer_of(part.certified) for part in found.parts),
+        parts=tuple(answer_of(part.certified) for part in certified.parts),
     )
 
 
@@ -263,9 +265,9 @@ def _formula_of(formula: Formula, unit: str) -> FormulaRecord:
     )
 
 
-def _needs_of(found: CertifiedQuestion) -> str:
+def _needs_of(certified: CertifiedQuestion) -> str:
     """Return the most advanced mathematics in the solution, over all parts."""
-    parts = [part.certified for part in found.parts] or [found]
+    parts = [part.certified for part in certified.parts] or [certified]
     return most_advanced(part.shortest.needs for part in parts).label
 
 
@@ -273,16 +275,16 @@ def _difficulty_of(taken: SolutionDifficulty) -> MeasuredDifficulty:
     return MeasuredDifficulty(laws=taken.laws, phases=taken.phases, unknowns=taken.unknowns, score=taken.score)
 
 
-def _query_of(found: CertifiedQuestion) -> QueryRecord:
+def _query_of(certified: CertifiedQuestion) -> QueryRecord:
     """Return the record of the query."""
-    query, given = found.question.query, found.question.given
+    query, given = certified.question.query, certified.question.given
     kind = KINDS[query.kind]
     return QueryRecord(
         subject=query.subject,
         quantity=kind.measured(query).name,
-        time=kind.time(query, found.study),
+        time=kind.time(query, certified.study),
         event=query.moment.label if query.moment is not None else None,
-        unknown=found.question.unknown or None,
+        unknown=certified.question.unknown or None,
         limit_of=query.hides or None,
         given=given.value if given is not None else None,
         given_unit=given.unit if given is not None else None,

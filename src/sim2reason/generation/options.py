@@ -25,13 +25,13 @@ def distractors(candidate: Candidate, description: Description, few: int = MIN_D
 
     If misconceptions give fewer than `few`, a longer search includes answers far from the correct one.
     """
-    found = list[Effect]()
-    heard = sorted((e for part in (False, True) for e in effects(candidate, part=part)), key=_place)
-    for effect in (e for e in heard if e.simplification.misleads):
-        _add(effect, candidate, found)
-    _fill(found, MAX_DISTRACTORS, (e for e in heard if not e.simplification.misleads), candidate)
-    _fill(found, few, far_effects(candidate), candidate)
-    return tuple(_told(effect, description) for effect in sorted(found, key=_place))
+    selected = list[Effect]()
+    ranked = sorted((e for part in (False, True) for e in effects(candidate, part=part)), key=_place)
+    for effect in (e for e in ranked if e.simplification.misleads):
+        _add(effect, candidate, selected)
+    _fill(selected, MAX_DISTRACTORS, (e for e in ranked if not e.simplification.misleads), candidate)
+    _fill(selected, few, far_effects(candidate), candidate)
+    return tuple(_told(effect, description) for effect in sorted(selected, key=_place))
 
 
 def _place(effect: Effect) -> tuple[float, str]:
@@ -39,13 +39,13 @@ def _place(effect: Effect) -> tuple[float, str]:
     return effect.change, effect.simplification.name
 
 
-def _fill(found: list[Effect], enough: int, offered: Iterator[Effect], candidate: Candidate) -> None:
-    """Add further wrong answers from `offered` to `found` until there are `enough`."""
-    while len(found) < enough and (effect := next(offered, None)) is not None:
-        _add(effect, candidate, found)
+def _fill(selected: list[Effect], enough: int, offered: Iterator[Effect], candidate: Candidate) -> None:
+    """Add further wrong answers from `offered` to `selected` until there are `enough`."""
+    while len(selected) < enough and (effect := next(offered, None)) is not None:
+        _add(effect, candidate, selected)
 
 
-def _add(effect: Effect, candidate: Candidate, found: list[Effect]) -> None:
+def _add(effect: Effect, candidate: Candidate, selected: list[Effect]) -> None:
     """Add a distractor if it is believable, incorrect and new."""
     value, question = effect.answer, candidate.question
     if (
@@ -59,8 +59,10 @@ def _add(effect: Effect, candidate: Candidate, found: list[Effect]) -> None:
             return
     elif value < 0.0 and not question.sign:  # nobody gives a size that is negative
         return
-    if all(other.answer is not None and abs(value - other.answer) > SAME_ANSWER_RTOL * abs(value) for other in found):
-        found.append(effect)
+    if all(
+        other.answer is not None and abs(value - other.answer) > SAME_ANSWER_RTOL * abs(value) for other in selected
+    ):
+        selected.append(effect)
 
 
 def _told(effect: Effect, description: Description) -> Distractor:
@@ -81,8 +83,8 @@ def idle_numbers(candidate: Candidate, description: Description) -> tuple[str, .
     Numbers that the text does not state, such as g where nothing falls, are excluded.
     """
     stated = frozenset(description.told)
-    told = (found for found in elasticities(candidate) if not stated.isdisjoint(found.given.paths))
-    idle = (found.given for found in told if not matters(candidate, found))
+    mentioned = (elasticity for elasticity in elasticities(candidate) if not stated.isdisjoint(elasticity.given.paths))
+    idle = (elasticity.given for elasticity in mentioned if not matters(candidate, elasticity))
     return tuple(path for given in idle for path in given.paths if path in stated)
 
 
@@ -180,9 +182,9 @@ def values(answer: Answer, chosen: Sequence[Distractor | None]) -> list[float]:
 
 def _stands_apart(answer: Answer, wrong: Distractor, chosen: Sequence[Distractor | None]) -> bool:
     """Return whether a wrong answer differs clearly from the correct one and from all chosen options."""
-    least = max(OPTION_RTOL, answer.tolerance) + ROUNDING
+    separation = max(OPTION_RTOL, answer.tolerance) + ROUNDING
     others = values(answer, chosen)
-    return all(abs(wrong.value - other) > least * max(abs(wrong.value), abs(other)) for other in others)
+    return all(abs(wrong.value - other) > separation * max(abs(wrong.value), abs(other)) for other in others)
 
 
 def _graded(answer: Answer, texts: list[str]) -> bool:

@@ -78,9 +78,9 @@ class PartSearch:
 
     def around(self, found: CertifiedQuestion) -> CertifiedQuestion | None:
         """Return a multi-part problem that includes `found`; None if no related part is found."""
-        parts, asked = [_Part(found, solve(found.setting))], {found.question.query}
+        parts, queries = [_Part(found, solve(found.setting))], {found.question.query}
         while len(parts) < self._number and (len(parts) > 1 or self._may_be_joined(parts[0])):
-            more = self._one_more(parts, asked)
+            more = self._one_more(parts, queries)
             if more is None:
                 break
             parts.append(more)
@@ -177,13 +177,15 @@ class PartSearch:
         questions = [part.question for part in ordered]
         description = self._search.described(questions)
         prompt, texts = together(description, questions, self._search.words, self._rng)
-        held = tuple(
+        certified_parts = tuple(
             CertifiedPart(
                 part.certified, part.solution, texts[k], tuple(n for n in range(k) if part.follows(ordered[n]))
             )
             for k, part in enumerate(ordered)
         )
-        return replace(ordered[-1].certified, description=description, shape=prompt.shape, parts=held, text=prompt.text)
+        return replace(
+            ordered[-1].certified, description=description, shape=prompt.shape, parts=certified_parts, text=prompt.text
+        )
 
     def _ordered(self, parts: list[_Part]) -> list[_Part]:
         """Return the parts sorted: each after those that lead to it, then by time and length of solution."""
@@ -202,16 +204,16 @@ class PartSearch:
 
 def _moments(parts: list[_Part]) -> list[Moment]:
     """Return the start, and the moments of the parts."""
-    told = [part.question.query.moment for part in parts]
-    found: list[Moment] = [AtStart(), *(moment for moment in told if moment is not None)]
-    return list(dict.fromkeys(found))
+    part_moments = [part.question.query.moment for part in parts]
+    moments: list[Moment] = [AtStart(), *(moment for moment in part_moments if moment is not None)]
+    return list(dict.fromkeys(moments))
 
 
 def _query(target: Target, when: Moment, study: SimulatedScene) -> Iterator[Query]:
     """Yield the question for a quantity at a moment, if its kind allows one and the answer is not trivial."""
     if when.kind != AtStart.kind:
-        told = Channel(target.subject, target.quantity) in when.revealed_channels
-        if when.kind in KINDS and not told and is_worth_asking_at(study, when)(target):
+        revealed = Channel(target.subject, target.quantity) in when.revealed_channels
+        if when.kind in KINDS and not revealed and is_worth_asking_at(study, when)(target):
             yield Query(when.kind, target, when)
     elif QUANTITIES[target.quantity].immediate and is_large_enough(target.value(study.trace.at(0.0)), target, study):
         yield Query(AtStart.kind, target, AllAlong() if is_constant(target, study.trace) else AtStart())
@@ -226,7 +228,7 @@ def _leads(question: Question, solution: Solution, other: Question, to: Solution
     if solution.answer is None or to.answer is None:
         return False
     value, unit = solution.values[solution.goal], solution.unit
-    return any(_same(value, known) and unit == said for known, said in _found_in(to).values())
+    return any(_same(value, known) and unit == known_unit for known, known_unit in _found_in(to).values())
 
 
 def _found_in(solution: Solution) -> dict[str, tuple[float, str]]:
@@ -253,7 +255,7 @@ def is_new(question: Question, other: Question, study: SimulatedScene) -> bool:
     """
     if question.unit == other.unit and abs(question.answer - other.answer) <= TOLERANCE * abs(other.answer):
         return False
-    moments = [held.query.moment for held in (question, other)]
+    moments = [each.query.moment for each in (question, other)]
     if moments[0] != moments[1] and all(moment is not None and moment.stated for moment in moments):
         return False
     if any(_tells(*pair) for pair in ((question, other), (other, question))):

@@ -58,19 +58,19 @@ class Examples:
 
 def examples() -> Examples:
     """Return the first example question for each registered member; every call returns the same examples."""
-    found = Examples()
+    collected = Examples()
     for number, scene in enumerate(scenes()):
         motion, words = simulate_scene(scene), words_of(describe(scene, number))
-        for query in _queries(motion, words, np.random.default_rng(number), found):
-            _enter(query, motion, words, found)
+        for query in _queries(motion, words, np.random.default_rng(number), collected):
+            _enter(query, motion, words, collected)
     for own in (*OWN, *ASKED):
         scene = loads(own.text)
         motion, words = simulate_scene(scene), words_of(describe(scene))
         for sentence in own.asked:
-            meant = understood(sentence, motion, words)
-            if meant is not None:
-                _enter(meant.posed.query, motion, words, found, sentence)
-    return found
+            interpretation = understood(sentence, motion, words)
+            if interpretation is not None:
+                _enter(interpretation.posed.query, motion, words, collected, sentence)
+    return collected
 
 
 @cache
@@ -80,7 +80,7 @@ def scenes() -> tuple[Scene, ...]:
     return (*(loads(own.text) for own in (*OWN, *ASKED)), *drawn)
 
 
-def _queries(motion: FollowedMotion, words: Words, rng: np.random.Generator, found: Examples) -> Iterator[Query]:
+def _queries(motion: FollowedMotion, words: Words, rng: np.random.Generator, collected: Examples) -> Iterator[Query]:
     """Yield queries about a scene: every quantity, every moment, and a draw of each kind without an example."""
     study, offered = motion.study, targets(words)
     moments = [moment for cls in moments_by_cause() for moment in list(cls.found(study, words, rng))[:1]]
@@ -88,9 +88,9 @@ def _queries(motion: FollowedMotion, words: Words, rng: np.random.Generator, fou
         if isinstance(moment, Happening) and moment.clause(words) is not None:
             yield Query("time_to_event", None, moment)
         if moment.kind in ("state", "event"):
-            asked = (Query(moment.kind, target, moment) for target in offered)
-            yield from (query for query in asked if _is_something(query, motion))
-    yield from _stretches(moments, motion, words, found)
+            queries = (Query(moment.kind, target, moment) for target in offered)
+            yield from (query for query in queries if _is_something(query, motion))
+    yield from _stretches(moments, motion, words, collected)
     for cls in OUTCOMES.values():
         for outcome in cls.found(words):
             yield from (
@@ -98,21 +98,21 @@ def _queries(motion: FollowedMotion, words: Words, rng: np.random.Generator, fou
                 for unknown in words.unknowns
             )
     for name, kind in KINDS.items():
-        query = kind.draw(study, words, offered, rng) if name == "start" or name not in found.kinds else None
+        query = kind.draw(study, words, offered, rng) if name == "start" or name not in collected.kinds else None
         if query is not None:
             yield query
 
 
 def _is_something(query: Query, motion: FollowedMotion) -> bool:
     """Return whether a query has an answer that differs noticeably from zero."""
-    found = KINDS[query.kind].answer(query, motion.study)
-    return found is not None and abs(found) > KINDS[query.kind].measured(query).least
+    answer = KINDS[query.kind].answer(query, motion.study)
+    return answer is not None and abs(answer) > KINDS[query.kind].measured(query).least
 
 
-def _stretches(moments: list[Moment], motion: FollowedMotion, words: Words, found: Examples) -> Iterator[Query]:
+def _stretches(moments: list[Moment], motion: FollowedMotion, words: Words, collected: Examples) -> Iterator[Query]:
     """Yield questions for each functional without an example, over the motion up to each suitable moment."""
     for functional in FUNCTIONALS.values():
-        named = words.called(functional.of) if functional.name not in found.functionals else ()
+        named = words.called(functional.of) if functional.name not in collected.functionals else ()
         for name in named:
             if not functional.present(words, name):
                 continue
@@ -122,27 +122,27 @@ def _stretches(moments: list[Moment], motion: FollowedMotion, words: Words, foun
                     yield query
 
 
-def _enter(query: Query, motion: FollowedMotion, words: Words, found: Examples, said: str = "") -> None:
+def _enter(query: Query, motion: FollowedMotion, words: Words, collected: Examples, given_sentence: str = "") -> None:
     """Add a query as the example of each name without one, if its parts parse back to an equal query.
 
-    The example's sentence is `said`, or else the library's own.
+    The example's sentence is `given_sentence`, or else the library's own.
     """
     entries = _names(query)
-    table = vars(found)
+    table = vars(collected)
     new = [(registry, name) for registry, name in entries if name not in table[registry]]
-    asked = _in_parts(query, motion, words) if new else None
-    if asked is None:
+    structured = _in_parts(query, motion, words) if new else None
+    if structured is None:
         return
     try:
-        question = pose_question(asked, motion, words)
+        question = pose_question(structured, motion, words)
     except TextError:
         return
-    sentence = said or question.sentence(words)
+    sentence = given_sentence or question.sentence(words)
     alike = question.query == query or isinstance(query, ThresholdQuery)
     if not sentence or not alike:
         return
     for registry, name in new:
-        table[registry][name] = AskedExample(sentence, _options(asked))
+        table[registry][name] = AskedExample(sentence, _options(structured))
 
 
 def _names(query: Query) -> list[tuple[str, str]]:
@@ -220,10 +220,16 @@ def _nested(query: NestedQuery, motion: FollowedMotion, words: Words) -> Structu
     return None
 
 
-def _options(asked: StructuredQuestion) -> str:
+def _options(question: StructuredQuestion) -> str:
     """Return the parts of a question as options on a command line."""
-    parts = {"find": asked.find, "of": asked.of, "when": asked.when, "along": asked.along, "given": asked.given}
-    parts |= {"change": asked.change, "compare": asked.compare if asked.compare != "ratio" else ""}
+    parts = {
+        "find": question.find,
+        "of": question.of,
+        "when": question.when,
+        "along": question.along,
+        "given": question.given,
+    }
+    parts |= {"change": question.change, "compare": question.compare if question.compare != "ratio" else ""}
     return " ".join(f"--{name} {_quoted(part)}" for name, part in parts.items() if part)
 
 

@@ -59,17 +59,17 @@ def format_page() -> str:
 
 
 def _page() -> Iterator[str]:
-    found = examples()
+    collected = examples()
     yield from _section(
-        "Kinds of questions", "kind", {name: summary(type(kind)) for name, kind in KINDS.items()}, found.kinds
+        "Kinds of questions", "kind", {name: summary(type(kind)) for name, kind in KINDS.items()}, collected.kinds
     )
     units = {name: f"{quantity.of.name}, {_unit(quantity.unit)}" for name, quantity in QUANTITIES.items()}
-    yield from _section("Quantities", "find", units, found.quantities, "of, in")
+    yield from _section("Quantities", "find", units, collected.quantities, "of, in")
     units = {name: f"{functional.of.name}, {_unit(functional.unit)}" for name, functional in FUNCTIONALS.items()}
-    yield from _section("Over a stretch of the motion", "find", units, found.functionals, "of, in")
-    said = {name: summary(cls) for name, cls in MOMENTS.items()}
-    yield from _section("Moments", "when", said, found.moments)
-    yield from _section("Outcomes", "when", {name: summary(cls) for name, cls in OUTCOMES.items()}, found.outcomes)
+    yield from _section("Over a stretch of the motion", "find", units, collected.functionals, "of, in")
+    descriptions = {name: summary(cls) for name, cls in MOMENTS.items()}
+    yield from _section("Moments", "when", descriptions, collected.moments)
+    yield from _section("Outcomes", "when", {name: summary(cls) for name, cls in OUTCOMES.items()}, collected.outcomes)
     yield from _synonyms()
     yield from _textbook_scenes()
     yield from _coordinates()
@@ -77,15 +77,19 @@ def _page() -> Iterator[str]:
 
 
 def _section(
-    title: str, key: str, said: Mapping[str, str], found: Mapping[str, AskedExample], what: str = "what"
+    title: str,
+    key: str,
+    descriptions: Mapping[str, str],
+    example_by_name: Mapping[str, AskedExample],
+    what: str = "what",
 ) -> Iterator[str]:
     """Yield the lines of a table of a registry's members, each with its example if there is one."""
     yield from (f"## {title}", "", f"| `{key}` | {what} | in words | in parts |", "| --- | --- | --- | --- |")
-    for name in sorted(said):
-        example = found.get(name, AskedExample("", ""))
+    for name in sorted(descriptions):
+        example = example_by_name.get(name, AskedExample("", ""))
         parts = f"`{example.parts}`" if example.parts else ""
         sentence = example.sentence or RECORDED
-        yield f"| {name.replace('_', ' ')} | {_cell(said[name])} | {_cell(sentence)} | {_cell(parts)} |"
+        yield f"| {name.replace('_', ' ')} | {_cell(descriptions[name])} | {_cell(sentence)} | {_cell(parts)} |"
     yield ""
 
 
@@ -129,15 +133,15 @@ def _coordinates() -> Iterator[str]:
     yield "`trace.state.v[:, n]` its rate. A slide counts metres along its axis, a hinge radians about it; the first of"
     yield "each class of entities in those scenes shows its own. `z` points up."
     yield from ("", "| entity | coordinate | counts | axis |", "| --- | --- | --- | --- |")
-    found: dict[str, list[str]] = {}
+    rows_by_class: dict[str, list[str]] = {}
     for scene in scenes():
         for named in scene.entities:
             cls = type(named.entity).__name__
             own = [c for c in scene.mechanism.coordinates if c.name.startswith(f"{named.name}.")]
             rows = [f"| {cls} | {c.name.removeprefix(f'{named.name}.')} | {_counts(c)} | {_axis(c)} |" for c in own]
-            found[cls] = found.get(cls) or rows
-    yield from (row for rows in found.values() for row in rows)
-    none = sorted(cls.__name__ for cls in ENTITIES.values() if found.get(cls.__name__) == [])
+            rows_by_class[cls] = rows_by_class.get(cls) or rows
+    yield from (row for rows in rows_by_class.values() for row in rows)
+    none = sorted(cls.__name__ for cls in ENTITIES.values() if rows_by_class.get(cls.__name__) == [])
     yield from ("", f"Of their own these have none: {', '.join(none)}.", "")
 
 
@@ -153,7 +157,7 @@ def _connections() -> Iterator[str]:
     """Yield the lines of an example of each connection, as a scene file states the connection."""
     yield from ("## Connections", "")
     for name in CONNECTIONS:
-        lines = next((found for scene in scenes() if (found := _of_connection(dump(scene), name))), list[str]())
+        lines = next((excerpt for scene in scenes() if (excerpt := _of_connection(dump(scene), name))), list[str]())
         yield from (f"### `{name}`", "", "```yaml", "connections:", *lines, "```", "")
 
 

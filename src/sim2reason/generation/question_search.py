@@ -45,8 +45,8 @@ class RefusedQuestion:
     @property
     def findings(self) -> tuple[str, ...]:
         """Numbers that the filter compared, line by line; empty for a filter that compares none."""
-        found = FILTERS.get(self.verdict.filter)
-        return () if found is None else tuple(found.findings(self.candidate))
+        filter_ = FILTERS.get(self.verdict.filter)
+        return () if filter_ is None else tuple(filter_.findings(self.candidate))
 
 
 @dataclass(frozen=True)
@@ -110,7 +110,7 @@ class QuestionSearch:
         """Return the text of the scene, in a wording with short sentences about strings if one of a few has them."""
         first = describe(self.study.scene, self._first_wording)
         others = (describe(self.study.scene, self._first_wording + n) for n in range(1, WORDINGS))
-        return next((told for told in chain([first], others) if is_followable(told.sentences)), first)
+        return next((wording for wording in chain([first], others) if is_followable(wording.sentences)), first)
 
     @cached_property
     def words(self) -> Words:
@@ -119,10 +119,10 @@ class QuestionSearch:
 
     def _words(self, told: "_Told") -> Words:
         """Return the names and symbols in a question's own text, which may omit some numbers."""
-        said = told.description.told
-        if len(said) == len(self.description.told):
+        stated = told.description.told
+        if len(stated) == len(self.description.told):
             return self.words
-        symbols = {path: symbol for path, symbol in self.words.symbols.items() if path in said}
+        symbols = {path: symbol for path, symbol in self.words.symbols.items() if path in stated}
         return replace(self.words, symbols=symbols)
 
     def _certified(self, query: Query, study: SimulatedScene) -> tuple[SimulatedScene, Certificate]:
@@ -168,10 +168,10 @@ class QuestionSearch:
             refused[self.fault] += 1
             return None
         for question in self._questions(mode, kind, rng, refused, tries):
-            found = self._judged(question, mode, rng)
-            if isinstance(found, CertifiedQuestion):
-                return found
-            refused[found.manifest_name] += 1
+            outcome = self._judged(question, mode, rng)
+            if isinstance(outcome, CertifiedQuestion):
+                return outcome
+            refused[outcome.manifest_name] += 1
         return None
 
     def certified(
@@ -183,36 +183,36 @@ class QuestionSearch:
         beside: tuple[Candidate, ...],
     ) -> CertifiedQuestion | None:
         """Return a question certified by all filters; None if a filter rejects it, counted in `refused`."""
-        found = self._judged(question, mode, rng, beside)
-        if isinstance(found, CertifiedQuestion):
-            return found
-        refused[found.manifest_name] += 1
+        outcome = self._judged(question, mode, rng, beside)
+        if isinstance(outcome, CertifiedQuestion):
+            return outcome
+        refused[outcome.manifest_name] += 1
         return None
 
     def _judged(
         self, question: Question, mode: QuestionMode, rng: np.random.Generator, beside: tuple[Candidate, ...] = ()
     ) -> CertifiedQuestion | Verdict:
         """Return the question with its certificate, or the verdict against it."""
-        found, candidate = self._examined(question, mode, rng, beside)
-        if isinstance(found, Verdict) and self.on_refusal is not None:
-            self.on_refusal(RefusedQuestion(candidate, found))
-        return found
+        outcome, candidate = self._examined(question, mode, rng, beside)
+        if isinstance(outcome, Verdict) and self.on_refusal is not None:
+            self.on_refusal(RefusedQuestion(candidate, outcome))
+        return outcome
 
     def _examined(
         self, question: Question, mode: QuestionMode, rng: np.random.Generator, beside: tuple[Candidate, ...]
     ) -> tuple[CertifiedQuestion | Verdict, Candidate]:
         """Return the certified question or a filter's verdict against it, and the candidate that filters saw last."""
-        told = self._told(question, mode, rng, beside)
-        verdict = self._sift(told.candidate, witnessed=False)
+        prepared = self._told(question, mode, rng, beside)
+        verdict = self._sift(prepared.candidate, witnessed=False)
         if verdict.keep:
-            completed = mode.completed(question, self.study, self._words(told), rng)
+            completed = mode.completed(question, self.study, self._words(prepared), rng)
             if completed is None:
-                return Verdict(keep=False, filter=INCOMPLETE), told.candidate
+                return Verdict(keep=False, filter=INCOMPLETE), prepared.candidate
             if completed is not question:
-                told = self._told(completed, mode, rng, beside)
-                verdict = self._sift(told.candidate, witnessed=False)
-        candidate = told.candidate.checked if verdict.keep else told.candidate
-        if candidate is not told.candidate:  # it needs other means
+                prepared = self._told(completed, mode, rng, beside)
+                verdict = self._sift(prepared.candidate, witnessed=False)
+        candidate = prepared.candidate.checked if verdict.keep else prepared.candidate
+        if candidate is not prepared.candidate:  # it needs other means
             verdict = self._sift(candidate, witnessed=False)
         if not verdict.keep:
             return verdict, candidate
@@ -221,7 +221,7 @@ class QuestionSearch:
         verdict = self._sift(last, witnessed=True)
         if not verdict.keep:
             return verdict, last
-        return CertifiedQuestion(candidate, study, certificate, told.description, told.shape), last
+        return CertifiedQuestion(candidate, study, certificate, prepared.description, prepared.shape), last
 
     def described(self, questions: Sequence[Question]) -> Description:
         """Return the text for several questions, without the sentences that matter to none of them."""
@@ -236,13 +236,13 @@ class QuestionSearch:
         study = mode.study(question, self.study)
         description = mode.described(question, self._leaving_out(irrelevant(question, study, self.description.topics)))
         prompt = shaped(description, question, rng)
-        said = description.sentences
+        sentences = description.sentences
         level: Difficulty = self._difficulty or "medium"
         candidate = Candidate(
             study,
             question,
             prompt.text,
-            said,
+            sentences,
             self.words,
             difficulty=level,
             tolerance=self._tolerance,
@@ -292,7 +292,7 @@ class QuestionSearch:
         self, mode: QuestionMode, kind: str, rng: np.random.Generator, refused: Counter[str], tries: int
     ) -> Iterator[Question]:
         """Yield distinct random questions; fewer if the motion offers no more."""
-        asked, missed = set[tuple[Query, str]](), 0
+        seen, missed = set[tuple[Query, str]](), 0
         if kind and not may_have_solution(kind, self.study, max(self._needs)):
             return
         for _ in range(DRAWS * tries // QUESTIONS * (CHOOSY if self._quantities else 1)):
@@ -312,8 +312,8 @@ class QuestionSearch:
                     return
                 continue
             self.kinds.add(kind)
-            if (question.query, question.unknown) not in asked:
-                asked.add((question.query, question.unknown))
+            if (question.query, question.unknown) not in seen:
+                seen.add((question.query, question.unknown))
                 yield question
-            if len(asked) >= tries:
+            if len(seen) >= tries:
                 return

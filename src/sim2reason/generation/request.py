@@ -40,12 +40,12 @@ _ID = re.compile(
 def nonnegative_integer(name: str, value: object) -> int:
     """Return a nonnegative integer coordinate (not a boolean); DrawError, with its name, otherwise."""
     try:
-        found = as_index(cast("SupportsIndex", value)) if not isinstance(value, bool) else -1
+        integer = as_index(cast("SupportsIndex", value)) if not isinstance(value, bool) else -1
     except TypeError:
-        found = -1
-    if not 0 <= found <= LARGEST:
+        integer = -1
+    if not 0 <= integer <= LARGEST:
         raise DrawError(f"{name}: {value!r} is no whole number from 0 to {LARGEST}; give one")
-    return found
+    return integer
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,10 +152,10 @@ Maker = Callable[[Request], Made]
 @cache
 def versions() -> dict[str, str]:
     """Return the versions of all packages and platforms that may change the bytes of an item."""
-    found = {"python": platform.python_version(), "platform": f"{sys.platform}-{platform.machine()}"}
+    installed = {"python": platform.python_version(), "platform": f"{sys.platform}-{platform.machine()}"}
     for package in SHAPING:
-        found[package] = version(package)
-    return dict(sorted(found.items()))
+        installed[package] = version(package)
+    return dict(sorted(installed.items()))
 
 
 def load_maker(path: str) -> Maker:
@@ -186,9 +186,9 @@ def random_kind_order(mode: str, recipe: str, ordered: Weights, rng: np.random.G
     If the first available kind is used, the available kinds occur in proportion to their weights.
     """
     given = dict(ordered)
-    found = {kind: weight(kind, mode, recipe, given) for kind in _kinds(mode)}
-    kinds = [kind for kind, size in found.items() if size > 0.0]
-    sizes = np.array([found[kind] for kind in kinds])
+    weights = {kind: weight(kind, mode, recipe, given) for kind in _kinds(mode)}
+    kinds = [kind for kind, size in weights.items() if size > 0.0]
+    sizes = np.array([weights[kind] for kind in kinds])
     order: list[int] = rng.choice(len(kinds), size=len(kinds), replace=False, p=sizes / sizes.sum()).tolist()
     return [kinds[number] for number in order]
 
@@ -205,7 +205,7 @@ def check(weights: Mapping[str, float], modes: tuple[str, ...], recipes: tuple[s
         asking = next((MODES[part] for part in before if part in MODES), None)
         if asking is not None and size > 0.0 and kind not in asking.kinds:
             raise _error(name, f"the mode {asking.name} has no {kind!r}", f"it has: {', '.join(_kinds(asking.name))}")
-        if len(before) > 2 or any(part not in found for part, found in zip(before, known, strict=False)):
+        if len(before) > 2 or any(part not in registry for part, registry in zip(before, known, strict=False)):
             raise _error(name, f"{'.'.join(before)!r} is no recipe, mode, or recipe and mode", REMEDY)
     for mode in dict.fromkeys(modes):
         for recipe in dict.fromkeys(recipes):

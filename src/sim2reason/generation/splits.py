@@ -44,17 +44,17 @@ def fingerprint(latex: str, symbols: tuple[str, ...], units: tuple[str, ...]) ->
         return latex
     unit_of = dict(zip(symbols, units, strict=True))
     roles = [parse_unit(unit_of[name]).dimension for name in formula.symbols]
-    found = [_rounded(_values(formula, roles, point)) for point in range(POINTS)]
-    if sum(bool(value) for each in found if each for value in each.multiples.values()) < FEWEST:
+    samples = [_rounded(_values(formula, roles, point)) for point in range(POINTS)]
+    if sum(bool(value) for each in samples if each for value in each.multiples.values()) < FEWEST:
         return latex
-    signed = (json.dumps(_form(found, roles, sign)) for sign in (1, -1))
+    signed = (json.dumps(_form(samples, roles, sign)) for sign in (1, -1))
     return blake2b(min(signed).encode(), digest_size=16, person=b"formula").hexdigest()
 
 
 def _values(formula: CompiledFormula, roles: Sequence[Dimension], point: int) -> Values:
     base = [_number(role, point) for role in roles]
     places = range(len(roles))
-    moves = [(), *((place,) for place in places), *(permutations(places, 2) if point < PAIRED else ())]
+    moves = [(), *((index,) for index in places), *(permutations(places, 2) if point < PAIRED else ())]
     return {moved: formula.value(dict(zip(formula.symbols, _moved(base, moved), strict=True))) for moved in moves}
 
 
@@ -67,7 +67,7 @@ def _number(role: Dimension, point: int) -> float:
 
 def _moved(base: Sequence[float], moved: tuple[int, ...]) -> Iterator[float]:
     factors = dict(zip(moved, STEPS, strict=False))
-    return (number * factors.get(place, 1.0) for place, number in enumerate(base))
+    return (number * factors.get(index, 1.0) for index, number in enumerate(base))
 
 
 def _rounded(values: Values) -> _Rounded | None:
@@ -79,15 +79,15 @@ def _rounded(values: Values) -> _Rounded | None:
     return _Rounded({at: None if v is None else round(v * share) for at, v in values.items()}, log(largest))
 
 
-def _form(found: Sequence[_Rounded | None], roles: Sequence[Dimension], sign: int) -> object:
+def _form(samples: Sequence[_Rounded | None], roles: Sequence[Dimension], sign: int) -> object:
     """Return a formula's sampled values, with a sign, sorted independently of the names of its symbols."""
-    first = next(each.size for each in found if each)
-    sizes = [each and round((each.size - first) * 10**DIGITS) for each in found]
+    first = next(each.size for each in samples if each)
+    sizes = [each and round((each.size - first) * 10**DIGITS) for each in samples]
 
     def at(*moved: int) -> list[int]:
         # what has no value sorts as a number that no value has
-        held = (each.multiples.get(moved) if each else None for each in found)
-        return [2 * 10**DIGITS if value is None else sign * value for value in held]
+        values = (each.multiples.get(moved) if each else None for each in samples)
+        return [2 * 10**DIGITS if value is None else sign * value for value in values]
 
     def seen_from(place: int) -> object:
         others = (other for other in range(len(roles)) if other != place)
@@ -110,15 +110,15 @@ def problem(item: Item) -> str:
     formula = item.answer.formula
     if formula is not None and not item.parts:
         return fingerprint(formula.latex, formula.symbols, formula.units)
-    asked = sorted(question(part.kind, part.asked) for part in item.parts) or [question(item.kind, item.asked)]
-    return "\n".join((item.mode, *asked, without_numbers(item.scene)))
+    questions = sorted(question(part.kind, part.asked) for part in item.parts) or [question(item.kind, item.asked)]
+    return "\n".join((item.mode, *questions, without_numbers(item.scene)))
 
 
-def question(kind: str, asked: QueryRecord) -> str:
+def question(kind: str, query: QueryRecord) -> str:
     """Return the query of a question as text without numbers."""
-    event = without_numbers(asked.event or "")
-    left_open = ", ".join(dict.fromkeys(filter(None, (asked.unknown, asked.limit_of))))
-    return f"{kind}\n{asked.quantity}\n{asked.subject}\n{left_open}\n{event}"
+    event = without_numbers(query.event or "")
+    left_open = ", ".join(dict.fromkeys(filter(None, (query.unknown, query.limit_of))))
+    return f"{kind}\n{query.quantity}\n{query.subject}\n{left_open}\n{event}"
 
 
 def split_of(item: Item, shares: Mapping[str, float]) -> str:
@@ -127,14 +127,14 @@ def split_of(item: Item, shares: Mapping[str, float]) -> str:
     if len(names) == 1:
         return names[0]
     digest = blake2b(problem(item).encode(), digest_size=8, person=b"split").digest()
-    place = int.from_bytes(digest, "big") / 2.0**64
+    fraction = int.from_bytes(digest, "big") / 2.0**64
     bounds = zip(names, accumulate(shares.values()), strict=True)
-    return next((name for name, bound in bounds if place < bound), names[-1])
+    return next((name for name, bound in bounds if fraction < bound), names[-1])
 
 
 def numbers_in(text: str) -> list[float]:
     """Return the numbers in a text."""
-    return [float(found.replace("−", "-")) for found in _NUMBER.findall(text)]
+    return [float(number.replace("−", "-")) for number in _NUMBER.findall(text)]
 
 
 def without_numbers(text: str) -> str:

@@ -167,7 +167,7 @@ def _split(run: str, symbols: frozenset[str] | None) -> Pieces | None:
     at = 0
     while at < len(run):
         lengths = range(min(12, len(run) - at), 0, -1)
-        piece = next((found for n in lengths if (found := _meaning(run[at : at + n], symbols))), None)
+        piece = next((candidate for n in lengths if (candidate := _meaning(run[at : at + n], symbols))), None)
         if piece is None:
             return None
         pieces.append(piece)

@@ -89,10 +89,10 @@ def _finite(x: float) -> float:
 def value(node: Node, bindings: Mapping[str, float]) -> float | None:
     """Return the value of an expression for given symbol values; None where it is not a finite real number."""
     try:
-        found = node(bindings)
+        result = node(bindings)
     except (ArithmeticError, ValueError):
         return None
-    return found if isfinite(found) else None
+    return result if isfinite(result) else None
 
 
 def constant(x: float) -> Node:
@@ -262,11 +262,11 @@ def _around(given: Bindings, names: Sequence[str], seed: str, attempt: int, far:
 
 def well_conditioned_points(node: Node, points: Sequence[Bindings]) -> list[tuple[Bindings, float]]:
     """Return the test points, each with the formula's value, at which small changes of symbols change it little."""
-    found: list[tuple[Bindings, float]] = []
+    stable_points: list[tuple[Bindings, float]] = []
     for point in points:
         here = value(node, point)
         if here:
             moved = value(node, {name: x * (1 + STEP * (1 + n % 3)) for n, (name, x) in enumerate(point.items())})
             if moved is not None and abs(moved - here) <= STEEPEST * STEP * abs(here):
-                found.append((point, here))
-    return found
+                stable_points.append((point, here))
+    return stable_points

@@ -38,15 +38,15 @@ def choice(
         content = boxed(response)
     except Refused as refused:
         return refused.score
-    said = _DRESS.sub("", content).upper()
-    if (len(said) != 1 or said not in letters) and values:
-        said = _with_value(content, letters, values, unit)
-    if (len(said) != 1 or said not in letters) and texts:
-        said = _with_text(content, letters, texts)
-    if len(said) != 1 or said not in letters:
+    chosen = _DRESS.sub("", content).upper()
+    if (len(chosen) != 1 or chosen not in letters) and values:
+        chosen = _with_value(content, letters, values, unit)
+    if (len(chosen) != 1 or chosen not in letters) and texts:
+        chosen = _with_text(content, letters, texts)
+    if len(chosen) != 1 or chosen not in letters:
         return Score.of(Outcome.UNREADABLE, None, f"the box holds no single letter of {', '.join(letters)}")
-    outcome = Outcome.CORRECT if said == letter else Outcome.WRONG
-    return Score.of(outcome, said, f"the answer is {said}; expected {letter}")
+    outcome = Outcome.CORRECT if chosen == letter else Outcome.WRONG
+    return Score.of(outcome, chosen, f"the answer is {chosen}; expected {letter}")
 
 
 def _with_value(content: str, letters: str, values: Sequence[float], unit: str | None) -> str:
@@ -54,19 +54,19 @@ def _with_value(content: str, letters: str, values: Sequence[float], unit: str |
     named, rest = _led(content)
     rest = rf"\boxed{{{rest}}}"
     pairs = zip(letters, values, strict=True)
-    found = [
+    matching_letters = [
         name for name, value in pairs if number(rest, value, unit, tolerance=VALUE_RTOL).outcome is Outcome.CORRECT
     ]
-    return found[0] if len(found) == 1 and named in ("", found[0]) else ""
+    return matching_letters[0] if len(matching_letters) == 1 and named in ("", matching_letters[0]) else ""
 
 
 def _with_text(content: str, letters: str, texts: Sequence[str]) -> str:
     """Return the letter of the option whose text an answer repeats; empty if none, or after a different letter."""
     named, rest = _led(content)
-    said, plain = _plain(rest), _plain(content)
+    plain_rest, plain = _plain(rest), _plain(content)
     pairs = zip(letters, texts, strict=True)
-    found = [name for name, text in pairs if _plain(text) in (said, plain)]
-    return found[0] if len(found) == 1 and named in ("", found[0]) else ""
+    matching_letters = [name for name, text in pairs if _plain(text) in (plain_rest, plain)]
+    return matching_letters[0] if len(matching_letters) == 1 and named in ("", matching_letters[0]) else ""
 
 
 def _led(content: str) -> tuple[str, str]:

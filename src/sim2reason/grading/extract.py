@@ -86,18 +86,18 @@ def _is_within(before: str) -> bool:
     """Return whether an open LaTeX group, or the last command, hides or strikes out the text that follows."""
     levels = [False]  # for each open group, whether it is hidden
     pending = -1  # where the argument of a command that hides it begins
-    for found in _SCAN.finditer(before):
-        if found["hide"]:
-            pending = found.end()
-        elif found["switch"] or found["show"]:
-            levels[-1] = bool(found["switch"])
-        elif found["ink"] and found["ink"].startswith(r"\text"):
-            pending = pending if _INKS.fullmatch(found["name"]) else found.end()
-        elif found["ink"]:
-            levels[-1] = _INKS.fullmatch(found["name"]) is None
-        elif found["brace"] == "{":
-            levels.append(levels[-1] or pending == found.start())
-        elif found["brace"] and len(levels) > 1:
+    for match in _SCAN.finditer(before):
+        if match["hide"]:
+            pending = match.end()
+        elif match["switch"] or match["show"]:
+            levels[-1] = bool(match["switch"])
+        elif match["ink"] and match["ink"].startswith(r"\text"):
+            pending = pending if _INKS.fullmatch(match["name"]) else match.end()
+        elif match["ink"]:
+            levels[-1] = _INKS.fullmatch(match["name"]) is None
+        elif match["brace"] == "{":
+            levels.append(levels[-1] or pending == match.start())
+        elif match["brace"] and len(levels) > 1:
             levels.pop()
     return levels[-1] or pending == len(before)
 
@@ -107,7 +107,7 @@ def _is_in_element(before: str) -> bool:
     if comment >= 0 and "-->" not in before[comment:]:
         return True
     lowered = before.lower()
-    return any(lowered.rfind(f"</{found['name'].lower()}") < found.start() for found in _ELEMENT.finditer(before))
+    return any(lowered.rfind(f"</{match['name'].lower()}") < match.start() for match in _ELEMENT.finditer(before))
 
 
 OPENING: Final = "<think>"
@@ -242,13 +242,13 @@ def boxed(response: object) -> str:
     """
     text = response_text(response)
     boxes = closed_boxes(text)
-    found = next((span for span in reversed(boxes) if text[span[0] : span[1]].strip(BLANK)), None)
-    if found is None:
+    last_span = next((span for span in reversed(boxes) if text[span[0] : span[1]].strip(BLANK)), None)
+    if last_span is None:
         why = "the box is empty" if boxes else r"there is no complete \boxed{…} after the thinking"
         raise Refused(Outcome.NO_ANSWER, why)
-    if fault := fault_of_box(text, *found):
+    if fault := fault_of_box(text, *last_span):
         raise Refused(Outcome.UNREADABLE, fault)
-    answer = content(text, found)
+    answer = content(text, last_span)
     if len(answer) > MAX_ANSWER:
         raise Refused(Outcome.TOO_LONG, f"the answer has more than {MAX_ANSWER} characters")
     return answer
@@ -261,7 +261,7 @@ def content(text: str, box: tuple[int, int]) -> str:
 
 def closed_boxes(text: str) -> list[tuple[int, int]]:
     """Return the start and end of the content of each complete box, in the order of their closing braces."""
-    found: list[tuple[int, int]] = []
+    spans: list[tuple[int, int]] = []
     open_braces: list[int] = []  # where the content of a box begins, or -1 for any other brace
     start = len(text[: max(text.find(r"\boxed"), 0)].rstrip("\\"))  # an even number of backslashes boxes nothing
     for match in _BRACE.finditer(text, start):
@@ -269,7 +269,7 @@ def closed_boxes(text: str) -> list[tuple[int, int]]:
         if brace == "}":
             begin = open_braces.pop() if open_braces else -1
             if begin >= 0:
-                found.append((begin, match.start()))
+                spans.append((begin, match.start()))
         elif brace == "{" or brace.startswith(r"\boxed"):
             open_braces.append(match.end() if brace != "{" else -1)
-    return found
+    return spans

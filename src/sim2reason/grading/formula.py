@@ -166,18 +166,18 @@ def _truth(
         raise FormulaError(f"the bindings for {reference!r} leave out a symbol")
     if any(arithmetic.value(node, binding) is None for binding in bindings):
         raise FormulaError(f"the reference {reference!r} has no value at its bindings")
-    held = well_conditioned_points(node, bindings)
+    given_points = well_conditioned_points(node, bindings)
     fresh = well_conditioned_points(node, list(draw_points(node, table, bindings, ranges, reference)))
-    signs = {value > 0 for _, value in (*held, *fresh)}
+    signs = {value > 0 for _, value in (*given_points, *fresh)}
     if bindings and len(signs) == 1 and (signed or len(bindings) < POINTS):
         fresh += well_conditioned_points(
             node, opposite_sign_points(node, table, bindings, 1.0 if True in signs else -1.0, reference)
         )
     if len(bindings) < POINTS:
-        return _kept(reference, table, [*held, *fresh])
+        return _kept(reference, table, [*given_points, *fresh])
     if not signed:  # where a magnitude comes out negative, its formula does not hold
-        fresh = [(point, value) for point, value in fresh if value * held[0][1] > 0] if held else []
-    return _kept(reference, table, [*held, *fresh], firm=len(held))
+        fresh = [(point, value) for point, value in fresh if value * given_points[0][1] > 0] if given_points else []
+    return _kept(reference, table, [*given_points, *fresh], firm=len(given_points))
 
 
 def _kept(
@@ -185,8 +185,8 @@ def _kept(
 ) -> _Truth:
     if not values:
         raise FormulaError(f"the reference {reference!r} has no value where it was tried")
-    points, found = zip(*values, strict=True)
-    return _Truth(table, points, found, len(values) if firm is None else firm)
+    points, expected = zip(*values, strict=True)
+    return _Truth(table, points, expected, len(values) if firm is None else firm)
 
 
 def _value_of(content: str, tokens: Sequence[Token]) -> tuple[Node, tuple[Direction, ...]]:
@@ -195,8 +195,8 @@ def _value_of(content: str, tokens: Sequence[Token]) -> tuple[Node, tuple[Direct
     if taken == len(tokens):
         return node, ()
     rest = tokens[taken:]
-    name, said = remarks.cut(balanced(content[rest[0].begin : rest[-1].finish]))
-    remark = remarks.read(said) if said else None
+    name, remark_text = remarks.cut(balanced(content[rest[0].begin : rest[-1].finish]))
+    remark = remarks.read(remark_text) if remark_text else None
     if remark is not None and remark.again:
         raise Refused(Outcome.UNREADABLE, f"{remark.again[0]!r} stands behind the formula")
     if not remarks.is_blank(name):
@@ -217,7 +217,7 @@ def _refuse_all_but_units(name: str, rest: Sequence[Token], refusal: Refused | N
 
 
 def _judge(content: str, truth: _Truth, tolerance: float, positive: str) -> Score:
-    said = content.strip()
+    parsed = content.strip()
     content = vectors_as_components(spelled(content.rstrip(" \t\n.")))
     stated = statement(flattened(tokenize(content, truth.table)))
     node, directions = _value_of(content, stated.value)
@@ -227,14 +227,14 @@ def _judge(content: str, truth: _Truth, tolerance: float, positive: str) -> Scor
     if remarks.sign_for(directions, positive, written=is_signed(stated.value)) < 0:
         node = arithmetic.negated(node)
     for count, (point, expected) in enumerate(zip(truth.points, truth.values, strict=True)):
-        found = arithmetic.value(node, point)
-        if found is None and count >= truth.firm:
+        actual = arithmetic.value(node, point)
+        if actual is None and count >= truth.firm:
             continue
-        if found is None or not abs(found - expected) <= tolerance * abs(expected):
+        if actual is None or not abs(actual - expected) <= tolerance * abs(expected):
             where = ", ".join(f"{name} = {value:.4g}" for name, value in sorted(point.items()))
-            shown = "has no finite value" if found is None else f"is {found:.6g}"
-            return Score.of(Outcome.WRONG, said, f"at {where} it {shown}; expected {expected:.6g}")
-    return Score.of(Outcome.CORRECT, said, f"it equals the reference at all {len(truth.points)} points tried")
+            shown = "has no finite value" if actual is None else f"is {actual:.6g}"
+            return Score.of(Outcome.WRONG, parsed, f"at {where} it {shown}; expected {expected:.6g}")
+    return Score.of(Outcome.CORRECT, parsed, f"it equals the reference at all {len(truth.points)} points tried")
 
 
 def _pairs(
@@ -242,9 +242,9 @@ def _pairs(
 ) -> Iterator[tuple[Bindings, float | None, float | None]]:
     """Yield the test points, each with two values to compare: of the response's formula, and the wanted one."""
     for count, (point, other) in enumerate(zip(truth.points, wanted, strict=True)):
-        found = arithmetic.value(node, point)
-        if count < truth.firm or (found is not None and other is not None):
-            yield point, found, other
+        actual = arithmetic.value(node, point)
+        if count < truth.firm or (actual is not None and other is not None):
+            yield point, actual, other
 
 
 def _checked(content: str, stated: Statement, node: Node, truth: _Truth, tolerance: float) -> Node | None:

@@ -87,8 +87,8 @@ def names(side: Sequence[Token]) -> list[tuple[str, str]]:
 
     A sign of change is a name only if it is alone, and so is the number e.
     """
-    found = [token for token in side if token.kind in _NAMES and not _textual(token)]
-    rest = [token for token in found if token.text not in _CHANGES] or found
+    name_tokens = [token for token in side if token.kind in _NAMES and not _textual(token)]
+    rest = [token for token in name_tokens if token.text not in _CHANGES] or name_tokens
     if not rest:
         rest = [token for token in side if token.kind == "constant"] if _is_lone_constant(side) else []
     return [piece for token in rest for piece in _letters(token)]
@@ -118,7 +118,7 @@ def has_numbers(side: Sequence[Token]) -> bool:
 
 def _words(side: Sequence[Token]) -> list[Token]:
     """Return the English words on one side of an equation, except in exponents, where *max* is a mark."""
-    found: list[Token] = []
+    words: list[Token] = []
     depth, raised = 0, False
     for token, before in zip(side, [None, *side], strict=False):
         if token.kind == "open" and token.text == "{":
@@ -128,8 +128,8 @@ def _words(side: Sequence[Token]) -> list[Token]:
             depth -= 1
             raised = depth > 0
         if not raised and _textual(token) and not (before is not None and before.kind == "power"):
-            found.append(token)
-    return found
+            words.append(token)
+    return words
 
 
 def is_bare(side: Sequence[Token]) -> bool:

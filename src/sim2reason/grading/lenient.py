@@ -96,11 +96,11 @@ def _last_sentence(text: str) -> str:
     """Return the last sentence with a number, without a final *using g = …*; raise `Refused` if there is none."""
     for sentence in reversed(_SENTENCE.split(text)):
         if re.search("[0-9]", sentence):
-            said = _BULLET.sub("", sentence.strip(" \t|#>"))
-            if said.startswith(("- ", "– ")):
+            stripped = _BULLET.sub("", sentence.strip(" \t|#>"))
+            if stripped.startswith(("- ", "– ")):
                 raise Refused(Outcome.UNREADABLE, "a dash before the value could be a minus sign or begin a list")
-            used = _WITH_CONSTANT.search(said)
-            return said[: used.start()] if used and re.search("[0-9]", said[: used.start()]) else said
+            used = _WITH_CONSTANT.search(stripped)
+            return stripped[: used.start()] if used and re.search("[0-9]", stripped[: used.start()]) else stripped
     raise Refused(Outcome.NO_ANSWER, "there is neither a box nor a number")
 
 

@@ -88,13 +88,13 @@ def number(
     """
     if not math.isfinite(reference) or not 0 <= tolerance < 1:
         raise ValueError("the reference must be finite and the tolerance in [0, 1)")
-    asked = parse_unit(unit) if isinstance(unit, str) else unit
+    target_unit = parse_unit(unit) if isinstance(unit, str) else unit
     try:
-        said = _answer(response, asked, lenient=lenient)
-        signed = said.signed_by(positive, below_zero=reference < 0) if said.remark.directions else said
-        if said.remark.again:
-            _check_again(said, signed, asked, positive)
-        return _judge(signed.value, said.unit, reference, asked, tolerance)
+        quantity = _answer(response, target_unit, lenient=lenient)
+        signed = quantity.signed_by(positive, below_zero=reference < 0) if quantity.remark.directions else quantity
+        if quantity.remark.again:
+            _check_again(quantity, signed, target_unit, positive)
+        return _judge(signed.value, quantity.unit, reference, target_unit, tolerance)
     except Refused as refused:
         return refused.score
 
@@ -107,41 +107,41 @@ def unit_stated(content: str) -> Unit | None:
         return None
 
 
-def _answer(response: object, asked: Unit | None, *, lenient: bool) -> _Quantity:
+def _answer(response: object, target_unit: Unit | None, *, lenient: bool) -> _Quantity:
     """Return the quantity in the box of a response."""
     try:
-        return _stated(boxed(response), asked)
+        return _stated(boxed(response), target_unit)
     except Refused as refused:
         if not lenient or refused.outcome is not Outcome.NO_ANSWER:
             raise
     first: Refused | None = None
     for content in last_quantity(response):
         try:
-            return _stated(content, asked)
+            return _stated(content, target_unit)
         except Refused as refused:
             first = first or refused
     raise first or Refused(Outcome.NO_ANSWER, "there is neither a box nor a number")
 
 
-def _stated(content: str, asked: Unit | None) -> _Quantity:
+def _stated(content: str, target_unit: Unit | None) -> _Quantity:
     """Return the quantity after the last equals sign of an answer, if the sides before it agree with it."""
     content = spelled(content.rstrip(" \t\n."))
     part = _PART.match(content)
     content = content[part.end() :] if part is not None else content
-    said = statement(flattened(tokenize(content, frozenset())))
+    stated = statement(flattened(tokenize(content, frozenset())))
     try:
-        found = _quantity(content, said.value, asked)
+        quantity = _quantity(content, stated.value, target_unit)
     except Refused as refused:
-        if said.doubt is None or refused.outcome is not Outcome.UNREADABLE:
+        if stated.doubt is None or refused.outcome is not Outcome.UNREADABLE:
             raise
-        raise more_or_less(said.doubt) from refused
-    if found.unit is None:
-        found = found._replace(unit=unit_on_left(content, said.before, asked))
-    _check(content, said, found, asked)
-    return found
+        raise more_or_less(stated.doubt) from refused
+    if quantity.unit is None:
+        quantity = quantity._replace(unit=unit_on_left(content, stated.before, target_unit))
+    _check(content, stated, quantity, target_unit)
+    return quantity
 
 
-def _quantity(content: str, tokens: Sequence[Token], asked: Unit | None) -> _Quantity:
+def _quantity(content: str, tokens: Sequence[Token], target_unit: Unit | None) -> _Quantity:
     node, taken, refusal = parse(tokens, unit_follows=True)
     value = arithmetic.value(node, {})
     if value is None:
@@ -150,97 +150,104 @@ def _quantity(content: str, tokens: Sequence[Token], asked: Unit | None) -> _Qua
     if taken < len(tokens):
         tail = balanced(content[tokens[taken].begin : tokens[-1].finish])
         try:
-            unit, remark = _behind(tail, asked, refusal)
+            unit, remark = _behind(tail, target_unit, refusal)
         except Refused:
-            two = smaller_part(tokens[taken - 1].text, tail, asked) if taken <= 2 else None
+            two = smaller_part(tokens[taken - 1].text, tail, target_unit) if taken <= 2 else None
             if two is None:
                 raise
             unit, value = two[0], value + math.copysign(two[1], value)
     return _Quantity(value, unit, is_signed(tokens) or value < 0, remark)
 
 
-def _behind(tail: str, asked: Unit | None, refusal: Refused | None) -> tuple[Unit | None, Remark]:
+def _behind(tail: str, target_unit: Unit | None, refusal: Refused | None) -> tuple[Unit | None, Remark]:
     """Return the unit and the remark in the text after a value."""
-    if tail[0] == ":" and _TO_ONE.fullmatch(tail) and (asked is None or not any(asked.dimension)):
+    if tail[0] == ":" and _TO_ONE.fullmatch(tail) and (target_unit is None or not any(target_unit.dimension)):
         return None, _NO_REMARK
     if tail[0].isdigit() and not _RECIPROCAL.match(tail):
         raise refusal or Refused(Outcome.UNREADABLE, "two numbers stand side by side")
     try:
-        return unit_in(tail, asked), _NO_REMARK
+        return unit_in(tail, target_unit), _NO_REMARK
     except UnitError as error:
         problem = error
-    name, said = remarks.cut(tail)
-    if not said and name.strip(" .}\\"):
+    name, remark_text = remarks.cut(tail)
+    if not remark_text and name.strip(" .}\\"):
         raise refusal or Refused(Outcome.UNREADABLE, f"{tail!r} after the value: {problem}")
-    remark = remarks.read(said)
+    remark = remarks.read(remark_text)
     if not remarks.is_blank(name):
         try:
-            return unit_in(name, asked), remark
+            return unit_in(name, target_unit), remark
         except UnitError as error:
             raise Refused(Outcome.UNREADABLE, f"{name.strip()!r} after the value: {error}") from error
     return None, remark
 
 
-def _check(content: str, said: Statement, found: _Quantity, asked: Unit | None) -> None:
+def _check(content: str, stated: Statement, quantity: _Quantity, target_unit: Unit | None) -> None:
     """Raise Refused if a side of the equation before the value has another value."""
-    for side in map(unwrapped, said.before):
+    for side in map(unwrapped, stated.before):
         shown = content[side[0].begin : side[-1].finish]
         try:
-            claim = _claim(content, side, asked)
+            claim = _claim(content, side, target_unit)
         except Refused as refused:
-            said.refuse_unsolved(side)
+            stated.refuse_unsolved(side)
             raise Refused(Outcome.UNREADABLE, f"{shown!r} before the value: {refused.why}") from refused
         if claim is None:
-            said.refuse_unsolved(side)
-            _refuse_others(shown, said, side, asked)
-        elif not _agree(claim, found, asked):
+            stated.refuse_unsolved(side)
+            _refuse_others(shown, stated, side, target_unit)
+        elif not _agree(claim, quantity, target_unit):
             raise Refused(Outcome.WRONG, f"{shown!r} does not agree with the value behind it")
-    for side in said.others:
-        if (other := _step(content, side, asked)) is not None and not _agree(other, found, asked):
+    for side in stated.others:
+        if (other := _step(content, side, target_unit)) is not None and not _agree(other, quantity, target_unit):
             raise two_values()
 
 
-def _step(content: str, side: Sequence[Token], asked: Unit | None) -> _Quantity | None:
+def _step(content: str, side: Sequence[Token], target_unit: Unit | None) -> _Quantity | None:
     """Return the value that an intermediate step assigns to another name; None for an expression of symbols.
 
     None also if the unit shows that the value cannot be the answer.
     """
     try:
-        claim = _claim(content, side, asked)
+        claim = _claim(content, side, target_unit)
     except Refused:
         if labels.is_symbolic(side):
             return None
         raise
-    if claim is not None and claim.unit is not None and asked is not None and claim.unit.factor_to(asked) is None:
+    if (
+        claim is not None
+        and claim.unit is not None
+        and target_unit is not None
+        and claim.unit.factor_to(target_unit) is None
+    ):
         return None
     return claim
 
 
-def _check_again(said: _Quantity, signed: _Quantity, asked: Unit | None, positive: str) -> None:
+def _check_again(quantity: _Quantity, signed: _Quantity, target_unit: Unit | None, positive: str) -> None:
     """Raise Refused if a remark after the value, as in *9.8 N (10 N)*, repeats it with another value."""
-    for text in said.remark.again:
-        again = _quantity(text, statement(flattened(tokenize(text, frozenset()))).value, asked)
-        told = again.remark.directions and not again.signed
-        if told and positive:
-            agrees = _agree(again.signed_by(positive, below_zero=False), signed, asked)
-        elif told:
-            agrees = _agree(again, said._replace(value=abs(said.value)), asked)
+    for text in quantity.remark.again:
+        again = _quantity(text, statement(flattened(tokenize(text, frozenset()))).value, target_unit)
+        has_direction = again.remark.directions and not again.signed
+        if has_direction and positive:
+            agrees = _agree(again.signed_by(positive, below_zero=False), signed, target_unit)
+        elif has_direction:
+            agrees = _agree(again, quantity._replace(value=abs(quantity.value)), target_unit)
         else:
-            agrees = _agree(again, signed if again.signed else said, asked)
+            agrees = _agree(again, signed if again.signed else quantity, target_unit)
         if not agrees:
             raise Refused(Outcome.WRONG, f"{text!r} in brackets does not agree with the value before it")
 
 
-def _refuse_others(shown: str, said: Statement, side: Sequence[Token], asked: Unit | None) -> None:
+def _refuse_others(shown: str, stated: Statement, side: Sequence[Token], target_unit: Unit | None) -> None:
     """Raise Refused for a side of the equation that names a quantity of another dimension than the requested one."""
-    if asked is None:
+    if target_unit is None:
         return
-    pure = any(asked.dimension) and labels.is_pure(side)
-    if pure or not (said.named or may_be(side, asked)):
-        raise Refused(Outcome.UNREADABLE, f"{shown!r} before the value is no quantity in {asked.display or 'numbers'}")
+    pure = any(target_unit.dimension) and labels.is_pure(side)
+    if pure or not (stated.named or may_be(side, target_unit)):
+        raise Refused(
+            Outcome.UNREADABLE, f"{shown!r} before the value is no quantity in {target_unit.display or 'numbers'}"
+        )
 
 
-def _claim(content: str, side: Sequence[Token], asked: Unit | None) -> _Quantity | None:
+def _claim(content: str, side: Sequence[Token], target_unit: Unit | None) -> _Quantity | None:
     """Return the quantity on a side of an equation with numbers; None for a name or an expression of symbols.
 
     Raises `Refused` for unreadable numbers.
@@ -248,51 +255,51 @@ def _claim(content: str, side: Sequence[Token], asked: Unit | None) -> _Quantity
     if not labels.has_numbers(side) or labels.is_bare(side):
         return None
     try:
-        return _quantity(content, side, asked)
+        return _quantity(content, side, target_unit)
     except Refused:
         if labels.is_plain(side) or not any(token.kind == "word" for token in side):
             raise
         return None
 
 
-def _agree(one: _Quantity, other: _Quantity, asked: Unit | None) -> bool:
+def _agree(one: _Quantity, other: _Quantity, target_unit: Unit | None) -> bool:
     """Return whether two quantities are equal: bare numbers in either's unit, SI units or the requested unit."""
     if one.unit is not None and other.unit is not None:
         factor = one.unit.factor_to(other.unit)
         return factor is not None and _near(one.value * factor, other.value)
-    return any(_near(mine, yours) for mine in _readings(one, asked) for yours in _readings(other, asked))
+    return any(_near(mine, yours) for mine in _readings(one, target_unit) for yours in _readings(other, target_unit))
 
 
-def _readings(said: _Quantity, asked: Unit | None) -> list[float]:
-    unit = said.unit or asked
-    factor = said.unit.factor_to(asked) if said.unit is not None and asked is not None else None
-    found = [said.value, said.value * unit.factor if unit is not None else said.value]
-    return [*found, said.value * factor] if factor is not None else found
+def _readings(quantity: _Quantity, target_unit: Unit | None) -> list[float]:
+    unit = quantity.unit or target_unit
+    factor = quantity.unit.factor_to(target_unit) if quantity.unit is not None and target_unit is not None else None
+    readings = [quantity.value, quantity.value * unit.factor if unit is not None else quantity.value]
+    return [*readings, quantity.value * factor] if factor is not None else readings
 
 
 def _near(one: float, other: float) -> bool:
     return abs(one - other) <= SIDES_RTOL * max(abs(one), abs(other))
 
 
-def _judge(value: float, stated: Unit | None, reference: float, asked: Unit | None, tolerance: float) -> Score:
-    factor = _factor(stated, asked)
-    expected = f"expected {_show(reference, asked)} within {100 * tolerance:g} %"
-    said = _show(value, stated or asked)
+def _judge(value: float, stated: Unit | None, reference: float, target_unit: Unit | None, tolerance: float) -> Score:
+    factor = _factor(stated, target_unit)
+    expected = f"expected {_show(reference, target_unit)} within {100 * tolerance:g} %"
+    shown = _show(value, stated or target_unit)
     if factor is None:
-        kind = f"quantity in {asked.display}" if asked and asked.name else "pure number"
-        return Score.of(Outcome.WRONG_UNIT, value, f"{said} is no {kind}; {expected}")
-    found = value * factor
-    close = abs(found - reference) <= tolerance * abs(reference)
-    converted = f"{said} is {_show(found, asked)}" if factor != 1 else f"the answer is {said}"
-    return Score.of(Outcome.CORRECT if close else Outcome.WRONG, found, f"{converted}; {expected}")
+        kind = f"quantity in {target_unit.display}" if target_unit and target_unit.name else "pure number"
+        return Score.of(Outcome.WRONG_UNIT, value, f"{shown} is no {kind}; {expected}")
+    actual = value * factor
+    close = abs(actual - reference) <= tolerance * abs(reference)
+    converted = f"{shown} is {_show(actual, target_unit)}" if factor != 1 else f"the answer is {shown}"
+    return Score.of(Outcome.CORRECT if close else Outcome.WRONG, actual, f"{converted}; {expected}")
 
 
-def _factor(stated: Unit | None, asked: Unit | None) -> float | None:
+def _factor(stated: Unit | None, target_unit: Unit | None) -> float | None:
     if stated is None:
         return 1.0
-    if asked is None:
+    if target_unit is None:
         return stated.factor if stated.dimension == Dimension() else 1.0
-    return stated.factor_to(asked)
+    return stated.factor_to(target_unit)
 
 
 def _show(value: float, unit: Unit | None) -> str:

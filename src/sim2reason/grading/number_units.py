@@ -35,26 +35,26 @@ _ARC: Final = re.compile(
 )
 
 
-def smaller_part(whole: str, tail: str, asked: Unit | None) -> tuple[Unit, float] | None:
+def smaller_part(amount: str, tail: str, target_unit: Unit | None) -> tuple[Unit, float] | None:
     """Return the first unit of a value such as 1 h 5 min, and the amount of the smaller parts in that unit.
 
     None if there is no such value, or if the same number occurs with two units, which is ambiguous.
     """
-    if not whole.isdecimal():
+    if not amount.isdecimal():
         return None
     if arc := _ARC.fullmatch(re.sub(r"\\[ ,;:!]", " ", tail)):
         return _of_arc(arc)
-    found = _PARTS.fullmatch(printed(tail))
-    if found is None:
+    match = _PARTS.fullmatch(printed(tail))
+    if match is None:
         return None
-    parts = _PART.findall(found["rest"])
-    return None if len(parts) == 1 and parts[0][0] == whole else _added(found["unit"], parts, asked)
+    parts = _PART.findall(match["rest"])
+    return None if len(parts) == 1 and parts[0][0] == amount else _added(match["unit"], parts, target_unit)
 
 
-def _added(whole: str, parts: list[tuple[str, str]], asked: Unit | None) -> tuple[Unit, float] | None:
+def _added(first_unit: str, parts: list[tuple[str, str]], target_unit: Unit | None) -> tuple[Unit, float] | None:
     """Return the first unit and the sum of the smaller parts in that unit; None if a part is not smaller than one."""
     try:
-        unit, *smaller = [unit_in(word, asked) for word in (whole, *(word for _, word in parts))]
+        unit, *smaller = [unit_in(word, target_unit) for word in (first_unit, *(word for _, word in parts))]
     except UnitError:
         return None
     total, last = 0.0, 1.0
@@ -67,9 +67,9 @@ def _added(whole: str, parts: list[tuple[str, str]], asked: Unit | None) -> tupl
     return unit, total
 
 
-def _of_arc(found: re.Match[str]) -> tuple[Unit, float] | None:
+def _of_arc(match: re.Match[str]) -> tuple[Unit, float] | None:
     """Return the degree as a unit, and the minutes and seconds of arc in degrees; None if either is 60 or more."""
-    minutes, seconds = float(found["minutes"]), float(found["seconds"] or 0)
+    minutes, seconds = float(match["minutes"]), float(match["seconds"] or 0)
     return (parse_unit("deg"), minutes / 60 + seconds / 3600) if max(minutes, seconds) < SIXTY else None
 
 
@@ -78,22 +78,24 @@ _BEHIND: Final = frozenset({"of", "for", "at", "on"})  # words that may follow a
 _LONGEST: Final = 16  # tokens of a unit
 
 
-def unit_on_left(content: str, sides: Iterable[Sequence[Token]], asked: Unit | None) -> Unit | None:
+def unit_on_left(content: str, sides: Iterable[Sequence[Token]], target_unit: Unit | None) -> Unit | None:
     """Return the unit stated before the equals sign for a value without one; Refused if two are stated."""
-    found: Unit | None = None
+    stated_unit: Unit | None = None
     for side in sides:
         for tokens in _candidates(content, side):
             text = balanced(content[tokens[0].begin : tokens[-1].finish])
             try:
-                unit = unit_in(text, asked)
+                unit = unit_in(text, target_unit)
             except UnitError:
                 continue
-            if text in _LABELS and (asked is None or unit.factor_to(asked) is None):
+            if text in _LABELS and (target_unit is None or unit.factor_to(target_unit) is None):
                 continue
-            if found is not None and found.factor_to(unit) != 1:
-                raise Refused(Outcome.UNREADABLE, f"the units {found.display} and {unit.display} before the value")
-            found = unit
-    return found
+            if stated_unit is not None and stated_unit.factor_to(unit) != 1:
+                raise Refused(
+                    Outcome.UNREADABLE, f"the units {stated_unit.display} and {unit.display} before the value"
+                )
+            stated_unit = unit
+    return stated_unit
 
 
 def _candidates(content: str, side: Sequence[Token]) -> Iterable[Sequence[Token]]:
@@ -157,15 +159,17 @@ _SCALING_RTOL: Final = 1e-9
 
 def may_be(side: Sequence[Token], unit: Unit) -> bool:
     """Return whether an expression may be a quantity in `unit`; False if its letters have another dimension."""
-    found = labels.names(side)
-    letters = list(dict.fromkeys(letter for letter, _ in found))
-    if len(found) <= 1 or len(letters) > _MAX_LETTERS or any(letter not in _USUAL for letter in letters):
+    symbols = labels.names(side)
+    letters = list(dict.fromkeys(letter for letter, _ in symbols))
+    if len(symbols) <= 1 or len(letters) > _MAX_LETTERS or any(letter not in _USUAL for letter in letters):
         return True
     node = _expression(side)
     if node is None:
         return True
-    meanings = [dict(zip(letters, meant, strict=True)) for meant in product(*(_USUAL[letter] for letter in letters))]
-    return any(_has_dimension(node, meant, unit.dimension) for meant in meanings)
+    meanings = [
+        dict(zip(letters, dimensions, strict=True)) for dimensions in product(*(_USUAL[letter] for letter in letters))
+    ]
+    return any(_has_dimension(node, dimensions, unit.dimension) for dimensions in meanings)
 
 
 def _expression(side: Sequence[Token]) -> Node | None:
@@ -186,13 +190,13 @@ def _expression(side: Sequence[Token]) -> Node | None:
     return node if taken == len(tokens) else None
 
 
-def _has_dimension(node: Node, meant: dict[str, Dimension], wanted: Dimension) -> bool:
+def _has_dimension(node: Node, dimensions: dict[str, Dimension], wanted: Dimension) -> bool:
     """Return whether an expression has a dimension, by its scaling with the units of length, mass and time."""
-    here = arithmetic.value(node, {letter: 1.0 + 0.3 * place for place, letter in enumerate(meant)})
+    here = arithmetic.value(node, {letter: 1.0 + 0.3 * index for index, letter in enumerate(dimensions)})
     if not here:
         return True
     for axis, scale in enumerate(_SCALES):
-        larger = {letter: (1.0 + 0.3 * n) * scale ** meant[letter][axis] for n, letter in enumerate(meant)}
+        larger = {letter: (1.0 + 0.3 * n) * scale ** dimensions[letter][axis] for n, letter in enumerate(dimensions)}
         there = arithmetic.value(node, larger)
         if there is not None and abs(there - here * scale ** wanted[axis]) > _SCALING_RTOL * abs(there):
             return False

@@ -44,11 +44,11 @@ def parts(response: object, graders: Sequence[Grader], *, partial: bool = False)
     """
     labels = LABELS[: len(graders)]
     try:
-        said = _answers(boxed(response), labels)
+        answers = _answers(boxed(response), labels)
     except Refused as refused:
         return refused.score
-    found = tuple(_graded(said.get(label), grader) for label, grader in zip(labels, graders, strict=True))
-    return _together(labels, found, partial=partial)
+    scores = tuple(_graded(answers.get(label), grader) for label, grader in zip(labels, graders, strict=True))
+    return _together(labels, scores, partial=partial)
 
 
 def _graded(answer: str | None, grader: Grader) -> Score:
@@ -59,14 +59,14 @@ def _graded(answer: str | None, grader: Grader) -> Score:
     return grader(rf"\boxed{{{answer}}}")
 
 
-def _together(labels: str, found: tuple[Score, ...], *, partial: bool) -> Score:
+def _together(labels: str, scores: tuple[Score, ...], *, partial: bool) -> Score:
     """Return all parts as one score: correct if all are, else the outcome of the first part that is not."""
-    failed = [score for score in found if score.outcome is not Outcome.CORRECT]
+    failed = [score for score in scores if score.outcome is not Outcome.CORRECT]
     outcome = failed[0].outcome if failed else Outcome.CORRECT
-    share = (len(found) - len(failed)) / len(found)
-    parsed = "; ".join(f"({label}) {_shown(score.parsed)}" for label, score in zip(labels, found, strict=True))
-    why = "; ".join(f"({label}) {score.why}" for label, score in zip(labels, found, strict=True))
-    return Score(share if partial or not failed else 0.0, outcome, parsed, why, found)
+    share = (len(scores) - len(failed)) / len(scores)
+    parsed = "; ".join(f"({label}) {_shown(score.parsed)}" for label, score in zip(labels, scores, strict=True))
+    why = "; ".join(f"({label}) {score.why}" for label, score in zip(labels, scores, strict=True))
+    return Score(share if partial or not failed else 0.0, outcome, parsed, why, scores)
 
 
 def _shown(parsed: float | str | None) -> str:
@@ -78,25 +78,25 @@ def _shown(parsed: float | str | None) -> str:
 def _answers(content: str, labels: str) -> dict[str, str]:
     """Return the text after each label, by label."""
     text = _RUN.sub(_parted, _INNER.sub(r"(\1)", _in_rows(content)))
-    found = list(_LABEL.finditer(text))
-    said: dict[str, str] = {}
-    if not found or _BEFORE.sub("", text[: found[0].start()]):
+    matches = list(_LABEL.finditer(text))
+    answers: dict[str, str] = {}
+    if not matches or _BEFORE.sub("", text[: matches[0].start()]):
         wanted = "; ".join(f"({label}) …" for label in labels)
         raise Refused(Outcome.UNREADABLE, f"the box does not begin with a label, as in {wanted}")
-    ends = [*(match.start() for match in found[1:]), len(text)]
-    for match, end in zip(found, ends, strict=True):
+    ends = [*(match.start() for match in matches[1:]), len(text)]
+    for match, end in zip(matches, ends, strict=True):
         label = match[1]
-        if label in said or label not in labels:
-            why = "occurs twice" if label in said else "belongs to no part"
+        if label in answers or label not in labels:
+            why = "occurs twice" if label in answers else "belongs to no part"
             raise Refused(Outcome.UNREADABLE, f"the label ({label}) {why}")
-        said[label] = _BEFORE.sub("", _BEHIND.sub("", text[match.end() : end]))
-    return said
+        answers[label] = _BEFORE.sub("", _BEHIND.sub("", text[match.end() : end]))
+    return answers
 
 
 def _in_rows(content: str) -> str:
     """Return the content of a box; if it is a LaTeX array, only its rows."""
-    found = _LINES.fullmatch(content)
-    return found["rows"].replace("&", " ") if found else content
+    match = _LINES.fullmatch(content)
+    return match["rows"].replace("&", " ") if match else content
 
 
 def _parted(run: re.Match[str]) -> str:
@@ -104,8 +104,8 @@ def _parted(run: re.Match[str]) -> str:
     pieces = _LABEL.split(run[2])
     if len(pieces) == 1:
         return run[0]
-    said = [_BEHIND.sub("", piece) if n < len(pieces) - 1 else piece for n, piece in enumerate(pieces)]
-    texts = [f"{run[1]}{piece}}}" if piece.strip() else "" for piece in said[::2]]
+    trimmed = [_BEHIND.sub("", piece) if n < len(pieces) - 1 else piece for n, piece in enumerate(pieces)]
+    texts = [f"{run[1]}{piece}}}" if piece.strip() else "" for piece in trimmed[::2]]
     return texts[0] + "".join(f"({label}){text}" for label, text in zip(pieces[1::2], texts[1:], strict=True))
 
 

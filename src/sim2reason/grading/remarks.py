@@ -120,12 +120,12 @@ def begins(word: str) -> bool:
 
 def cut(tail: str) -> tuple[str, str]:
     """Split the text after a value into the unit and the remark."""
-    for found in _BREAK.finditer(tail):
-        kind = found.lastgroup
-        if kind in {"comma", "arrow"} or (kind == "word" and begins(found[0])):
-            return tail[: found.start()], tail[found.start() :]
-        if kind == "bracket" and _remarks(tail[found.end() :]):
-            return tail[: found.start()], tail[found.start() :]
+    for match in _BREAK.finditer(tail):
+        kind = match.lastgroup
+        if kind in {"comma", "arrow"} or (kind == "word" and begins(match[0])):
+            return tail[: match.start()], tail[match.start() :]
+        if kind == "bracket" and _remarks(tail[match.end() :]):
+            return tail[: match.start()], tail[match.start() :]
     return tail, ""
 
 
@@ -170,11 +170,11 @@ def _pieces(text: str) -> list[tuple[bool, str]]:
     """Return the parts between commas and brackets, each with whether it was in brackets."""
     pieces: list[tuple[bool, str]] = []
     bracket, start = False, 0
-    for found in re.finditer(r"(?<!\\)[,;]|[()\[\]]", text):
-        if found[0] in ",;" and bracket:
+    for match in re.finditer(r"(?<!\\)[,;]|[()\[\]]", text):
+        if match[0] in ",;" and bracket:
             continue
-        pieces.append((bracket, text[start : found.start()]))
-        bracket, start = found[0] in "([", found.end()
+        pieces.append((bracket, text[start : match.start()]))
+        bracket, start = match[0] in "([", match.end()
     return [*pieces, (bracket, text[start:])]
 
 
@@ -210,8 +210,8 @@ def _lowered(plain: str) -> list[str]:
 def direction_of(text: str) -> Direction | None:
     """Return the only direction in a text; None if there is none, or more than one."""
     words = _lowered(printed(text))
-    found = {_WAYS[word] for word in words if word in _WAYS} | {_AXES[word] for word in words if word in _AXES}
-    return Direction(*found.pop()) if len(found) == 1 else None
+    directions = {_WAYS[word] for word in words if word in _WAYS} | {_AXES[word] for word in words if word in _AXES}
+    return Direction(*directions.pop()) if len(directions) == 1 else None
 
 
 def sign_for(directions: Sequence[Direction], positive: str, *, written: bool, below_zero: bool = False) -> int:
@@ -237,6 +237,6 @@ def _sign_of(directions: Sequence[Direction], positive: str) -> int:
         else:
             signs |= {1, -1}
     if len(signs) != 1:
-        told = f"{positive!r} is positive" if positive else "nothing tells which way is positive"
-        raise Refused(Outcome.UNREADABLE, f"directions stand in place of a sign, and {told}")
+        convention = f"{positive!r} is positive" if positive else "nothing tells which way is positive"
+        raise Refused(Outcome.UNREADABLE, f"directions stand in place of a sign, and {convention}")
     return signs.pop()

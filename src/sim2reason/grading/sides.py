@@ -159,13 +159,13 @@ def _sides(tokens: Tokens) -> tuple[list[Tokens], list[Token]]:
     sides: list[Tokens] = [[]]
     relations: list[Token] = []
     depth = 0
-    tried: set[str] = set()  # a name ends at the first colon or the first verb, or at none: so this stays linear
+    seen_kinds: set[str] = set()  # a name ends at the first colon or the first verb, or at none: so this stays linear
     for token in unwrapped(tokens):
         kind = token.kind
         depth += (kind == "open") - (kind == "close")
         says = kind == "colon" or (kind == "word" and token.text.lower() in _SAYS)
-        if says := says and depth == 0 and len(sides) == 1 and kind not in tried:
-            tried.add(kind)
+        if says := says and depth == 0 and len(sides) == 1 and kind not in seen_kinds:
+            seen_kinds.add(kind)
         if (depth == 0 and kind == "relation") or (says and labels.is_name(sides[0])):
             if not sides[-1] and relations and relations[-1].kind != "colon" and relations[-1].kind != "word":
                 raise _unreadable("there is nothing between two signs of equality")
@@ -248,10 +248,10 @@ def flattened(tokens: Tokens) -> Tokens:
             last = kept[-1].kind if kept else ""
             argument = 2 if last == "fraction" else argument
             printed = token.text != "{" or token.finish - token.begin == 1  # a brace alone may hold an argument
-            held = printed or last in {"power", "root", "fraction", "function"} or argument > 0
-            stack.append((CLOSES[token.text], held))
+            is_kept = printed or last in {"power", "root", "fraction", "function"} or argument > 0
+            stack.append((CLOSES[token.text], is_kept))
             argument = max(argument - 1, 0) if token.text == "{" else 0
-            if not held:
+            if not is_kept:
                 continue
         elif token.kind == "close":
             at = next((n for n in range(len(stack) - 1, -1, -1) if stack[n][0] == token.text), None)

@@ -51,13 +51,13 @@ def vector_as_direction(content: str) -> str:
 
     Other vectors, and vectors followed by more than a unit, remain and make the number unreadable.
     """
-    found = list(_VECTOR.finditer(content))
-    if len(found) != 1:
+    vectors = list(_VECTOR.finditer(content))
+    if len(vectors) != 1:
         return content
-    before, behind = content[: found[0].start()], content[found[0].end() :]
+    before, behind = content[: vectors[0].start()], content[vectors[0].end() :]
     if not before.strip() or _OPERATORS.search(_PLAIN_POWER.sub(" ", behind)):
         return content
-    letter = next(letter for letter in found[0].groups() if letter).strip()
+    letter = next(letter for letter in vectors[0].groups() if letter).strip()
     return rf"{before}{behind}\text{{ (along the +{_AXES.get(letter, letter)} axis)}}"
 
 
@@ -70,7 +70,7 @@ def vectors_as_components(content: str) -> str:
         return content
     if _OF_VECTORS.search(content):
         return content
-    return _ARROWED.sub(lambda found: f"{found['braced'] or found['bare']} ", content)
+    return _ARROWED.sub(lambda match: f"{match['braced'] or match['bare']} ", content)
 
 
 def without_meanings(content: str) -> str:
@@ -83,12 +83,12 @@ def without_meanings(content: str) -> str:
     at = content.rfind("where")
     opening = _OPENING.search(content, max(at - 40, 0), at)
     begin = opening.start() if opening else at
-    said = _MEANINGS.fullmatch(_FONTS.sub(_shown, content[begin:]).strip())
-    if said is None:
+    match = _MEANINGS.fullmatch(_FONTS.sub(_shown, content[begin:]).strip())
+    if match is None:
         return content
-    for part in _SPLIT.split(said["said"].strip(" .")):
-        meant = _MEANT.fullmatch(" ".join(part.split()))
-        if meant is None or not _NO_MEANING.isdisjoint(meant["words"].lower().split()):
+    for part in _SPLIT.split(match["said"].strip(" .")):
+        meaning = _MEANT.fullmatch(" ".join(part.split()))
+        if meaning is None or not _NO_MEANING.isdisjoint(meaning["words"].lower().split()):
             return content
     return content[:begin]
 
@@ -165,7 +165,7 @@ def spelled(content: str) -> str:
     content = vector_as_direction(content) if "\\" in content else content
     for pattern, replacement in _REWRITTEN:
         content = pattern.sub(replacement, content)
-    content = _FUNCTION.sub(lambda found: rf"\{_FUNCTIONS[found[1] or found[2] or found[3]]} ", content)
+    content = _FUNCTION.sub(lambda match: rf"\{_FUNCTIONS[match[1] or match[2] or match[3]]} ", content)
     return _REPEATING.sub(_repeated, content) if "." in content else content
 
 

@@ -96,10 +96,10 @@ class _Lexer:
 
     def add(self, kind: str, text: str, begin: int, finish: int) -> None:
         upright = self.upright[-1] if self.upright else False
-        said = self.text[begin:finish]
+        source = self.text[begin:finish]
         if kind == "bar":
             text = _side(self.text[max(0, begin - _DELIMITED) : finish])
-        self.tokens.append(Token(kind, text, begin, finish, self.apart, upright, "", said))
+        self.tokens.append(Token(kind, text, begin, finish, self.apart, upright, "", source))
         self.apart = 0
 
     def run(self) -> list[Token]:
@@ -120,8 +120,8 @@ class _Lexer:
             case "sign":
                 self.sign(text, begin, finish)
             case "space":
-                said = text.strip("\\ \t\n$!") if "\\" in text else "left"
-                self.apart = 2 if "quad" in said else int(said not in {"left", "right"})
+                spacing = text.strip("\\ \t\n$!") if "\\" in text else "left"
+                self.apart = 2 if "quad" in spacing else int(spacing not in {"left", "right"})
             case "number":
                 return self.number(match)
             case "letters" | "greek" | "name" | "named":
@@ -234,9 +234,9 @@ class _Lexer:
             return (("function", f"{run}_{label}"),) if run == "log" else None
         for cut in (0, len(run) - 1, len(run) - 3 if run.endswith("ell") else 0):
             name = f"{run[cut:]}_{label}"
-            whole = cut == len(run) - 1 or run in GREEK_NAMES
+            is_single_letter = cut == len(run) - 1 or run in GREEK_NAMES
             head = self.split(run[:cut])
-            if head is not None and (self.known(name) or (self.symbols is None and whole)):
+            if head is not None and (self.known(name) or (self.symbols is None and is_single_letter)):
                 return *head, ("symbol", name)
         return None
 
@@ -285,11 +285,11 @@ def canonical(name: str) -> str:
     raise ValueError(f"{name!r} is no symbol")
 
 
-def _side(said: str) -> str:
+def _side(text: str) -> str:
     """Return ``(`` or ``)`` for a bar | that can only open or only close an absolute value, else ``|``."""
-    if said.endswith("lvert") or _OPENING.search(said):
+    if text.endswith("lvert") or _OPENING.search(text):
         return "("
-    return ")" if said.endswith("rvert") or _CLOSING.search(said) else "|"
+    return ")" if text.endswith("rvert") or _CLOSING.search(text) else "|"
 
 
 def _show(character: str) -> str:

@@ -115,9 +115,9 @@ def _spellings(text: str) -> Iterator[str]:
         plain = pattern.sub(replacement, plain)
     if plain != text:
         yield plain
-    apart = _SPLIT.sub(lambda run: " ".join(part for part in run.groups() if part), plain)
-    if apart != plain:
-        yield apart
+    separated = _SPLIT.sub(lambda run: " ".join(part for part in run.groups() if part), plain)
+    if separated != plain:
+        yield separated
 
 
 def _read(text: str) -> Unit:
@@ -196,22 +196,22 @@ def _number(text: str) -> str:
 
 def _split(text: str) -> tuple[str, str]:
     r"""Return the number and the unit of a ``\\pu`` command."""
-    found = _NUMBER.match(text)
-    return (text[: found.end()], text[found.end() :]) if found else (text, "")
+    match = _NUMBER.match(text)
+    return (text[: match.end()], text[match.end() :]) if match else (text, "")
 
 
 def _unit(text: str) -> str:
     r"""Return a unit written in siunitx macros, letters or both; ``\\per`` applies only to the next factor."""
     unit = _Unit()
-    for found in _MACRO.finditer(text):
-        name, argument = found["name"] or "", found["argument"] or ""
-        if found["power"]:
-            unit.raise_last(found["power"].strip("{ }"))
-        elif found["word"]:
-            unit.add(found["word"])
-            unit.raise_last((found["raised"] or "").translate(SCRIPTS).replace("−", "-"))
-        elif found["sign"]:
-            unit.separate(found["sign"])
+    for match in _MACRO.finditer(text):
+        name, argument = match["name"] or "", match["argument"] or ""
+        if match["power"]:
+            unit.raise_last(match["power"].strip("{ }"))
+        elif match["word"]:
+            unit.add(match["word"])
+            unit.raise_last((match["raised"] or "").translate(SCRIPTS).replace("−", "-"))
+        elif match["sign"]:
+            unit.separate(match["sign"])
         elif name in {"cdot", "times"} and not argument:
             unit.separate("·")
         elif name:

@@ -59,8 +59,8 @@ class StatedResult:
     @property
     def half(self) -> float:
         """Return the largest rounding error that the digits imply; in large integers, only three digits count."""
-        whole, _, decimals = self.digits.removeprefix(MINUS).partition(".")
-        return 0.5 * 10.0 ** (-len(decimals) if decimals else max(0, len(whole) - 3))
+        integer_part, _, decimals = self.digits.removeprefix(MINUS).partition(".")
+        return 0.5 * 10.0 ** (-len(decimals) if decimals else max(0, len(integer_part) - 3))
 
     @property
     def said(self) -> str:
@@ -76,9 +76,9 @@ def _number(unit: str) -> re.Pattern[str]:
 
 
 def certification_gap(
-    certificate: Certificate | None, time: float | None, moment: Moment | None, asked: Iterable[Channel]
+    certificate: Certificate | None, time: float | None, moment: Moment | None, channels: Iterable[Channel]
 ) -> str:
-    """Return why `asked` channels are not certified from the start to a time, s, or at a moment; empty if they are.
+    """Return why `channels` channels are not certified from the start to a time, s, or at a moment; empty if they are.
 
     Channels are compared at all samples up to there; at an event up to and beyond it.
     """
@@ -90,7 +90,7 @@ def certification_gap(
     for channel in moment.channels if moment is not None else ():
         if not _agreed(certificate, channel, time, at_event=at_event):
             return f"the engines disagree on the {channel.quantity} that the moment hangs on"
-    agreed = all(_agreed(certificate, channel, time, at_event=at_event) for channel in asked)
+    agreed = all(_agreed(certificate, channel, time, at_event=at_event) for channel in channels)
     return "" if agreed else "the engines disagree on what is asked"
 
 

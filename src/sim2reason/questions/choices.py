@@ -38,10 +38,10 @@ def depends_on_moment(moment: Moment, trace: Trace, time: float, values: Values)
         return int(np.sum(np.abs(values(instants) - here) > MIN_VARIATION * abs(here)))
 
     ends = [0, len(others) - 1]  # which most often differ: the rest need not be looked at then
-    found = differing(others[ends])
-    if found < SEVERAL:
-        found += differing(np.delete(others, ends))
-    return found >= SEVERAL or (len(sides) > 0 and differing(sides) > 0)
+    count = differing(others[ends])
+    if count < SEVERAL:
+        count += differing(np.delete(others, ends))
+    return count >= SEVERAL or (len(sides) > 0 and differing(sides) > 0)
 
 
 def is_constant(target: Target, trace: Trace) -> bool:
@@ -63,8 +63,8 @@ def is_constant(target: Target, trace: Trace) -> bool:
 def _between(trace: Trace, time: float) -> tuple[float, float]:
     """Return the times, s, of the events just before and after a time, or the ends of the simulated motion."""
     times = [event.time for event in trace.events if _changes_something(event)]
-    before = max((found for found in times if found < time * (1.0 - EVENT_TIME_RTOL)), default=0.0)
-    after = min((found for found in times if found > time * (1.0 + EVENT_TIME_RTOL)), default=trace.stable_until)
+    before = max((instant for instant in times if instant < time * (1.0 - EVENT_TIME_RTOL)), default=0.0)
+    after = min((instant for instant in times if instant > time * (1.0 + EVENT_TIME_RTOL)), default=trace.stable_until)
     return before, max(time, min(after, trace.stable_until))
 
 
@@ -190,7 +190,8 @@ def is_worth_asking_at(study: SimulatedScene, moment: Moment) -> Callable[[Targe
             return False
         known = [target.value(start), *(number for number, unit in moment.stated if unit == target.unit)]
         if any(
-            abs(value - said) <= DISTINCT_RTOL * abs(value) for said in (*known, *(-number for number in known[1:]))
+            abs(value - known_value) <= DISTINCT_RTOL * abs(value)
+            for known_value in (*known, *(-number for number in known[1:]))
         ):
             return False
         if any(abs(value - target.value(side)) > JUMP * abs(value) for side in sides):

@@ -124,8 +124,8 @@ class UniquenessScan:
         """Return the known distance of the answer at `values[index]` from the given result; None if unknown."""
         if not 0 <= index < len(values) or (values[index] < self._root) != (end < self._root):
             return None
-        found = self._known.get(values[index])
-        return None if found is None or not isfinite(found) or self._differ(values[index], end) else found
+        distance = self._known.get(values[index])
+        return None if distance is None or not isfinite(distance) or self._differ(values[index], end) else distance
 
     def _is_apart(self, at: float) -> bool:
         return abs(at - self._root) > ROOT_RTOL * abs(self._root)
@@ -160,13 +160,15 @@ class UniquenessScan:
         """
         pairs = list(pairwise(sorted({*self._known, self._root})))
         for _ in range(CLOSER):
-            apart = [pair for pair in pairs if self._differ(*pair)]
-            middles = [0.5 * (low + high) for low, high in apart]
+            differing = [pair for pair in pairs if self._differ(*pair)]
+            middles = [0.5 * (low + high) for low, high in differing]
             yield from middles
-            for (low, high), at in zip(apart, middles, strict=True):
+            for (low, high), at in zip(differing, middles, strict=True):
                 if self._coarse(at) is None:
                     yield from (*bisect_border(self._coarse, low, at), *bisect_border(self._coarse, at, high))
-            pairs = [half for (low, high), at in zip(apart, middles, strict=True) for half in ((low, at), (at, high))]
+            pairs = [
+                half for (low, high), at in zip(differing, middles, strict=True) for half in ((low, at), (at, high))
+            ]
 
     def _differ(self, one: float, other: float) -> bool:
         """Return whether two numbers lead to different courses of events."""
@@ -227,24 +229,24 @@ def _lowest(*points: tuple[float, float]) -> tuple[float, float]:
 def asking_for(unknown: Unknown, query: Query, given: StatedResult, words: Words, noun: Noun | None) -> tuple[str, ...]:
     """Return all sentences that ask for the value of the unknown with which a query has the given result."""
     kind, sense = KINDS[query.kind], query.target.sense if query.target is not None else None
-    wanted, told = kind.condition_phrases(query, words, noun), kind.statements(query, words, noun, given.said)
+    wanted, statements = kind.condition_phrases(query, words, noun), kind.statements(query, words, noun, given.said)
     plain = [f"{called} is {given.said}" for called in kind.noun_phrases(query, words, noun)[:1]]
-    clauses = tuple(dict.fromkeys((*told[:1], *plain)))
+    clauses = tuple(dict.fromkeys((*statements[:1], *plain)))
     counted = f", {sense.positive} being positive" if sense is not None and not sense.fixed else ""
     shapes = (
         shape
         for phrase in unknown.phrases
         for shape in (
-            *_stated(told, clauses, phrase, counted),
+            *_stated(statements, clauses, phrase, counted),
             *(shape for name in wanted for shape in _wanted(name, given.said, phrase, unknown.symbol, counted)),
         )
     )
     return tuple(dict.fromkeys(shapes))
 
 
-def _stated(told: tuple[str, ...], clauses: tuple[str, ...], unknown: str, counted: str) -> Iterator[str]:
+def _stated(statements: tuple[str, ...], clauses: tuple[str, ...], unknown: str, counted: str) -> Iterator[str]:
     """Yield sentences that state the result first, as a statement of its own or as a clause."""
-    for statement in told:
+    for statement in statements:
         if statement[0].isalpha():
             yield f"{statement}{counted}. What is {unknown}?"
             yield f"{statement}{counted}. Find {unknown}."

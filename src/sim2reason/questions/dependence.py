@@ -74,9 +74,9 @@ class AnswerFunction:
 
     def coarser(self, error: float) -> "AnswerFunction":
         """Return the same function with less accurate integration; both share the known simulation times."""
-        found = AnswerFunction(self._query, self._study, self._path, error, self._scene, self._likely, self._patience)
-        found._times, found._late = self._times, self._late
-        return found
+        coarse = AnswerFunction(self._query, self._study, self._path, error, self._scene, self._likely, self._patience)
+        coarse._times, coarse._late = self._times, self._late
+        return coarse
 
     def __call__(self, value: float) -> float | None:
         """Return the answer for a value; inf for a time beyond the simulated motion, None if there is no answer."""
@@ -117,11 +117,11 @@ class AnswerFunction:
             change = self._study.change
             mechanism = scene.mechanism if change is None else change(scene.mechanism)
             other = SimulatedScene(scene, ENGINES[RECORDED](mechanism, np.array([0.0, until]), self._error), change)
-            found = kind.loose_answer(query, other)
+            answer = kind.loose_answer(query, other)
             self._late.discard(value)
-            if found is not None:
+            if answer is not None:
                 self._record_course(value, other)
-                return found if isfinite(found) else None
+                return answer if isfinite(answer) else None
             if other.trace.cut or other.trace.stable_until < until:
                 return self._answer_after_landing(other)
             if (self._later_counts or self._patience) and self._never(other.trace):
@@ -225,20 +225,20 @@ class AnswerFunction:
                 break
             plain = isfinite(fa) and isfinite(fb)
             middle = b - fb * (b - a) / (fb - fa) if plain else 0.5 * (a + b)
-            found = self._excess(middle, value)
-            if found is None:
+            excess = self._excess(middle, value)
+            if excess is None:
                 return None
-            if (found > 0.0) != (fb > 0.0):
+            if (excess > 0.0) != (fb > 0.0):
                 a, fa = b, fb
             elif plain:
                 fa *= 0.5
-            b, fb = middle, found
+            b, fb = middle, excess
         here = self(b)
         return b if here is not None and abs(here - value) <= 1e-6 * size else None
 
     def _excess(self, at: float, value: float) -> float | None:
-        found = self(at)
-        return None if found is None else found - value
+        answer = self(at)
+        return None if answer is None else answer - value
 
 
 def with_long_strings(scene: Scene) -> Scene:
@@ -266,11 +266,11 @@ def find_roots(dependence: AnswerFunction, values: Sequence[float], given: float
     Limits between values with and without an answer are located by bisection and included in the search.
     """
     coarse = dependence.coarser(COARSE_STEP_ERROR)
-    tried = sorted({*values, *(at for pair in pairwise(values) for at in bisect_border(coarse, *pair))})
-    excess = [(at, found - given) for at in tried if (found := coarse(at)) is not None]
+    points = sorted({*values, *(at for pair in pairwise(values) for at in bisect_border(coarse, *pair))})
+    excess = [(at, result - given) for at in points if (result := coarse(at)) is not None]
     pairs = [(low, high) for (low, a), (high, b) in pairwise(excess) if (a > 0.0) != (b > 0.0)]
-    found = (dependence.between(given, low, high) for low, high in pairs)
-    return [root for root in found if root is not None]
+    result = (dependence.between(given, low, high) for low, high in pairs)
+    return [root for root in result if root is not None]
 
 
 FEW = 5  # values of the first pass; without a single reversal among them the search ends
@@ -311,13 +311,13 @@ class ExtremeSearch:
 
     def _turn(self, values: Sequence[float]) -> tuple[float, float, float, bool] | None:
         """Return three neighbouring values around the answer's only extreme, and whether it is a maximum; else None."""
-        found = list[float]()
+        answers = list[float]()
         for value in values:
             answer = self._answer(value)
             if answer is None or not isfinite(answer):
                 return None
-            found.append(answer)
-        rises = [after > before for before, after in pairwise(found)]
+            answers.append(answer)
+        rises = [after > before for before, after in pairwise(answers)]
         turns = [n for n, (one, other) in enumerate(pairwise(rises)) if one != other]
         if len(turns) != 1:
             return None
@@ -329,9 +329,9 @@ class ExtremeSearch:
         at = about
         for turn in range(NEWTON_STEPS):
             step = STENCIL_STEP * abs(at)
-            found = [self._answer(at + n * step) for n in (-2, -1, 0, 1, 2)]
-            plain = [answer for answer in found if answer is not None and isfinite(answer)]
-            if len(plain) < len(found):
+            answers = [self._answer(at + n * step) for n in (-2, -1, 0, 1, 2)]
+            plain = [answer for answer in answers if answer is not None and isfinite(answer)]
+            if len(plain) < len(answers):
                 return None
             far_below, below, here, above, far_above = plain
             slope = (far_below - 8.0 * below + 8.0 * above - far_above) / (12.0 * step)

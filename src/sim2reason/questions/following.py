@@ -73,18 +73,18 @@ def simulate_until_answer(query: Query, begun: FollowedMotion) -> SimulatedAnswe
 
     Without an answer, `reason` says why there never is one, or which limit of work was reached.
     """
-    found = _followed(query, begun)
+    simulated = _followed(query, begun)
     to_its_end = isinstance(query.moment, WholeMotion)
     if (
-        (found.answer is None or to_its_end)
-        and found.study.trace.cut == ROOM
+        (simulated.answer is None or to_its_end)
+        and simulated.study.trace.cut == ROOM
         and (scene := with_long_strings(begun.study.scene)) != begun.study.scene
     ):
         longer = _followed(query, simulate_scene(scene))  # the text says that there is ample room
-        if to_its_end and not _agree(found.answer, longer.answer):
-            return SimulatedAnswer(found.study, None, ENDLESS)
-        return longer if longer.answer is not None else found
-    return found
+        if to_its_end and not _agree(simulated.answer, longer.answer):
+            return SimulatedAnswer(simulated.study, None, ENDLESS)
+        return longer if longer.answer is not None else simulated
+    return simulated
 
 
 def _agree(one: float | None, other: float | None) -> bool:
@@ -128,13 +128,13 @@ def _find_answer(query: Query, study: SimulatedScene) -> tuple[float | None, str
     """Return a query's answer in a motion; or None and the reason, which is empty if an answer may come later."""
     kind, trace = KINDS[query.kind], study.trace
     time = kind.time(query, study)
-    found = kind.answer(query, study)
-    if found is None and time is not None:
-        found = kind.loose_answer(query, study)
-    if found is not None and np.isfinite(found):
-        return found, ""
+    answer = kind.answer(query, study)
+    if answer is None and time is not None:
+        answer = kind.loose_answer(query, study)
+    if answer is not None and np.isfinite(answer):
+        return answer, ""
     unit = trace.mechanism.units.time
-    if found is not None:
+    if answer is not None:
         return None, f"at {time or 0.0:.6g} {unit} the scene leaves it open: more forces hold than equations tell"
     if isinstance(query, NestedQuery):
         return None, _why_not_nested(query, study)

@@ -32,7 +32,7 @@ def values_giving(query: Query, given: float, unknown: Unknown, study: Simulated
     def looked_for() -> list[float]:
         scene, path = study.scene, unknown.path
         dependence = AnswerFunction(query, study, path, EXACT_STEP_ERROR, with_long_strings(scene))
-        found = find_roots(dependence, range_of(scene, path), given)
+        roots = find_roots(dependence, range_of(scene, path), given)
         patient = AnswerFunction(
             query,
             study,
@@ -42,9 +42,9 @@ def values_giving(query: Query, given: float, unknown: Unknown, study: Simulated
             None,
             PATIENCE[bool(changing(study.mechanism))],
         )
-        for values in () if found else (range_of(scene, path)[::SPARSE], *beyond_range(scene, path)):
-            found += find_roots(patient, values, given)
-        return found or _approached(dependence, range_of(scene, path), beyond_range(scene, path), given)
+        for values in () if roots else (range_of(scene, path)[::SPARSE], *beyond_range(scene, path)):
+            roots += find_roots(patient, values, given)
+        return roots or _approached(dependence, range_of(scene, path), beyond_range(scene, path), given)
 
     return study.memoize(("values giving", query, given, unknown.path), looked_for)
 
@@ -57,9 +57,9 @@ def _approached(
     An answer that is a magnitude does not change sign where it is zero: on both sides it is greater.
     """
     coarse = dependence.coarser(COARSE_STEP_ERROR)
-    tried = sorted({*usual, *(value for values in beyond for value in values)})
-    apart = [(at, abs(found - given)) for at in tried if (found := coarse(at)) is not None]
-    triples = zip(apart, apart[1:], apart[2:], strict=False)
+    points = sorted({*usual, *(value for values in beyond for value in values)})
+    deviations = [(at, abs(answer - given)) for at in points if (answer := coarse(at)) is not None]
+    triples = zip(deviations, deviations[1:], deviations[2:], strict=False)
     dips = [(one[0], other[0]) for one, middle, other in triples if middle[1] < min(one[1], other[1])]
     return [root for low, high in dips[:DIPS] for root in _in_dip(dependence, low, high, given)]
 
@@ -75,29 +75,29 @@ def _in_dip(dependence: AnswerFunction, low: float, high: float, given: float) -
     side, size = start > given, abs(start - given)
     points = [low, high - GOLDEN * (high - low), low + GOLDEN * (high - low), high]
     for _ in range(GOLDEN_SECTION_STEPS):
-        found = [dependence(at) for at in points[1:3]]
-        if found[0] is None or found[1] is None:
+        answers = [dependence(at) for at in points[1:3]]
+        if answers[0] is None or answers[1] is None:
             return []
-        for at, answer in zip(points[1:3], found, strict=True):
+        for at, answer in zip(points[1:3], answers, strict=True):
             if answer is not None and (answer > given) is not side and answer != given:
                 ends = dependence.between(given, low, at), dependence.between(given, at, high)
                 return [end for end in ends if end is not None]
-        nearer = abs(found[0] - given) < abs(found[1] - given)
+        nearer = abs(answers[0] - given) < abs(answers[1] - given)
         one, other = (points[0], points[2]) if nearer else (points[1], points[3])
         points = [one, other - GOLDEN * (other - one), one + GOLDEN * (other - one), other]
         if other - one <= TOUCHED * abs(other):
             break
     middle = 0.5 * (points[0] + points[3])
-    least = dependence(middle)
-    return [middle] if least is not None and abs(least - given) <= ZERO * size else []
+    extreme = dependence(middle)
+    return [middle] if extreme is not None and abs(extreme - given) <= ZERO * size else []
 
 
-def why_not_one(unknown: Unknown, found: Sequence[float], scene: Scene) -> str:
+def why_not_one(unknown: Unknown, roots: Sequence[float], scene: Scene) -> str:
     """Return a clause explaining why an unknown number has no single value; empty if there is exactly one."""
-    if len(found) == 1:
+    if len(roots) == 1:
         return ""
-    if found:
-        return f"several values of {unknown.symbol} do: {', '.join(f'{value:.6g} {unknown.unit}' for value in found)}"
+    if roots:
+        return f"several values of {unknown.symbol} do: {', '.join(f'{value:.6g} {unknown.unit}' for value in roots)}"
     ends = [end for values in (range_of(scene, unknown.path), *beyond_range(scene, unknown.path)) for end in values]
     return f"no value of {unknown.symbol} from {min(ends):.3g} to {max(ends):.3g} {unknown.unit} does"
 
@@ -132,8 +132,8 @@ class ThresholdSearch:
 
     def __call__(self, value: float, error: float = FINEST) -> bool | None:
         """Return whether the outcome occurs for a value; None without a motion. `error` bounds integration steps."""
-        found = self._tried(value, error)
-        return None if found is None else found.happens
+        result = self._tried(value, error)
+        return None if result is None else result.happens
 
     def _tried(self, value: float, error: float) -> _Found | None:
         if (value, error) not in self._known:
@@ -148,7 +148,7 @@ class ThresholdSearch:
 
     def _usual_doublings(self, value: float) -> int:
         """Return how many doublings of the duration decided about the outcome for the nearest known value."""
-        near = min(self._doublings, key=lambda tried: abs(tried - value), default=None)
+        near = min(self._doublings, key=lambda known_value: abs(known_value - value), default=None)
         return self._doublings[near] if near is not None else 0
 
     def _followed(self, value: float, error: float, begin: int) -> _Found | None:
@@ -161,10 +161,10 @@ class ThresholdSearch:
         mechanism = scene.mechanism if self._change is None else self._change(scene.mechanism)
         for doublings in range(begin, MAX_DOUBLINGS):
             trace = ENGINES[self._engine](mechanism, np.linspace(0.0, duration * 2.0**doublings, SAMPLES), error)
-            found = self._outcome.happens(trace)
-            if found is not None:
+            happens = self._outcome.happens(trace)
+            if happens is not None:
                 self._doublings[value] = doublings
-                return _Found(found, self._outcome.excess(trace) if found is self._outcome.tells else None)
+                return _Found(happens, self._outcome.excess(trace) if happens is self._outcome.tells else None)
         return None
 
     def change(self) -> float | None:
@@ -225,22 +225,22 @@ class ThresholdSearch:
         first = self(values[0], COARSE_STEP_ERROR)
         while len(values) > 2:
             middle = len(values) // 2
-            found = self(values[middle], COARSE_STEP_ERROR)
-            if found is None:
+            happens = self(values[middle], COARSE_STEP_ERROR)
+            if happens is None:
                 values.pop(middle)
             else:
-                values = values[middle:] if found == first else values[: middle + 1]
+                values = values[middle:] if happens == first else values[: middle + 1]
         return values[0], values[-1]
 
     def _turns(self, values: Iterable[float]) -> list[tuple[float, float]]:
         """Return up to two pairs of neighbours among values between which the outcome changes."""
-        told = ((value, found) for value in values if (found := self(value, COARSE_STEP_ERROR)) is not None)
-        return list(islice(((low, high) for (low, one), (high, other) in pairwise(told) if one != other), 2))
+        outcomes = ((value, happens) for value in values if (happens := self(value, COARSE_STEP_ERROR)) is not None)
+        return list(islice(((low, high) for (low, one), (high, other) in pairwise(outcomes) if one != other), 2))
 
     def _is_usual(self, low: float, high: float) -> bool:
         """Return whether an interval lies within the usual range of the number."""
-        least, most = usual_range(self._scene, self._path)
-        return low <= most and high >= least
+        smallest, most = usual_range(self._scene, self._path)
+        return low <= most and high >= smallest
 
     def close_to(self, about: float, within: float) -> float | None:
         """Return the threshold within a relative distance of a number; None if the outcome is equal at the ends."""
@@ -249,8 +249,8 @@ class ThresholdSearch:
 
     def within(self, about: float, times: float) -> float | None:
         """Return the threshold within a factor of a number, if the outcome differs at the ends; else None."""
-        least, *_, most = range_of(self._scene, self._path)
-        low, high = max(least, about / times), min(most, about * times)
+        smallest, *_, most = range_of(self._scene, self._path)
+        low, high = max(smallest, about / times), min(most, about * times)
         return self.between(low, high, WRONG, COARSE_STEP_ERROR)
 
     def near(self, about: float) -> float | None:
@@ -274,10 +274,10 @@ class ThresholdSearch:
         while high - low > exact * abs(high):
             aimed = self._aimed(low, high, exact) if guesses < HALVED else None
             at = 0.5 * (low + high) if aimed is None else aimed
-            found = self(at, error)
-            if found is None:
+            happens = self(at, error)
+            if happens is None:
                 return None
-            low, high = (at, high) if found == below else (low, at)
+            low, high = (at, high) if happens == below else (low, at)
             guesses += 1
             if high - low <= 0.5 * left:
                 left, guesses = high - low, 0
@@ -285,19 +285,23 @@ class ThresholdSearch:
 
     def _narrowed(self, low: float, high: float, error: float) -> tuple[float, float]:
         """Return the closest known numbers, from `low` to `high`, between which the outcome changes."""
-        tried = sorted((at, f.happens) for (at, by), f in self._known.items() if by == error and f is not None)
-        between = [found for found in tried if low <= found[0] <= high]
+        known = sorted((at, f.happens) for (at, by), f in self._known.items() if by == error and f is not None)
+        between = [entry for entry in known if low <= entry[0] <= high]
         return next((one, other) for (one, a), (other, b) in pairwise(between) if a != b)
 
     def _aimed(self, low: float, high: float, exact: float) -> float | None:
         """Return a guess for the threshold by a secant, in turn just above and just below its root; else None."""
-        told = {at: found.excess for (at, _), found in self._known.items() if found and found.excess is not None}
-        near = next((end for end in (low, high) if end in told), None)
-        other = min(told.keys() - {near}, key=lambda at: min(abs(at - low), abs(at - high)), default=None)
-        if near is None or other is None or told[near] == told[other]:
+        excess_by_value = {
+            at: candidate.excess
+            for (at, _), candidate in self._known.items()
+            if candidate and candidate.excess is not None
+        }
+        near = next((end for end in (low, high) if end in excess_by_value), None)
+        other = min(excess_by_value.keys() - {near}, key=lambda at: min(abs(at - low), abs(at - high)), default=None)
+        if near is None or other is None or excess_by_value[near] == excess_by_value[other]:
             return None
-        change = near - told[near] * (other - near) / (told[other] - told[near])
+        change = near - excess_by_value[near] * (other - near) / (excess_by_value[other] - excess_by_value[near])
         aside = max(0.4 * exact * abs(high), BENT * abs((near - change) * (other - change) / (change or 1.0)))
         far, ahead = (high, 1.0) if near == low else (low, -1.0)
-        found = change + ahead * (aside if abs(far - change) > 2.0 * aside else -aside)
-        return found if low < found < high else None
+        candidate = change + ahead * (aside if abs(far - change) > 2.0 * aside else -aside)
+        return candidate if low < candidate < high else None

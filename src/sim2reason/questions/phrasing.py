@@ -23,7 +23,7 @@ _OTHER = re.compile(r"\b(?:that|which|by) (?!which )\w")  # a clause with a subj
 
 def chosen(shapes: tuple[str, ...], rng: np.random.Generator) -> str:
     """Return a random one of equivalent sentences: first a verb, by fixed weights, then any sentence with that verb."""
-    verbs = [found.group() if (found := _VERB.search(shape.lower())) else "what" for shape in shapes]
+    verbs = [match.group() if (match := _VERB.search(shape.lower())) else "what" for shape in shapes]
     weights = np.array([QUOTA[verb] / verbs.count(verb) for verb in verbs])
     return shapes[int(rng.choice(len(shapes), p=weights / weights.sum()))]
 
@@ -45,15 +45,15 @@ def asking(target: Target, noun: Noun, when: str, again: str = "") -> tuple[str,
     if target.sense is None or target.sense.fixed:
         clauses = tuple(f"{verb} {noun.indirect} {again}." for verb in ("find", "determine")) if noun.indirect else ()
         return (*how, *clauses, *_plain(noun.phrase, when, again))
-    positive, said = target.sense.positive, noun.phrase
+    positive, phrase = target.sense.positive, noun.phrase
     return (
         *(f"{question.removesuffix('?')}, {positive} being positive?" for question in how),
-        f"taking {positive} as positive, find {said} {again}.",
-        f"taking {positive} as positive, what is {said} {again}?",
-        f"what is {said} {again}, {positive} being positive?",
-        f"with {positive} as positive, determine {said} {again}.",
-        f"find {said} {again}, counting {positive} as positive.",
-        *((f"{when}, what is {said}, if {positive} counts as positive?",) if when[0].isalpha() else ()),
+        f"taking {positive} as positive, find {phrase} {again}.",
+        f"taking {positive} as positive, what is {phrase} {again}?",
+        f"what is {phrase} {again}, {positive} being positive?",
+        f"with {positive} as positive, determine {phrase} {again}.",
+        f"find {phrase} {again}, counting {positive} as positive.",
+        *((f"{when}, what is {phrase}, if {positive} counts as positive?",) if when[0].isalpha() else ()),
     )
 
 
@@ -110,13 +110,13 @@ def again(moment: Moment, noun: str, when: str, words: Words) -> str:
     dissipates*, *it* would refer to the dashpot.
     """
     subject, pronoun = moment.subject(words), moment.pronoun
-    part, of, whole = subject.rpartition(" of ")
-    if moment.part and of and whole in noun and subject not in noun:  # the centre of what the phrase names
+    part, of, owner = subject.rpartition(" of ")
+    if moment.part and of and owner in noun and subject not in noun:  # the centre of what the phrase names
         pronoun = f"its {part.removeprefix('the ')}"
     elif not (subject and pronoun and subject in noun):
         return when
-    others = any(said in noun and said not in subject for said in words.mentions.values() if said != GROUND)
-    named = whole if subject not in noun else subject
+    others = any(mention in noun and mention not in subject for mention in words.mentions.values() if mention != GROUND)
+    named = owner if subject not in noun else subject
     return when if others or _OTHER.search(noun.replace(named, "…")) else when.replace(subject, pronoun, 1)
 
 
@@ -194,10 +194,10 @@ def _place(query: PeriodQuery) -> str:
 
 def _of(query: PeriodQuery, words: Words) -> str:
     """Return the words for the bodies and the equilibrium of small oscillations with a single mode."""
-    said = [movers(words)[name] for name in query.of]
-    if len(said) > 1:
-        return f"of {pair(*said)} relative to each other"
-    return f"of {said[0]} about {_place(query)}" if said else f"about {_place(query)}"
+    phrases = [movers(words)[name] for name in query.of]
+    if len(phrases) > 1:
+        return f"of {pair(*phrases)} relative to each other"
+    return f"of {phrases[0]} about {_place(query)}" if phrases else f"about {_place(query)}"
 
 
 def equilibrium_called(*, stable: bool) -> str:
@@ -206,47 +206,47 @@ def equilibrium_called(*, stable: bool) -> str:
 
 
 def _noun_of_motion(query: PeriodQuery, words: Words) -> str:
-    name, said = query.of[0], movers(words)[query.of[0]]
+    name, phrase = query.of[0], movers(words)[query.of[0]]
     if attracted_by(words.mechanism, name) in words.mentions:
-        return f"the orbital {query.measure} of {said}"
+        return f"the orbital {query.measure} of {phrase}"
     if _revolves(words.mechanism, name):
-        return f"the {query.measure} of revolution of {said}"
-    return f"the {query.measure} of the motion of {said}"
+        return f"the {query.measure} of revolution of {phrase}"
+    return f"the {query.measure} of the motion of {phrase}"
 
 
 def _of_motion(query: PeriodQuery, words: Words) -> tuple[str, ...]:
     mechanism, name, measure = words.mechanism, query.of[0], query.measure
-    said, path = movers(words)[name], center_path(mechanism, name)
+    phrase, path = movers(words)[name], center_path(mechanism, name)
     center = attracted_by(mechanism, name)
     if center in words.mentions:
-        return _of_orbit(measure, said, words.mentions[center])
+        return _of_orbit(measure, phrase, words.mentions[center])
     if _revolves(mechanism, name):
-        return _of_revolution(measure, said)
+        return _of_revolution(measure, phrase)
     if not (path.straight or (words.released and path.swings)):
-        again = (f"how long does it take until the motion of {said} repeats itself?",) if measure == "period" else ()
-        return (f"with what {measure} does the motion of {said} repeat itself?", *again)
+        again = (f"how long does it take until the motion of {phrase} repeats itself?",) if measure == "period" else ()
+        return (f"with what {measure} does the motion of {phrase} repeat itself?", *again)
     does = "oscillate" if path.straight else "rock to and fro" if name in mechanism.contacts else "swing to and fro"
     first, _, rest = does.partition(" ")
     verb = f"{first}s {rest}".rstrip()
-    takes = (f"how long does {said} take for one complete oscillation?",) if measure == "period" else ()
+    takes = (f"how long does {phrase} take for one complete oscillation?",) if measure == "period" else ()
     return (
-        f"with what {measure} does {said} {does}?",
-        f"determine the {measure} with which {said} {verb}.",
+        f"with what {measure} does {phrase} {does}?",
+        f"determine the {measure} with which {phrase} {verb}.",
         *takes,
     )
 
 
-def _of_orbit(measure: str, said: str, center: str) -> tuple[str, ...]:
+def _of_orbit(measure: str, phrase: str, center: str) -> tuple[str, ...]:
     return (
-        f"with what {measure} does {said} go round {center}?",
-        f"determine the {measure} of the motion of {said} about {center}.",
-        f"what is the {measure} with which {said} goes round {center}?",
+        f"with what {measure} does {phrase} go round {center}?",
+        f"determine the {measure} of the motion of {phrase} about {center}.",
+        f"what is the {measure} with which {phrase} goes round {center}?",
     )
 
 
-def _of_revolution(measure: str, said: str) -> tuple[str, ...]:
-    takes = (f"how long does one revolution of {said} take?",) if measure == "period" else ()
-    return (f"with what {measure} does {said} go round its circle?", *takes)
+def _of_revolution(measure: str, phrase: str) -> tuple[str, ...]:
+    takes = (f"how long does one revolution of {phrase} take?",) if measure == "period" else ()
+    return (f"with what {measure} does {phrase} go round its circle?", *takes)
 
 
 def _revolves(mechanism: Mechanism, name: str) -> bool:
@@ -262,22 +262,22 @@ def _plainly(noun: str) -> tuple[str, ...]:
 
 
 def _of_small(query: PeriodQuery, words: Words) -> tuple[str, ...]:
-    said, measure, place = [movers(words)[name] for name in query.of], query.measure, _place(query)
-    own = place.replace("the", "its", 1)
-    if len(said) == 1:
+    phrases, measure, equilibrium = [movers(words)[name] for name in query.of], query.measure, _place(query)
+    own = equilibrium.replace("the", "its", 1)
+    if len(phrases) == 1:
         told = (
-            f"disturbed slightly from {own}, with what {measure} does {said[0]} oscillate?",
-            f"with what {measure} does {said[0]} oscillate if slightly disturbed from {own}?",
+            f"disturbed slightly from {own}, with what {measure} does {phrases[0]} oscillate?",
+            f"with what {measure} does {phrases[0]} oscillate if slightly disturbed from {own}?",
         )
-    elif said:
+    elif phrases:
         told = (
-            f"with what {measure} do {pair(*said)} vibrate against each other when the amplitude is small?",
-            f"with what {measure} would {pair(*said)} oscillate relative to each other after a slight disturbance?",
+            f"with what {measure} do {pair(*phrases)} vibrate against each other when the amplitude is small?",
+            f"with what {measure} would {pair(*phrases)} oscillate relative to each other after a slight disturbance?",
         )
     else:
         told = (
-            f"if all is at rest in {place} and is slightly disturbed, what is the {measure} of the oscillations?",
-            f"with what {measure} does everything oscillate if it is slightly disturbed from {place}?",
+            f"if all is at rest in {equilibrium} and is slightly disturbed, what is the {measure} of the oscillations?",
+            f"with what {measure} does everything oscillate if it is slightly disturbed from {equilibrium}?",
         )
     takes = (f"how long does one small oscillation {_of(query, words)} take?",) if measure == "period" else ()
     return (*told, *takes)
@@ -285,12 +285,12 @@ def _of_small(query: PeriodQuery, words: Words) -> tuple[str, ...]:
 
 def _of_modes(query: PeriodQuery) -> tuple[str, ...]:
     """Return the sentences for one of several modes of oscillation, named by the order of their periods."""
-    count, last, place = query.modes, query.rank > 0, _place(query)
+    count, last, equilibrium = query.modes, query.rank > 0, _place(query)
     plural, unit = PLURALS[query.measure], PER_SECOND if query.measure == "frequency" else ""
     which = (LENGTHS if query.measure == "period" else SIZES)[count][last]
     return (
-        f"oscillations about {place} have {COUNTS[count]} {plural}{unit}; what is the {which} of them?",
-        f"of the {COUNTS[count]} {plural} of oscillations about {place}, find the {which}{unit}.",
+        f"oscillations about {equilibrium} have {COUNTS[count]} {plural}{unit}; what is the {which} of them?",
+        f"of the {COUNTS[count]} {plural} of oscillations about {equilibrium}, find the {which}{unit}.",
     )
 
 

@@ -76,9 +76,9 @@ class PosedQuestion:
         if self.less is not None:
             return _difference(replace(self, less=None).followed(motion), self.less.followed(motion))
         if self.unknown is None:
-            found = [simulate_until_answer(query, motion) for query in (self.query, *self.others)]
-            missing = next((each for each in found if each.answer is None), None)
-            return missing or found[0]._replace(answer=sum(each.answer or 0.0 for each in found))
+            answers = [simulate_until_answer(query, motion) for query in (self.query, *self.others)]
+            missing = next((each for each in answers if each.answer is None), None)
+            return missing or answers[0]._replace(answer=sum(each.answer or 0.0 for each in answers))
         values = sorted(values_giving(self.query, self.given, self.unknown, motion.study))
         if self.end and values:
             values = [values[0 if self.end == LEAST else -1]]
@@ -126,23 +126,23 @@ def findable(words: Words) -> tuple[str, ...]:
     return tuple(dict.fromkeys((*named, *(unknown.path for unknown in words.unknowns))))
 
 
-def pose_question(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
+def pose_question(question: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
     """Return the query for a structured question about a scene; TextError for a part that has no meaning there."""
-    if asked.given:
-        return replace(_reversed(asked, motion, words), compare=answer_form(asked, VALUE))
-    find = one_of("find", asked.find, findable(words))
-    if MINUS in asked.when:
-        return _between(asked, motion, words)
-    if PLUS in asked.of and not asked.change:
-        return _summed(asked, motion, words)
-    if asked.change:
-        return _changed(asked, motion, words)
+    if question.given:
+        return replace(_reversed(question, motion, words), compare=answer_form(question, VALUE))
+    find = one_of("find", question.find, findable(words))
+    if MINUS in question.when:
+        return _between(question, motion, words)
+    if PLUS in question.of and not question.change:
+        return _summed(question, motion, words)
+    if question.change:
+        return _changed(question, motion, words)
     kinds = sorted((kind for kind in KINDS.values() if find in kind.finds(words)), key=lambda kind: not kind.names_one)
-    query = next((query for kind in kinds if (query := kind.posed(asked, motion.study, words)) is not None), None)
+    query = next((query for kind in kinds if (query := kind.posed(question, motion.study, words)) is not None), None)
     if query is None:
         remedy = "name a moment, see: sim2reason list moments; of a number of the scene, say what it makes so, by given"
-        raise TextError("when", f"{asked.find} is not found {asked.when or 'without a moment'}", remedy)
-    return PosedQuestion(query, compare=answer_form(asked, VALUE) if asked.find in numbers(words) else VALUE)
+        raise TextError("when", f"{question.find} is not found {question.when or 'without a moment'}", remedy)
+    return PosedQuestion(query, compare=answer_form(question, VALUE) if question.find in numbers(words) else VALUE)
 
 
 def numbers(words: Words) -> frozenset[str]:
@@ -150,19 +150,21 @@ def numbers(words: Words) -> frozenset[str]:
     return frozenset(unknown.path for unknown in words.unknowns)
 
 
-def answer_form(asked: StructuredQuestion, usual: str) -> str:
+def answer_form(question: StructuredQuestion, usual: str) -> str:
     """Return the form of an answer: *ratio*, *difference* or *value*, or else the usual one; TextError for others."""
-    return one_of("compare", asked.compare or usual, COMPARED)
+    return one_of("compare", question.compare or usual, COMPARED)
 
 
-def _between(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
+def _between(question: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
     """Return the question for a difference between two moments, such as *second bounced minus bounced*."""
-    if asked.change:
+    if question.change:
         raise TextError("when", "a difference between two moments is not compared", "ask for each of the two moments")
-    first, second = (pose_question(replace(asked, when=when), motion, words) for when in asked.when.rsplit(MINUS, 1))
+    first, second = (
+        pose_question(replace(question, when=when), motion, words) for when in question.when.rsplit(MINUS, 1)
+    )
     target = first.query.target
-    if target is not None and target.sense is None and QUANTITIES[target.quantity].vector and asked.find != "speed":
-        raise TextError("along", f"{asked.find} may change its direction", "name a direction, by along")
+    if target is not None and target.sense is None and QUANTITIES[target.quantity].vector and question.find != "speed":
+        raise TextError("along", f"{question.find} may change its direction", "name a direction, by along")
     return replace(first, less=second)
 
 
@@ -173,31 +175,35 @@ def _difference(first: SimulatedAnswer, second: SimulatedAnswer) -> SimulatedAns
     return first._replace(answer=first.answer - second.answer)
 
 
-def _summed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
+def _summed(question: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
     """Return the question for a sum over several subjects, such as *block A + block B*, with one query per subject."""
-    if asked.find not in SUMMED or asked.change:
-        raise TextError("of", f"{asked.find} of several does not add up", f"ask for one, or for: {', '.join(SUMMED)}")
-    first, *others = (pose_question(replace(asked, of=of.strip()), motion, words).query for of in asked.of.split(PLUS))
+    if question.find not in SUMMED or question.change:
+        raise TextError(
+            "of", f"{question.find} of several does not add up", f"ask for one, or for: {', '.join(SUMMED)}"
+        )
+    first, *others = (
+        pose_question(replace(question, of=of.strip()), motion, words).query for of in question.of.split(PLUS)
+    )
     return PosedQuestion(first, others=tuple(others))
 
 
-def _reversed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
+def _reversed(question: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
     """Return the query for the value of a number of the scene that leads to a given result or an extreme value."""
     scene = motion.study.scene
     offered = numbers_offered(scene, words)
-    unknown = offered[one_of("find", asked.find, offered)]
-    result, _, value = (part.strip() for part in asked.given.partition("="))
+    unknown = offered[one_of("find", question.find, offered)]
+    result, _, value = (part.strip() for part in question.given.partition("="))
     if value in EXTREMES:
-        inner = pose_question(replace(asked, find=result, given="", compare=""), motion, words).query
+        inner = pose_question(replace(question, find=result, given="", compare=""), motion, words).query
         return PosedQuestion(_optimum(inner, unknown.path, motion.study, greatest=value == GREATEST))
     value, _, end = value.partition(", ")
     end = one_of("given", end, EXTREMES) if end else ""
     if not value or result in quantities_named(words.mechanism) or " of " in result or " along " in result:
-        target, wanted = stated(asked, f"{result} = {value}" if value else asked.given, words, "given")
+        target, wanted = stated(question, f"{result} = {value}" if value else question.given, words, "given")
         along = target.sense.positive if target.sense is not None else ""
-        inner = replace(asked, find=target.quantity, of=target.subject, along=along, given="", compare="")
+        inner = replace(question, find=target.quantity, of=target.subject, along=along, given="", compare="")
         return PosedQuestion(pose_question(inner, motion, words).query, unknown, wanted, end=end)
-    query = pose_question(replace(asked, find=result, given="", compare=""), motion, words).query
+    query = pose_question(replace(question, find=result, given="", compare=""), motion, words).query
     unit = words.units.spell(KINDS[query.kind].measured(query).unit)
     return PosedQuestion(query, unknown, measured("given", value, unit), end=end)
 
@@ -205,55 +211,55 @@ def _reversed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -
 def numbers_offered(scene: Scene, words: Words) -> Mapping[str, Unknown]:
     """Return all numbers of a scene that a question may ask for, derived ones included, by address."""
     paths = {parameter.path: words.symbols.get(parameter.path, SYMBOL) for parameter in scene.parameters}
-    found = {unknown.path: unknown for unknown in Words.of(scene, words.mentions, paths).unknowns}
+    offered = {unknown.path: unknown for unknown in Words.of(scene, words.mentions, paths).unknowns}
     for path, number in derived_numbers(scene).items():
-        found[path] = Unknown(path, "speed", number.unit, f"${SYMBOL}$", (f"${SYMBOL}$",))
-    return found
+        offered[path] = Unknown(path, "speed", number.unit, f"${SYMBOL}$", (f"${SYMBOL}$",))
+    return offered
 
 
-def _changed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
+def _changed(question: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
     """Return the question for an answer's change with a number, its limit for an extreme mass, or its extreme value."""
     study = motion.study
-    if is_removal(asked.change):
-        return _after_removal(asked, motion, words)
-    inner = pose_question(replace(asked, change="", compare=""), motion, words)
-    compare = answer_form(asked, RATIO)
-    number, _, value = (part.strip() for part in asked.change.partition("="))
+    if is_removal(question.change):
+        return _after_removal(question, motion, words)
+    inner = pose_question(replace(question, change="", compare=""), motion, words)
+    compare = answer_form(question, RATIO)
+    number, _, value = (part.strip() for part in question.change.partition("="))
     if value in (*LIMITS, *EXTREMES):
-        held = {p.path: p for p in study.scene.parameters if p.value}
-        path = resolved("change", number, {path: words.named.get(path, path) for path in held})
+        parameters = {p.path: p for p in study.scene.parameters if p.value}
+        path = resolved("change", number, {path: words.named.get(path, path) for path in parameters})
         if value in EXTREMES:
             return PosedQuestion(_optimum(inner.query, path, study, greatest=value == GREATEST, asks_place=False))
-        if held[path].measure.unit == MASS:
+        if parameters[path].measure.unit == MASS:
             query, large = inner.query, LIMITS[value]
             return PosedQuestion(LimitQuery("limit", query.target, query.moment, stripped(query), path, large=large))
-    varied = variation(asked.change, study.scene, words, partial(_time_of, motion=motion, words=words))
+    varied = variation(question.change, study.scene, words, partial(_time_of, motion=motion, words=words))
     if compare == VALUE or inner.others or inner.less or not _is_plain_change(varied, study.scene):
         return replace(inner, varied=varied, compare=compare)
-    return PosedQuestion(compared(inner.query, asked, study, words))
+    return PosedQuestion(compared(inner.query, question, study, words))
 
 
-def _after_removal(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
+def _after_removal(question: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
     """Return the question about the motion after an object is removed; TextError if the answer is to be compared."""
-    if answer_form(asked, VALUE) != VALUE:
+    if answer_form(question, VALUE) != VALUE:
         raise TextError("compare", "what follows a removal is not compared with what goes before", "take the value")
     scene = motion.study.scene
-    varied = variation(asked.change, scene, words, partial(_time_of, motion=motion, words=words))
+    varied = variation(question.change, scene, words, partial(_time_of, motion=motion, words=words))
     try:
         there = simulate_scene(varied.applied(scene))
     except (SceneError, SimulationError, UnsupportedError, ValueError) as error:
         raise TextError("change", f"nothing follows: {error}", "remove it at another moment") from None
-    inner = pose_question(replace(asked, change="", compare=""), there, words_in(there.study.scene, words))
+    inner = pose_question(replace(question, change="", compare=""), there, words_in(there.study.scene, words))
     return replace(inner, varied=varied)
 
 
 def _time_of(when: str, change: SceneChange, *, motion: FollowedMotion, words: Words) -> float:
     """Return the time of a moment, in seconds or the scene's unit of time, in a changed scene."""
     there = simulate_scene(change.applied(motion.study.scene)) if change.values or change.fixed else motion
-    found = pose_question(StructuredQuestion("time", when=when), there, words).followed(there)
-    if found.answer is None:
-        raise TextError("change", f"{when!r} never comes: {found.reason}", "name a moment of the motion")
-    return found.answer
+    simulated = pose_question(StructuredQuestion("time", when=when), there, words).followed(there)
+    if simulated.answer is None:
+        raise TextError("change", f"{when!r} never comes: {simulated.reason}", "name a moment of the motion")
+    return simulated.answer
 
 
 def _is_plain_change(varied: SceneChange, scene: Scene) -> bool:

@@ -68,10 +68,10 @@ class Prompt:
 def words_of(description: Description) -> Words:
     """Return the names, symbols and numbers of a description in the form that questions use."""
     scene = description.scene
-    said = [(p.path, p) for p in scene.parameters if p.path in description.symbols]
+    stated_parameters = [(p.path, p) for p in scene.parameters if p.path in description.symbols]
     mentions = {address: description.mention(address) for address in scene.bodies}
-    alone = {path: symbols([parameter], scene.bodies, description.names) for path, parameter in said}
-    unknowns = {path: found[path] for path, found in alone.items()}
+    alone = {path: symbols([parameter], scene.bodies, description.names) for path, parameter in stated_parameters}
+    unknowns = {path: symbol_by_path[path] for path, symbol_by_path in alone.items()}
     together = {path: description.symbols[path] for path in description.told if path in description.symbols}
     return Words.of(scene, mentions, unknowns, together)
 
@@ -108,8 +108,8 @@ def _last_line(question: Question, rng: np.random.Generator) -> str:
         form = SYMBOLIC[int(rng.random() * len(SYMBOLIC))]
         own = f", {IN_RADIANS}" if question.unit in ANGLES else ""
         return form.format(symbols=f"{join(list(_named(question.formula)))}{own}")
-    whole = KINDS[question.query.kind].measured(question.query).whole
-    forms = WHOLE if whole else FORMATS if question.unit else PLAIN_FORMATS
+    is_integer = KINDS[question.query.kind].measured(question.query).whole
+    forms = WHOLE if is_integer else FORMATS if question.unit else PLAIN_FORMATS
     form = forms[int(rng.random() * len(forms))]
     return form.format(unit=unit_in_words(question.unit)) if forms is FORMATS else form
 
@@ -194,8 +194,8 @@ class ParsedPrompt:
     @property
     def answer(self) -> float | None:
         """Return the answer that follows from the text alone, in its unit; None if there is none."""
-        found = self.counted
-        return found * self._factor(_words(self.reading)) if found is not None else None
+        count = self.counted
+        return count * self._factor(_words(self.reading)) if count is not None else None
 
     @property
     def counted(self) -> float | None:
@@ -211,7 +211,7 @@ class ParsedPrompt:
 
     def _factor(self, words: Words) -> float:
         """Return the factor from the unit of the scene and its motion to the unit that the text asks for."""
-        unknown = next((found for found in words.unknowns if found.path != self.query.hides), None)
+        unknown = next((candidate for candidate in words.unknowns if candidate.path != self.query.hides), None)
         if self.asked.given is not None and unknown is not None:
             unit = unknown.unit
         else:
@@ -245,8 +245,8 @@ def parse_prompt(
     body, unit = without_form(text)
     refused: list[TextError] = []
     for read in (_understood, _in_ordinary_english):
-        for told in in_si(body):
-            for shape, draft in _drafts(told):
+        for variant in in_si(body):
+            for shape, draft in _drafts(variant):
                 try:
                     return read(_stated(draft, given), unit, shape, rng, given)
                 except TextError as error:
@@ -273,8 +273,8 @@ def _drafts(text: str) -> Iterator[tuple[str, Draft]]:
 
 def _stated(draft: Draft, given: Mapping[str, str]) -> Draft:
     """Return a draft whose story has numbers in place of symbols."""
-    told = {symbol: said for symbol, said in given.items() if f"${symbol}$" in draft.story}
-    return replace(draft, story=without_names(draft.story), given={**draft.given, **told})
+    stated = {symbol: number for symbol, number in given.items() if f"${symbol}$" in draft.story}
+    return replace(draft, story=without_names(draft.story), given={**draft.given, **stated})
 
 
 def _understood(
@@ -285,18 +285,18 @@ def _understood(
     motion = _begun(reading)
     study = motion.study
     words = _in_symbols(_words(reading), draft, given) if given else _words(reading)
-    asked = (mode.parsed(draft.question, study, words) for mode in MODES.values())
-    found = next((each for each in asked if each is not None), None)
-    if found is None and len(reading.unknown) > 1:
+    parsed_questions = (mode.parsed(draft.question, study, words) for mode in MODES.values())
+    parsed_question = next((each for each in parsed_questions if each is not None), None)
+    if parsed_question is None and len(reading.unknown) > 1:
         raise unstated_error(reading.unknown.values())
-    if found is None:
+    if parsed_question is None:
         raise TextError("prompt", f"no question is asked by {draft.question!r}", "ask in the words of the library")
-    if "start" in reading.without and depends_on_start(found.query, study):
+    if "start" in reading.without and depends_on_start(parsed_question.query, study):
         raise TextError("prompt", "it does not say how the motion begins", "say where everything is at first")
-    if reading.unknown or KINDS[found.query.kind].time(found.query, study) is not None:
-        return ParsedPrompt(reading, study, found, unit, shape)
-    followed = simulate_until_answer(found.query, motion)
-    return ParsedPrompt(reading, followed.study, found, unit, shape, followed.reason)
+    if reading.unknown or KINDS[parsed_question.query.kind].time(parsed_question.query, study) is not None:
+        return ParsedPrompt(reading, study, parsed_question, unit, shape)
+    followed = simulate_until_answer(parsed_question.query, motion)
+    return ParsedPrompt(reading, followed.study, parsed_question, unit, shape, followed.reason)
 
 
 def _in_ordinary_english(
@@ -309,12 +309,12 @@ def _in_ordinary_english(
     if given or reading.unknown or "start" in reading.without:
         raise TextError("prompt", f"no question is asked by {draft.question!r}", "ask in the words of the library")
     motion, words = simulate_scene(reading.scene), _words(reading)
-    meant = understood(draft.question, motion, words)
-    if meant is None or meant.posed.unknown is not None:
+    meaning = understood(draft.question, motion, words)
+    if meaning is None or meaning.posed.unknown is not None:
         near = suggestion(draft.question, motion, words)
         raise TextError("prompt", f"no question is asked by {draft.question!r}", near)
-    asked = ParsedQuestion("numeric", meant.posed.query)
-    return ParsedPrompt(reading, meant.followed.study, asked, unit, shape, meant.followed.reason)
+    parsed_question = ParsedQuestion("numeric", meaning.posed.query)
+    return ParsedPrompt(reading, meaning.followed.study, parsed_question, unit, shape, meaning.followed.reason)
 
 
 def _told(draft: Draft, rng: np.random.Generator | None) -> ParsedScene:
@@ -338,7 +338,7 @@ def _begun(reading: ParsedScene) -> FollowedMotion:
 
 def _in_symbols(words: Words, draft: Draft, given: Mapping[str, str]) -> Words:
     """Return the words of a text that refers to numbers by symbols, with the values of the question's own symbols."""
-    own = [spoken_of(symbol, said, words.units) for symbol, said in given.items() if symbol not in draft.given]
+    own = [spoken_of(symbol, number, words.units) for symbol, number in given.items() if symbol not in draft.given]
     return replace(words, symbolic=True, own=dict(filter(None, own)))
 
 

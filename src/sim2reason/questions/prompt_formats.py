@@ -34,21 +34,21 @@ THAT = "that moment"
 
 def with_reference(text: str, moment: Moment | None, words: Words) -> str:
     """Return a question with *that moment* for the preceding question's moment; unchanged if that is not shorter."""
-    for told, short in _phrases(moment, words):
-        if told in text:
-            return text.replace(told, short, 1)
-        if text.startswith(sentence(told)):
-            return sentence(short) + text.removeprefix(sentence(told))
+    for full, short in _phrases(moment, words):
+        if full in text:
+            return text.replace(full, short, 1)
+        if text.startswith(sentence(full)):
+            return sentence(short) + text.removeprefix(sentence(full))
     return text
 
 
 def resolved_references(text: str, moment: Moment | None, words: Words) -> Iterator[str]:
     """Yield all possible meanings of a question with *that moment*, given the moment of the preceding one."""
-    for told, short in _phrases(moment, words):
+    for full, short in _phrases(moment, words):
         if text.startswith(sentence(short)):
-            yield sentence(told) + text.removeprefix(sentence(short))
+            yield sentence(full) + text.removeprefix(sentence(short))
         if short in text:
-            yield text.replace(short, told, 1)
+            yield text.replace(short, full, 1)
 
 
 def _phrases(moment: Moment | None, words: Words) -> list[tuple[str, str]]:
@@ -59,15 +59,15 @@ def _phrases(moment: Moment | None, words: Words) -> list[tuple[str, str]]:
     if not isinstance(moment, Happening | AtTime) or moment.sided is not None:
         return []
     clause = moment.clause(words) if isinstance(moment, Happening) else None
-    told = [(phrase, f"at {THAT}") for phrase in moment.phrases(words)]
+    pairs = [(phrase, f"at {THAT}") for phrase in moment.phrases(words)]
     if isinstance(moment, AtTime):
-        told += [(stretch, f"until {THAT}") for stretch in moment.stretches(words)]
+        pairs += [(stretch, f"until {THAT}") for stretch in moment.stretches(words)]
     if clause is not None:
-        told += [(f"until {clause.statement}", f"until {THAT}"), (f"the moment when {clause.statement}", THAT)]
+        pairs += [(f"until {clause.statement}", f"until {THAT}"), (f"the moment when {clause.statement}", THAT)]
     subject = moment.subject(words)
     if subject:
-        told += [(phrase.replace(subject, moment.pronoun, 1), short) for phrase, short in told if subject in phrase]
-    return sorted(told, key=lambda pair: -len(pair[0]))
+        pairs += [(phrase.replace(subject, moment.pronoun, 1), short) for phrase, short in pairs if subject in phrase]
+    return sorted(pairs, key=lambda pair: -len(pair[0]))
 
 
 FORMS = (
@@ -105,11 +105,11 @@ class PartPrompt:
         labels = "".join(line[1] for line in lines if line is not None)
         same = _SAME.search(last)
         said = [same] * len(labels) if same is not None else list(_UNIT.finditer(last))
-        units = tuple(found["unit"] or _as_number(found[0]) for found in said)
+        units = tuple(candidate["unit"] or _as_number(candidate[0]) for candidate in said)
         for form in range(len(FORMS)):
-            found = cls(scene, tuple(line[2] for line in lines if line is not None), units, form)
-            if len(units) > 1 and labels == LABELS[: len(units)] and found.text == text:
-                return found
+            candidate = cls(scene, tuple(line[2] for line in lines if line is not None), units, form)
+            if len(units) > 1 and labels == LABELS[: len(units)] and candidate.text == text:
+                return candidate
         raise TextError(
             "prompt", "it has no parts (a), (b), … with a last line about their answers", "give one of ours"
         )
@@ -123,10 +123,14 @@ class PartPrompt:
     @property
     def last_line(self) -> str:
         """Return the last line, on how to give the answers."""
-        told = [f"({label}) {_told(unit)}" for label, unit in zip(LABELS, self.units, strict=False)]
+        unit_phrases = [f"({label}) {_told(unit)}" for label, unit in zip(LABELS, self.units, strict=False)]
         box = "; ".join(f"({label}) …" for label in LABELS[: len(self.units)])
         digits = ROUNDING if any(unit != AS_WHOLE for unit in self.units) else ""
-        each = join(told) if len({*self.units}) > 1 else f"{'both' if len(told) == 2 else 'all'} {_told(self.units[0])}"
+        each = (
+            join(unit_phrases)
+            if len({*self.units}) > 1
+            else f"{'both' if len(unit_phrases) == 2 else 'all'} {_told(self.units[0])}"
+        )
         return FORMS[self.form].format(box=rf"\boxed{{{box}}}", units=each, digits=digits)
 
     def single(self, part: int, question: str) -> Iterator[str]:
@@ -161,26 +165,28 @@ def together(
     body = composed(description, last, rng, question_last=True)
     scene = body.text.removesuffix(last).rstrip()
     units = tuple(map(_unit_of, questions))
-    found = PartPrompt(scene, tuple(texts), units, int(rng.random() * len(FORMS)))
-    return Prompt(found.text, body.shape), found.questions
+    prompt = PartPrompt(scene, tuple(texts), units, int(rng.random() * len(FORMS)))
+    return Prompt(prompt.text, body.shape), prompt.questions
 
 
 def parse_parts(text: str, rng: np.random.Generator | None = None) -> tuple[ParsedPrompt, ...]:
     """Return the meaning of each part of a prompt; TextError if a part has no meaning."""
-    found = PartPrompt.read(text)
+    prompt = PartPrompt.read(text)
     parsed: list[ParsedPrompt] = []
-    for part in range(len(found.questions)):
-        parsed.append(_parsed(found, part, parsed[-1:], rng))
+    for part in range(len(prompt.questions)):
+        parsed.append(_parsed(prompt, part, parsed[-1:], rng))
     return tuple(parsed)
 
 
 def _parsed(
-    found: PartPrompt, part: int, before: Sequence[ParsedPrompt], rng: np.random.Generator | None
+    prompt: PartPrompt, part: int, before: Sequence[ParsedPrompt], rng: np.random.Generator | None
 ) -> ParsedPrompt:
-    question = found.questions[part]
-    meant = [full for held in before for full in resolved_references(question, held.query.moment, held.words)]
+    question = prompt.questions[part]
+    resolved = [
+        full for earlier in before for full in resolved_references(question, earlier.query.moment, earlier.words)
+    ]
     refused: list[TextError] = []
-    for text in (text for each in (meant or [question]) for text in found.single(part, each)):
+    for text in (text for each in (resolved or [question]) for text in prompt.single(part, each)):
         try:
             return parse_prompt(text, rng)
         except TextError as error:
@@ -238,10 +244,10 @@ class ChoicePrompt:
         body, _, last = text.rpartition("\n\n")
         question, _, listed = body.rpartition("\n\n")
         options = [_OPTION.fullmatch(line) for line in listed.splitlines()]
-        found = cls(question, tuple(option[2] for option in options if option is not None))
-        if last != ENDING or not found.options or found.text != text:
+        prompt = cls(question, tuple(option[2] for option in options if option is not None))
+        if last != ENDING or not prompt.options or prompt.text != text:
             raise TextError("prompt", "it has no options A, B, … with a last line about them", "give one of ours")
-        return found
+        return prompt
 
     @property
     def text(self) -> str:

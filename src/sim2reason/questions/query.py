@@ -99,36 +99,36 @@ OF_RIGID_BODY = "angular velocity", "angular acceleration"  # have one value for
 def quantities_named(mechanism: Mechanism) -> Mapping[str, Quantity]:
     """Return the quantities that a mechanism has, by name and by the phrase for their magnitude, such as *speed*."""
     here = {name: quantity for name, quantity in QUANTITIES.items() if quantity.subjects(mechanism)}
-    called = {found[1]: quantity for quantity in here.values() if (found := _SIZE.match(quantity.magnitude))}
+    called = {match[1]: quantity for quantity in here.values() if (match := _SIZE.match(quantity.magnitude))}
     return called | here
 
 
-def target_named(asked: StructuredQuestion, words: Words) -> Target:
+def target_named(question: StructuredQuestion, words: Words) -> Target:
     """Return the quantity, the subject and the direction that a structured question asks for.
 
     TextError for a quantity, a subject or a direction that the scene does not have.
     """
     mechanism = words.mechanism
-    quantity = quantities_named(mechanism)[asked.find]
+    quantity = quantities_named(mechanism)[question.find]
     called = words.called(quantity.of)
     names = {name: called.get(name, name) for name in quantity.subjects(mechanism)}
-    told = {name: said for name, said in names.items() if name in called}
-    if not asked.of and quantity.name in OF_RIGID_BODY and len({_moving(mechanism, name) for name in names}) == 1:
+    mentioned = {name: phrase for name, phrase in names.items() if name in called}
+    if not question.of and quantity.name in OF_RIGID_BODY and len({_moving(mechanism, name) for name in names}) == 1:
         names = dict([next(iter(names.items()))])
-    name = resolved("of", asked.of, names if asked.of or len(told) != 1 else told)
+    name = resolved("of", question.of, names if question.of or len(mentioned) != 1 else mentioned)
     if not _told(quantity, name, words):
         needed = ", ".join(quantity.needs)
         raise TextError(
             "find", f"the text does not give the {needed} that {quantity.name} needs", "ask for another one"
         )
-    if quantity.sense is not None or not asked.along:
+    if quantity.sense is not None or not question.along:
         return Target(quantity.name, name, quantity.sense)
     senses = quantity.of.senses(mechanism, name)
-    if asked.along in (OWN_PATH, OWN_AXLE):
-        senses = _own_line(asked.along, quantity, mechanism, name)
+    if question.along in (OWN_PATH, OWN_AXLE):
+        senses = _own_line(question.along, quantity, mechanism, name)
     if not (quantity.vector or quantity.along) or not senses:
         raise TextError("along", f"{quantity.name} has no components here", "leave it out")
-    return Target(quantity.name, name, sense_named("along", asked.along, senses))
+    return Target(quantity.name, name, sense_named("along", question.along, senses))
 
 
 def _moving(mechanism: Mechanism, name: str) -> str:
@@ -172,21 +172,21 @@ def _told(quantity: Quantity, name: str, words: Words) -> bool:
     return all(quantity.of.gives(need, words.mechanism, name, words.said) for need in quantity.needs)
 
 
-def _of_subject(asked: list[Quantity], name: str, words: Words) -> Iterator[tuple[Target, Noun]]:
+def _of_subject(quantities: list[Quantity], name: str, words: Words) -> Iterator[tuple[Target, Noun]]:
     """Yield targets of one subject: magnitudes, then components along the text's axes, then fixed directions.
 
     If a stated positive sense would reveal the direction, the magnitude is asked for instead.
     """
-    if not asked:
+    if not quantities:
         return
     filler = _Filler(name, words)
-    for quantity in asked:
+    for quantity in quantities:
         if quantity.magnitude:
             templates = quantity.size_phrases(words.mechanism, name)
-            size, how, indirect, states = (filler.of(quantity, said) for said in templates)
+            size, how, indirect, states = (filler.of(quantity, phrase) for phrase in templates)
             noun = Noun(size, how, indirect, quantity.timeless, filler.of(quantity, quantity.over), states)
             yield Target(quantity.name, name, share=quantity.share(None, words.mechanism, name)), noun
-    signed = [quantity for quantity in asked if quantity.signed]
+    signed = [quantity for quantity in quantities if quantity.signed]
     senses = signed[0].of.senses(words.mechanism, name) if signed else []
     along = [(sense, q) for sense in senses for q in signed if q.sense is None and (sense.fixed or not q.magnitude)]
     own = [(quantity.sense, quantity) for quantity in signed if quantity.sense is not None]

@@ -76,15 +76,15 @@ def drift_return(trace: Trace) -> float | None:
     hinges = [n for n, coordinate in enumerate(mechanism.coordinates) if coordinate.kind == "hinge"]
     felt = _felt(mechanism)
     far = float(np.abs((trace.scan.q - start.q)[:, felt]).max(initial=0.0))
-    fast, rapid = (float(np.abs(held).max(initial=0.0)) for held in (trace.scan.v, trace.scan.a))
+    fast, rapid = (float(np.abs(values).max(initial=0.0)) for values in (trace.scan.v, trace.scan.a))
     lengths = [(line, start.length(line)[0]) for line in mechanism.lines]
     same, sizes = max(RECURRENCE_RTOL, ERRS * trace.tolerance), np.linalg.norm(trace.scan.a, axis=1)
     idle = bool(sizes[0] <= RECURRENCE_RTOL * sizes.max())  # nothing is accelerated at first
-    way = trace.scan.a[int(np.argmax(sizes >= 0.5 * sizes.max()))] if idle else start.a[0]
+    direction = trace.scan.a[int(np.argmax(sizes >= 0.5 * sizes.max()))] if idle else start.a[0]
 
     def excess(state: State) -> Array:
         """Return the velocity change, or the acceleration, projected on its initial direction, (n,)."""
-        return (state.a if idle else state.v - start.v[0]) @ way
+        return (state.a if idle else state.v - start.v[0]) @ direction
 
     def alike(here: State) -> bool:
         changes = [np.abs(here.v - start.v) / fast, np.abs(here.a - start.a) / rapid]
@@ -93,7 +93,7 @@ def drift_return(trace: Trace) -> float | None:
         changes += [np.abs(here.length(line)[0] / length - 1.0) for line, length in lengths]
         return all(float(change.max(initial=0.0)) <= same for change in changes)
 
-    if not way.any():
+    if not direction.any():
         return None
     return next((time for time in islice(crossings(trace, excess), MOST) if alike(trace.at(time))), None)
 
@@ -103,7 +103,11 @@ def _felt(mechanism: Mechanism) -> list[int]:
     laws = [force.law for force in mechanism.forces]
     ways = [law.profile.axis for law in laws if isinstance(law, Push | Magnetic) and law.profile.slope]
     coordinates = enumerate(mechanism.coordinates)
-    return [number for number, held in coordinates if any(inner(held.axis, way) != 0.0 for way in ways)]
+    return [
+        number
+        for number, coordinate in coordinates
+        if any(inner(coordinate.axis, field_axis) != 0.0 for field_axis in ways)
+    ]
 
 
 def ends_at_rest(trace: Trace) -> bool:
@@ -180,11 +184,11 @@ def _first_return(trace: Trace, numbers: Sequence[int]) -> float | None:
     """
     mechanism, start, number = trace.mechanism, trace.at(0.0), list(numbers)
     hinges = np.array([mechanism.coordinates[n].kind == "hinge" for n in number], dtype=np.bool_)
-    far, fast = (float(np.abs(held[:, number]).max(initial=0.0)) for held in (trace.scan.q, trace.scan.v))
+    far, fast = (float(np.abs(values[:, number]).max(initial=0.0)) for values in (trace.scan.q, trace.scan.v))
     speeds = start.v[0, number]
     moves = bool((np.abs(speeds) > RECURRENCE_RTOL * fast).any())
-    way = speeds if moves else start.a[0, number]
-    if not way.any():
+    direction = speeds if moves else start.a[0, number]
+    if not direction.any():
         return None
     turned = hinges & (not any(line.wheels for line in mechanism.lines))  # unless a line is wound up
 
@@ -194,7 +198,7 @@ def _first_return(trace: Trace, numbers: Sequence[int]) -> float | None:
 
     def excess(state: State) -> Array:
         """Return the displacement, or the velocity, projected on its initial direction, (n,)."""
-        return (np.where(turned, np.sin(gone(state)), gone(state)) if moves else state.v[:, number]) @ way
+        return (np.where(turned, np.sin(gone(state)), gone(state)) if moves else state.v[:, number]) @ direction
 
     def alike(here: State) -> bool:
         off = np.where(turned, np.remainder(gone(here) + pi, 2.0 * pi) - pi, gone(here))

@@ -67,13 +67,13 @@ def plainly(text: str, units: UnitSystem) -> str:
     Numbers in other units stay unchanged, and so does a sentence that is already written in this way.
     """
     text = " ".join(text.replace(APOSTROPHES, "'").split())
-    for said, spelled in SPELLED_OUT.items():
-        text = text.replace(said, spelled)
+    for phrase, spelled in SPELLED_OUT.items():
+        text = text.replace(phrase, spelled)
     text = re.sub(r"\bt\s*=\s*(?=[\d.])", "t = ", text)
     for unit in ("m", "s", "deg"):
         shown = units.spell(unit)
         if shown in SPELLINGS:
-            text = _pattern(shown).sub(lambda found, shown=shown: _told(found, shown), text)
+            text = _pattern(shown).sub(lambda match, shown=shown: _told(match, shown), text)
     return text
 
 
@@ -89,12 +89,12 @@ def _sizes(unit: str) -> Mapping[str, Decimal]:
     return {name: Decimal(size) for group, size in SPELLINGS[unit].items() for name in group.split()}
 
 
-def _told(found: re.Match[str], unit: str) -> str:
-    said = found["number"]
+def _told(match: re.Match[str], unit: str) -> str:
+    said = match["number"]
     digits = _WORDS.get(said) or _FRACTIONS.get(said) or re.sub(r"[,\u2009\u202f]", "", said)
-    power = (found["power"] or "").translate(_RAISED) or found["exponent"] or "0"
-    value = Decimal(digits).scaleb(int(power)) * _sizes(unit)[found["unit"]]
-    return format_number(float(value), unit) if 0 < value < LARGEST else found[0]
+    power = (match["power"] or "").translate(_RAISED) or match["exponent"] or "0"
+    value = Decimal(digits).scaleb(int(power)) * _sizes(unit)[match["unit"]]
+    return format_number(float(value), unit) if 0 < value < LARGEST else match[0]
 
 
 def parse_question(
@@ -106,9 +106,9 @@ def parse_question(
     numbers may be spelled in any usual way. Where `kinds` are named, only those are tried.
     """
     text, offered = sentence(plainly(text, words.units)), targets(words)
-    heard = {target: noun for target, noun in offered.items() if noun.heard(text)}
-    for kind in (found for name, found in KINDS.items() if kinds is None or name in kinds):
-        for query in kind.parsed(text, study, words, heard):
+    mentioned = {target: noun for target, noun in offered.items() if noun.heard(text)}
+    for kind in (candidate for name, candidate in KINDS.items() if kinds is None or name in kinds):
+        for query in kind.parsed(text, study, words, mentioned):
             noun = offered[query.target] if query.target is not None else None
             if any(
                 sentence(shape) == text
@@ -139,7 +139,7 @@ def _uses_axes(question: Question, study: SimulatedScene) -> bool:
     del study
     moment = question.query.moment
     targets = question.query.target, moment.target if isinstance(moment, Reached) else None
-    return any(held is not None and held.sense is not None and held.sense.axis in AXES for held in targets)
+    return any(target is not None and target.sense is not None and target.sense.axis in AXES for target in targets)
 
 
 def _slackens(question: Question, study: SimulatedScene) -> bool:
@@ -149,11 +149,11 @@ def _slackens(question: Question, study: SimulatedScene) -> bool:
         return True
     time = KINDS[query.kind].time(query, study)
     ends = any(event.kind == "slack" and event.time == time for event in study.trace.events)
-    if time == 0.0 or ends or any(isinstance(held, StaysTaut | AllStayTaut) for held in question.assumed):
+    if time == 0.0 or ends or any(isinstance(each, StaysTaut | AllStayTaut) for each in question.assumed):
         return _has_slackened(question, study)
     if question.formula is not None:
         return True
-    return any(_has_slackened(question, held) for held in (study, *_others(question, study)))
+    return any(_has_slackened(question, each) for each in (study, *_others(question, study)))
 
 
 def _others(question: Question, study: SimulatedScene) -> Iterator[SimulatedScene]:

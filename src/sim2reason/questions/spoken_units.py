@@ -48,19 +48,19 @@ class SpokenUnits:
 
         Electrical units stay as they are, since of those each system has several, and so do those of astronomy.
         """
-        found = parse_unit(unit)
-        if found.name in self.whole:
-            return self.whole[found.name]
-        words = {word: self._said_for(word) for word, _ in factors(found.name)}
-        if found.dimension.current or any(other is None and _is_mechanical(word) for word, other in words.items()):
+        parsed = parse_unit(unit)
+        if parsed.name in self.whole:
+            return self.whole[parsed.name]
+        words = {word: self._said_for(word) for word, _ in factors(parsed.name)}
+        if parsed.dimension.current or any(other is None and _is_mechanical(word) for word, other in words.items()):
             return unit, Decimal(1)
         name, factor = list[str](), Decimal(1)
-        for word, power in factors(found.name):
+        for word, power in factors(parsed.name):
             other, size = words[word] or (word, Decimal(1))
             name.append(f"{other}^{power}")
             factor *= size**power
         spelled = parse_unit(" ".join(name)).name
-        return (spelled if spelled != found.name else unit), factor
+        return (spelled if spelled != parsed.name else unit), factor
 
     def _said_for(self, word: str) -> tuple[str, Decimal] | None:
         """Return the replacement of a single unit, which may have a prefix, and its factor; None if there is none."""
@@ -87,10 +87,18 @@ class SpokenUnits:
 def _is_odd(unit: str, other: tuple[str, Decimal], numbers: Iterable[tuple[float, str]]) -> bool:
     """Return whether the other unit is unusual for the text's numbers of this kind."""
     name, factor = other
-    alike = [(number, found) for number, found in numbers if parse_unit(found).dimension == parse_unit(unit).dimension]
-    if any(parse_unit(found).name not in (unit, name) for _, found in alike):
+    alike = [
+        (number, number_unit)
+        for number, number_unit in numbers
+        if parse_unit(number_unit).dimension == parse_unit(unit).dimension
+    ]
+    if any(parse_unit(number_unit).name not in (unit, name) for _, number_unit in alike):
         return True
-    return any(abs(number) * float(factor) >= 10.0**LARGE for number, found in alike if parse_unit(found).name == unit)
+    return any(
+        abs(number) * float(factor) >= 10.0**LARGE
+        for number, number_unit in alike
+        if parse_unit(number_unit).name == unit
+    )
 
 
 def _mechanical(unit: str) -> set[str]:
@@ -166,9 +174,9 @@ def in_si(text: str) -> tuple[str, ...]:
     def but_grams(number: str, unit: str) -> tuple[str, str] | None:
         return said(number, unit) if unit != "g" else None
 
-    told = _converted(text, said)
-    small = [spoken_in(_SMALL, told)] if told != text else []
-    return tuple(dict.fromkeys((text, told, _converted(text, but_grams), *small)))
+    converted = _converted(text, said)
+    small = [spoken_in(_SMALL, converted)] if converted != text else []
+    return tuple(dict.fromkeys((text, converted, _converted(text, but_grams), *small)))
 
 
 @lru_cache(maxsize=1024)
@@ -201,43 +209,43 @@ Said = Callable[[str, str], tuple[str, str] | None]
 """What a text says in place of a number with a unit; None if it stays."""
 
 
-def _converted(text: str, said: Said) -> str:
+def _converted(text: str, convert: Said) -> str:
     lines = text.split("\n")
     for index, line in enumerate(lines):
         if not line.startswith("|"):
-            lines[index] = _SAID.sub(lambda found: " ".join(said(found[1], found[2]) or (found[1], found[2])), line)
+            lines[index] = _SAID.sub(lambda match: " ".join(convert(match[1], match[2]) or (match[1], match[2])), line)
     for begin, line in enumerate(lines):
         if line.startswith("|") and not (begin and lines[begin - 1].startswith("|")):
             rows = next((k for k in range(begin, len(lines)) if not lines[k].startswith("|")), len(lines))
-            lines[begin:rows] = _table(lines[begin:rows], said)
+            lines[begin:rows] = _table(lines[begin:rows], convert)
     return "\n".join(lines)
 
 
 def _numbers_in(text: str) -> Iterator[tuple[float, str]]:
     """Yield all numbers in a text that have a unit, with their units."""
-    found = list[tuple[str, str]]()
+    numbers = list[tuple[str, str]]()
 
     def noted(number: str, unit: str) -> tuple[str, str]:
-        found.append((number, unit))
+        numbers.append((number, unit))
         return number, unit
 
     _converted(text, noted)
-    for number, unit in found:
+    for number, unit in numbers:
         with suppress(UnitError):
             yield float(_number(number)), parse_unit(unit).name
 
 
-def _table(rows: list[str], said: Said) -> list[str]:
+def _table(rows: list[str], convert: Said) -> list[str]:
     """Return a Markdown table with converted numbers and the units in its headings."""
     cells = [row.strip("| ").split(" | ") for row in rows]
     for column, heading in enumerate(cells[0]):
         unit = _HEADING.search(heading)
-        if unit is None or (other := said("1", unit[1])) is None:
+        if unit is None or (other := convert("1", unit[1])) is None:
             continue
         cells[0][column] = f"{heading[: unit.start()]} ({other[1]})"
         for row in cells[2:]:
             if re.fullmatch(_DECIMAL, row[column]):
-                row[column] = (said(row[column], unit[1]) or (row[column],))[0]
+                row[column] = (convert(row[column], unit[1]) or (row[column],))[0]
     return [f"| {' | '.join(row)} |" for row in cells]
 
 

@@ -58,8 +58,8 @@ class JustBefore(Happening):
 
     def phrases(self, words: Words) -> tuple[str, ...]:
         """Return phrases such as *just before the block comes to rest*."""
-        told = (phrase for phrase in self.inner.phrases(words) if phrase.startswith("when "))
-        return tuple(f"just before {phrase.removeprefix('when ')}" for phrase in told)
+        clauses = (phrase for phrase in self.inner.phrases(words) if phrase.startswith("when "))
+        return tuple(f"just before {phrase.removeprefix('when ')}" for phrase in clauses)
 
     def clause(self, words: Words) -> Clause | None:
         """Return None: a question about the time asks about the inner moment instead."""
@@ -132,98 +132,98 @@ class StructuredQuestion:
         return f"({', '.join(f'{name}: {part}' for name, part in parts.items() if part)})"
 
 
-def resolved(place: str, said: str, candidates: Mapping[str, str]) -> str:
+def resolved(field_name: str, text: str, candidates: Mapping[str, str]) -> str:
     """Return the name of the candidate, among names with their phrases, that a text denotes; TextError if not unique.
 
-    `said` may be the name, the phrase with or without an article, or a part that only one candidate has. If `said` is
-    empty, the only candidate is meant. TextError, at `place`, if no candidate matches, or several do.
+    `text` may be the name, the phrase with or without an article, or a part that only one candidate has. If `text` is
+    empty, the only candidate is meant. TextError, at `field_name`, if no candidate matches, or several do.
     """
-    if not said and len(candidates) == 1:
+    if not text and len(candidates) == 1:
         return next(iter(candidates))
-    ranks = {name: rank for name, phrase in candidates.items() if (rank := _rank(said, name, phrase)) is not None}
-    found = [name for name, rank in ranks.items() if rank == min(ranks.values())] if said else []
-    if len(found) == 1:
-        return found[0]
+    ranks = {name: rank for name, phrase in candidates.items() if (rank := _rank(text, name, phrase)) is not None}
+    matches = [name for name, rank in ranks.items() if rank == min(ranks.values())] if text else []
+    if len(matches) == 1:
+        return matches[0]
     if not candidates:
-        raise TextError(place, "this scene has nothing of that kind", "ask about something else")
-    problem = f"there is no {said!r} here" if said else "it does not say what it is about"
-    raise TextError(place, problem, _meant(said, [*candidates, *candidates.values()], candidates))
+        raise TextError(field_name, "this scene has nothing of that kind", "ask about something else")
+    problem = f"there is no {text!r} here" if text else "it does not say what it is about"
+    raise TextError(field_name, problem, _meant(text, [*candidates, *candidates.values()], candidates))
 
 
-def _rank(said: str, name: str, phrase: str) -> int | None:
-    """Return the rank of the match between `said` and a candidate, 0 being the best; None if there is no match."""
-    asked, bare = _bare(said), _bare(phrase)
+def _rank(text: str, name: str, phrase: str) -> int | None:
+    """Return the rank of the match between `text` and a candidate, 0 being the best; None if there is no match."""
+    bare_text, bare = _bare(text), _bare(phrase)
     tests = (
-        said == name,
-        asked == bare,
-        asked == bare.rpartition(" ")[2],
-        f".{name}".endswith(f".{said}"),
-        asked in (bare.partition(" ")[0], *re.split(r"[._]", name)),
+        text == name,
+        bare_text == bare,
+        bare_text == bare.rpartition(" ")[2],
+        f".{name}".endswith(f".{text}"),
+        bare_text in (bare.partition(" ")[0], *re.split(r"[._]", name)),
     )
     return next((rank for rank, holds in enumerate(tests) if holds), None)
 
 
-def _bare(said: str) -> str:
-    return said.lower().removeprefix("the ").strip()
+def _bare(text: str) -> str:
+    return text.lower().removeprefix("the ").strip()
 
 
-def _meant(said: str, names: Iterable[str], shown: Iterable[str] | None = None) -> str:
-    near = nearest(said, list(dict.fromkeys(names)))
+def _meant(text: str, names: Iterable[str], shown: Iterable[str] | None = None) -> str:
+    near = nearest(text, list(dict.fromkeys(names)))
     return f"did you mean: {', '.join(near)}" if near else f"there are: {', '.join(shown or names)}"
 
 
-def one_of(place: str, said: str, names: Iterable[str]) -> str:
-    """Return `said` if it is one of `names`; TextError, at `place`, with the nearest names, otherwise."""
+def one_of(field_name: str, text: str, names: Iterable[str]) -> str:
+    """Return `text` if it is one of `names`; TextError, at `field_name`, with the nearest names, otherwise."""
     known = list(dict.fromkeys(names))
-    if said not in known:
-        raise TextError(place, f"there is no {said!r}", _meant(said, known))
-    return said
+    if text not in known:
+        raise TextError(field_name, f"there is no {text!r}", _meant(text, known))
+    return text
 
 
-def measured(place: str, said: str, unit: str) -> float:
+def measured(field_name: str, text: str, unit: str) -> float:
     """Return the value, in `unit`, of a number with a unit, by default `unit`; TextError if there is no number."""
-    match = _NUMBER.fullmatch(said.strip())
+    match = _NUMBER.fullmatch(text.strip())
     if match is None:
-        raise TextError(place, f"{said!r} is no number", f"give one, such as: 2.5 {unit}".rstrip())
+        raise TextError(field_name, f"{text!r} is no number", f"give one, such as: 2.5 {unit}".rstrip())
     try:
         factor = parse_unit(match[2] or unit).factor_to(parse_unit(unit))
     except UnitError as error:
-        raise TextError(place, str(error), f"give it in {unit}") from None
+        raise TextError(field_name, str(error), f"give it in {unit}") from None
     if factor is None:
-        raise TextError(place, f"{said!r} is not measured in {unit}", f"give it in {unit}")
+        raise TextError(field_name, f"{text!r} is not measured in {unit}", f"give it in {unit}")
     return float(f"{float(match[1]) * factor:.15g}")
 
 
-def sense_named(place: str, said: str, senses: Iterable[Sense]) -> Sense:
+def sense_named(field_name: str, text: str, senses: Iterable[Sense]) -> Sense:
     """Return the direction with a given name: the name of its axis, or of its positive sense."""
     by_name = {name: sense for sense in senses for name in (sense.positive, sense.axis) if name}
-    return by_name[resolved(place, said, {name: name for name in by_name})]
+    return by_name[resolved(field_name, text, {name: name for name in by_name})]
 
 
-def moment_named(asked: StructuredQuestion, words: Words) -> Moment:
+def moment_named(question: StructuredQuestion, words: Words) -> Moment:
     """Return the moment that a structured question names, with the numbers and the side given beside the name.
 
     As in *moved 0.5 m*, *block A stopped*, *second collided before*, *t = 2 s*. The moment's subject stands before the
     name; by default it is the subject of the question. TextError if there is no such moment.
     """
-    said = asked.when or START
-    name, before, after = _split(said)
+    text = question.when or START
+    name, before, after = _split(text)
     cls = MOMENTS[name]
     rest = " ".join(part for part in (before, after) if part)
-    held = {field.name: field.type for field in fields(cast("Any", cls))}
+    field_types = {field.name: field.type for field in fields(cast("Any", cls))}
     values: dict[str, object] = {}
-    sided, side = held.get("after") is bool, _BEFORE.search(rest) is None
+    sided, side = field_types.get("after") is bool, _BEFORE.search(rest) is None
     if sided or (not side and issubclass(cls, Happening)):
         values |= {"after": side} if sided else {}
         before, after = (_AFTER.sub("", _BEFORE.sub("", part)).strip() for part in (before, after))
     for field, unit in _measures(cls, words).items():
-        if after or held[field] is float:
-            values[field] = cast("type[float]", held[field])(measured("when", after, unit))
-    if "number" in held:
+        if after or field_types[field] is float:
+            values[field] = cast("type[float]", field_types[field])(measured("when", after, unit))
+    if "number" in field_types:
         before, values["number"] = _counted(before)
-    if "name" in held:
+    if "name" in field_types:
         candidates = cast("Any", cls).candidates(words)
-        values["name"] = resolved("when", before or _same(asked.of, candidates), candidates)
+        values["name"] = resolved("when", before or _same(question.of, candidates), candidates)
     moment = cls(**values)
     return moment if sided or side or not isinstance(moment, Happening) else JustBefore(moment)
 
@@ -233,20 +233,20 @@ def moment_told(moment: Moment, words: Words) -> str:
     if isinstance(moment, JustBefore):
         return f"{moment_told(moment.inner, words)} before"
     name = next(name for name, cls in MOMENTS.items() if cls is type(moment)).replace("_", " ")
-    held: dict[str, Any] = {field.name: getattr(moment, field.name) for field in fields(cast("Any", moment))}
-    values = [f"{held[field]:.15g} {unit}" for field, unit in _measures(type(moment), words).items()]
-    number = int(held.get("number", 1))
+    field_values: dict[str, Any] = {field.name: getattr(moment, field.name) for field in fields(cast("Any", moment))}
+    values = [f"{field_values[field]:.15g} {unit}" for field, unit in _measures(type(moment), words).items()]
+    number = int(field_values.get("number", 1))
     count = ORDINALS[number - 1] if number > 1 else ""
-    side = "before" if held.get("after") is False else ""
-    return " ".join(filter(None, (count, str(held.get("name", "")), name, *values, side)))
+    side = "before" if field_values.get("after") is False else ""
+    return " ".join(filter(None, (count, str(field_values.get("name", "")), name, *values, side)))
 
 
 def _measures(cls: type[Moment], words: Words) -> dict[str, str]:
     """Return the scene's unit for each field of a class of moments that holds a number with a unit."""
     units = {float: words.units.spell(getattr(cls, "unit", "s"))}
-    held = {field.name: units.get(cast("Any", field.type)) for field in fields(cast("Any", cls))}
-    held |= {"degrees": "deg"} if "degrees" in held else {}
-    return {name: unit for name, unit in held.items() if unit is not None}
+    field_units = {field.name: units.get(cast("Any", field.type)) for field in fields(cast("Any", cls))}
+    field_units |= {"degrees": "deg"} if "degrees" in field_units else {}
+    return {name: unit for name, unit in field_units.items() if unit is not None}
 
 
 def _same(of: str, candidates: Mapping[str, str]) -> str:
@@ -257,14 +257,14 @@ def _same(of: str, candidates: Mapping[str, str]) -> str:
         return ""
 
 
-def _split(said: str) -> tuple[str, str, str]:
+def _split(text: str) -> tuple[str, str, str]:
     """Return a moment's name, and the text before and after the name; TextError if the text names no moment."""
-    plain = said.replace("_", " ")
+    plain = text.replace("_", " ")
     for name in sorted(MOMENTS, key=len, reverse=True):
         spelled = name.replace("_", " ")
-        found = re.search(rf"(?:^|(?<=\s)){re.escape(spelled)}(?=\s|$)", plain)
-        if found is not None:
-            return name, said[: found.start()].strip(), said[found.end() :].strip()
+        match = re.search(rf"(?:^|(?<=\s)){re.escape(spelled)}(?=\s|$)", plain)
+        if match is not None:
+            return name, text[: match.start()].strip(), text[match.end() :].strip()
     time = re.fullmatch(r"(?:at\s+)?(?:t\s*=\s*)?([\d.].*)", plain)
     if time is not None:
         return "at_time", "", time[1]
@@ -273,15 +273,15 @@ def _split(said: str) -> tuple[str, str, str]:
     words = plain.split(" ")
     spans = [" ".join(words[a:b]) for a in range(len(words)) for b in range(a + 1, min(a + 4, len(words)) + 1)]
     names = [name.replace("_", " ") for name in MOMENTS]
-    near = [found for span in spans for found in nearest(span, names, 1)]
+    near = [match for span in spans for match in nearest(span, names, 1)]
     remedy = f"did you mean: {', '.join(dict.fromkeys(near))}" if near else "see: sim2reason list moments"
-    raise TextError("when", f"{said!r} names no moment", remedy)
+    raise TextError("when", f"{text!r} names no moment", remedy)
 
 
 def _counted(before: str) -> tuple[str, int]:
     """Return the text before a moment's name without its ordinal, and the ordinal's number, by default 1."""
     for word, number in _COUNTS.items():
-        found = re.search(rf"\b{word}\b", before)
-        if found is not None:
-            return " ".join((before[: found.start()] + before[found.end() :]).split()), number
+        match = re.search(rf"\b{word}\b", before)
+        if match is not None:
+            return " ".join((before[: match.start()] + before[match.end() :]).split()), number
     return before, 1

@@ -109,8 +109,8 @@ class SimulatedScene(Memo):
 
     def changed(self, name: Hashable, change: Change, until: float | None = None) -> "SimulatedScene | None":
         """Return the motion of the changed mechanism, cached under the change's `name`; None if simulation fails."""
-        whole = change if self.change is None else _one_after(self.change, change)
-        return self._simulate_variant(name, lambda: (self.scene, change(self.mechanism), whole), until)
+        combined_change = change if self.change is None else _one_after(self.change, change)
+        return self._simulate_variant(name, lambda: (self.scene, change(self.mechanism), combined_change), until)
 
     def _simulate_variant(
         self,

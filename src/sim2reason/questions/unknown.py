@@ -45,8 +45,8 @@ def derived_numbers(scene: Scene) -> Mapping[str, DerivedNumber]:
             owner = parameter.path.rpartition(".")[0]
             parts[owner].append(parameter.path)
             units[owner] = parameter.measure.unit
-    found = (DerivedNumber(f"{owner}.{SPEED}", units[owner], tuple(held)) for owner, held in parts.items())
-    return {number.path: number for number in found}
+    derived = (DerivedNumber(f"{owner}.{SPEED}", units[owner], tuple(paths)) for owner, paths in parts.items())
+    return {number.path: number for number in derived}
 
 
 def number_at(scene: Scene, path: str) -> float:
@@ -100,8 +100,12 @@ class Unknown:
     @classmethod
     def of(cls, scene: Scene, parameter: Parameter, mentions: Mapping[str, str], symbol: str) -> Self | None:
         """Return the unknown for a number; None for positions and for numbers without a range."""
-        held, measure, owner = _field(scene, parameter.path), parameter.measure, parameter.path.rpartition(".")[0]
-        if held.drawn is None or held.drawn.low == held.drawn.high or (held.least < 0.0 and measure.unit in LENGTHS):
+        field_type, measure, owner = _field(scene, parameter.path), parameter.measure, parameter.path.rpartition(".")[0]
+        if (
+            field_type.drawn is None
+            or field_type.drawn.low == field_type.drawn.high
+            or (field_type.least < 0.0 and measure.unit in LENGTHS)
+        ):
             return None
         shown = f"${symbol}$"
         like = [p for p in scene.parameters if p.measure.noun == measure.noun and p.path.rpartition(".")[0] == owner]
@@ -123,9 +127,9 @@ def _by_symbol(name: str, shown: str) -> tuple[str, str]:
 
 def unknowns(scene: Scene, mentions: Mapping[str, str], symbols: Mapping[str, str]) -> list[Unknown]:
     """Return all numbers that the text states and could leave unknown, with their symbols."""
-    spoken = [p for p in scene.parameters if p.path in symbols and p.value and not p.hidden]
-    found = (Unknown.of(scene, p, mentions, symbols[p.path]) for p in spoken)
-    return [unknown for unknown in found if unknown is not None]
+    stated_parameters = [p for p in scene.parameters if p.path in symbols and p.value and not p.hidden]
+    candidates = (Unknown.of(scene, p, mentions, symbols[p.path]) for p in stated_parameters)
+    return [unknown for unknown in candidates if unknown is not None]
 
 
 def draw_unknowns(offered: Sequence[Unknown], scene: Scene, rng: np.random.Generator) -> Iterator[Unknown]:
@@ -135,10 +139,10 @@ def draw_unknowns(offered: Sequence[Unknown], scene: Scene, rng: np.random.Gener
     """
     left = list(offered)
     for _ in range(min(MAX_UNKNOWNS, len(left))):
-        sought = {found.name: found.sought for found in sorted(left, key=lambda found: found.name)}
+        sought = {unknown.name: unknown.sought for unknown in sorted(left, key=lambda unknown: unknown.name)}
         shares = np.array([*sought.values()]) / sum(sought.values())
         name = [*sought][int(rng.choice(len(sought), p=shares))]
-        same = [found for found in left if found.name == name]
+        same = [unknown for unknown in left if unknown.name == name]
         taken = same[int(rng.integers(len(same)))]
         left.remove(taken)
         if _keeps_routes(scene, taken.path):
@@ -167,14 +171,14 @@ def range_of(scene: Scene, path: str, about: float = 0.0) -> tuple[float, ...]:
     if (derived := derived_numbers(scene).get(path)) is not None:
         size = derived.value(scene)
         return tuple(np.geomspace(size / WIDER, size * WIDER, POINTS).tolist()) if size else ()
-    held, unit = _field(scene, path), next(p.measure.unit for p in scene.parameters if p.path == path)
-    assert held.drawn is not None
-    low, high = held.drawn.low, held.drawn.high
-    least, most = limits_of(scene, path)
+    field_type, unit = _field(scene, path), next(p.measure.unit for p in scene.parameters if p.path == path)
+    assert field_type.drawn is not None
+    low, high = field_type.drawn.low, field_type.drawn.high
+    smallest, most = limits_of(scene, path)
     if low < 0.0:
         return tuple(_of_either_sign(max(-low, high), most, abs(about)).tolist())
     spaced = np.linspace if unit == "deg" else np.geomspace
-    begin = max((low if unit == "deg" else max(low, high * LEAST)) / WIDER, least)
+    begin = max((low if unit == "deg" else max(low, high * LEAST)) / WIDER, smallest)
     usual = spaced(begin, min(high * WIDER, most), POINTS)
     return (*usual.tolist(), *_onwards(usual, min(about * WIDER, most)))
 
@@ -182,12 +186,12 @@ def range_of(scene: Scene, path: str, about: float = 0.0) -> tuple[float, ...]:
 def limits_of(scene: Scene, path: str) -> tuple[float, float]:
     """Return the least and the greatest value that a number's declaration and the related numbers beside it allow."""
     owner, _, name = path.rpartition(".")
-    value, held = scene.value(owner), _field(scene, path)
+    value, field_type = scene.value(owner), _field(scene, path)
     kinds = field_types(cast("type[Model]", type(value)))
-    less = getattr(value, held.above) if held.above else None
+    less = getattr(value, field_type.above) if field_type.above else None
     greater = [getattr(value, other) for other, kind in kinds.items() if kind.above == name]
-    least = held.least if less is None else max(held.least, less * NUDGE)
-    return least, min([held.most, *(number / NUDGE for number in greater if number is not None)])
+    smallest = field_type.least if less is None else max(field_type.least, less * NUDGE)
+    return smallest, min([field_type.most, *(number / NUDGE for number in greater if number is not None)])
 
 
 def beyond_range(scene: Scene, path: str) -> tuple[tuple[float, ...], ...]:
@@ -203,8 +207,8 @@ def beyond_range(scene: Scene, path: str) -> tuple[tuple[float, ...], ...]:
     if unit == "deg" or values[0] <= 0.0:
         return ()
     limits = limits_of(scene, path)
-    least, most = max(values[0] / FARTHEST, limits[0]), min(values[-1] * FARTHEST, limits[1])
-    ends = ((least, values[0]), (values[-1], most))
+    smallest, most = max(values[0] / FARTHEST, limits[0]), min(values[-1] * FARTHEST, limits[1])
+    ends = ((smallest, values[0]), (values[-1], most))
     return tuple(tuple(np.geomspace(low, high, POINTS // 2).tolist()) for low, high in ends if 0.0 < low < high)
 
 
@@ -219,8 +223,8 @@ def far_from(values: Sequence[float], about: float, unit: str) -> list[float]:
     low, high = (values[0], values[-1]) if about > 0.0 else (-values[-1], -values[0])
     size = abs(about)
     times = (*(FAR ** (n / STEPS) for n in range(1, STEPS + 1)), *FARTHER)
-    tried = (size * by**side for by in times for side in (1, -1))
-    return [found if about > 0.0 else -found for found in tried if found > high or found < low]
+    candidates = (size * by**side for by in times for side in (1, -1))
+    return [candidate if about > 0.0 else -candidate for candidate in candidates if candidate > high or candidate < low]
 
 
 def _onwards(points: Array, end: float) -> list[float]:

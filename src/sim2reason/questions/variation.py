@@ -42,13 +42,13 @@ class SceneAfterRemoval(Scene):
             SimulationError: the motion cannot be solved.
             UnsupportedError: the motion ends before, or its state is more than places and velocities.
         """
-        whole = self.builder.finish()
-        trace = ENGINES[RECORDED](whole, np.linspace(0.0, self.after, SAMPLES))
+        original = self.builder.finish()
+        trace = ENGINES[RECORDED](original, np.linspace(0.0, self.after, SAMPLES))
         if trace.stable_until < self.after or float(trace.state.times[-1]) < self.after:
             raise UnsupportedError(f"the motion is not described until {self.after:g} s")
-        _refuse_memory(whole)
+        _refuse_memory(original)
         state = trace.at(self.after)
-        there = displaced(whole, state.q[0].tolist(), state.v[0].tolist())
+        there = displaced(original, state.q[0].tolist(), state.v[0].tolist())
         return replace(
             _without_lines(there, frozenset(self.removed)),
             forces=tuple(_later(force, self.after) for force in there.forces if force.name not in self.removed),
@@ -99,11 +99,11 @@ def removable(words: Words) -> Mapping[str, str]:
     """Return the text's phrases for everything that can be removed, by name: lines, hands and fields."""
     mechanism = words.mechanism
     kinds = (Strings(), SwingingLines(), Springs(), Rods(), Hands())
-    named = {name: said for kind in kinds for name, said in words.called(kind).items()}
-    whole = {line.name: line.whole for line in mechanism.lines}
-    found = {whole[name]: said for name, said in named.items() if name in whole}
+    named = {name: phrase for kind in kinds for name, phrase in words.called(kind).items()}
+    line_by_part = {line.name: line.whole for line in mechanism.lines}
+    phrases = {line_by_part[name]: phrase for name, phrase in named.items() if name in line_by_part}
     forces = {force.name: FIELDS.get(force.name.rpartition(".")[2], "") for force in mechanism.forces}
-    return found | {name: said for name, said in forces.items() if said}
+    return phrases | {name: phrase for name, phrase in forces.items() if phrase}
 
 
 def after_removal(scene: Scene, removed: tuple[str, ...], after: float) -> Scene:
@@ -147,7 +147,7 @@ class SceneChange:
         return ", ".join((*numbers, *(f"{body} {FIXED}" for body in self.fixed), *removed))
 
 
-def variation(said: str, scene: Scene, words: Words, time_of: Callable[[str, SceneChange], float]) -> SceneChange:
+def variation(text: str, scene: Scene, words: Words, time_of: Callable[[str, SceneChange], float]) -> SceneChange:
     """Return the changes that a structured question names, as in *ramp.angle = 30°, left.mass × 2, box fixed*.
 
     As in *tendon_1 removed at 1.5 s*, something may be removed in the course of the motion, at a time or at a moment,
@@ -155,7 +155,7 @@ def variation(said: str, scene: Scene, words: Words, time_of: Callable[[str, Sce
 
     TextError if a change names no number or body of the scene, or has no value; or if there are two times.
     """
-    parts = _PARTED.split(said.strip())
+    parts = _PARTED.split(text.strip())
     if len(parts) > MAX_CHANGES:
         raise TextError("change", f"there are {len(parts)} changes", f"give at most {MAX_CHANGES}")
     values, fixed, units, removed = dict[str, float](), list[str](), units_of(scene), dict[str, str]()
@@ -164,15 +164,15 @@ def variation(said: str, scene: Scene, words: Words, time_of: Callable[[str, Sce
         if gone is not None and CHANGE.fullmatch(gone["what"]) is None:
             removed[resolved("change", gone["what"], removable(words))] = gone["when"] or ""
             continue
-        found, held = CHANGE.fullmatch(part), _FIXED.fullmatch(part)
-        if held is not None and found is None:
-            fixed.append(_body(held["body"], scene, words))
+        match, fixed_match = CHANGE.fullmatch(part), _FIXED.fullmatch(part)
+        if fixed_match is not None and match is None:
+            fixed.append(_body(fixed_match["body"], scene, words))
             continue
-        if found is None:
+        if match is None:
             raise TextError("change", f"{part!r} changes nothing", "say how, such as: ramp.speed = 5 m/s")
-        path = resolved("change", found["number"], {path: words.named.get(path, path) for path in units})
-        value = measured("change", found["value"], units[path] if found["sign"] == "=" else "")
-        values[path] = value if found["sign"] == "=" else value * number_at(scene, path)
+        path = resolved("change", match["number"], {path: words.named.get(path, path) for path in units})
+        value = measured("change", match["value"], units[path] if match["sign"] == "=" else "")
+        values[path] = value if match["sign"] == "=" else value * number_at(scene, path)
     change = SceneChange(tuple(values.items()), tuple(fixed))
     return _removing(removed, change, words, time_of) if removed else change
 
@@ -193,25 +193,25 @@ def _removing(
     return replace(change, removed=tuple(removed), after=after)
 
 
-def is_removal(said: str) -> bool:
+def is_removal(text: str) -> bool:
     """Return whether one of the changes that a structured question names is the removal of something."""
-    return any(map(REMOVAL.fullmatch, _PARTED.split(said)))
+    return any(map(REMOVAL.fullmatch, _PARTED.split(text)))
 
 
-def _body(said: str, scene: Scene, words: Words) -> str:
-    held = {name: words.mentions.get(name, name) for name in scene.builder.bodies}
-    return resolved("change", said, held)
+def _body(text: str, scene: Scene, words: Words) -> str:
+    mentions = {name: words.mentions.get(name, name) for name in scene.builder.bodies}
+    return resolved("change", text, mentions)
 
 
 def units_of(scene: Scene) -> Mapping[str, str]:
     """Return the units of all numbers that the text of a scene states, derived ones included, by address."""
-    said = {p.path: p.measure.unit for p in scene.parameters if p.value is not None and not p.hidden}
-    return said | {path: number.unit for path, number in derived_numbers(scene).items()}
+    stated_units = {p.path: p.measure.unit for p in scene.parameters if p.value is not None and not p.hidden}
+    return stated_units | {path: number.unit for path, number in derived_numbers(scene).items()}
 
 
 def words_in(scene: Scene, words: Words) -> Words:
     """Return the words for a changed scene, given those for the scene before the change."""
-    said = units_of(scene)
-    symbols = {path: symbol for path, symbol in words.symbols.items() if path in said}
-    found = Words.of(scene, words.mentions, symbols, symbols)
-    return replace(found, unknowns=[unknown for unknown in words.unknowns if unknown.path in said])
+    stated_units = units_of(scene)
+    symbols = {path: symbol for path, symbol in words.symbols.items() if path in stated_units}
+    new_words = Words.of(scene, words.mentions, symbols, symbols)
+    return replace(new_words, unknowns=[unknown for unknown in words.unknowns if unknown.path in stated_units])

@@ -55,13 +55,13 @@ def named_numbers(scene: Scene, mentions: Mapping[str, str]) -> Mapping[str, str
 
 def _phrase(scene: Scene, parameter: Parameter, mentions: Mapping[str, str]) -> str:
     measure, owner = parameter.measure, parameter.path.rpartition(".")[0]
-    noun, said = measure.noun, mentions.get(owner, "") if owner in scene.bodies else ""
-    if said and noun in OF_BODIES:
-        return f"the {noun.removeprefix('pulley ')} of {said}"
-    if said and noun == CHARGE:
-        return f"the charge of {said}"
-    if said.removeprefix("the ") in SLOPES and measure.name in ("angle", "tilt"):
-        return f"the angle of inclination of {said}"
+    noun, mention = measure.noun, mentions.get(owner, "") if owner in scene.bodies else ""
+    if mention and noun in OF_BODIES:
+        return f"the {noun.removeprefix('pulley ')} of {mention}"
+    if mention and noun == CHARGE:
+        return f"the charge of {mention}"
+    if mention.removeprefix("the ") in SLOPES and measure.name in ("angle", "tilt"):
+        return f"the angle of inclination of {mention}"
     return "" if owner == "world" else OF_SCENES.get(measure.name, OF_SCENES.get(noun, ""))
 
 
@@ -98,12 +98,12 @@ def symbol_for(value: float, unit: str, taken: Collection[str]) -> OwnSymbol | N
     return OwnSymbol(noun, free, value) if free is not None else None
 
 
-def spoken_of(symbol: str, said: str, units: UnitSystem) -> tuple[str, OwnSymbol] | None:
+def spoken_of(symbol: str, text: str, units: UnitSystem) -> tuple[str, OwnSymbol] | None:
     """Return the number for a symbol, from its text with a unit, and the SI unit; None if it can have no symbol."""
     for unit, (noun, options) in OWN.items():
         shown = join_unit("", units.spell(unit))
-        if symbol in options and said.endswith(shown):
-            return unit, OwnSymbol(noun, symbol, float(said.removesuffix(shown)))
+        if symbol in options and text.endswith(shown):
+            return unit, OwnSymbol(noun, symbol, float(text.removesuffix(shown)))
     return None
 
 
@@ -116,10 +116,10 @@ def format_number(value: float, unit: str) -> str:
 
 def numbers_in_text(text: str, unit: str) -> list[float]:
     """Return the numbers with a given unit in a text."""
-    found = [float(number) for number in _number(unit).findall(text)]
+    numbers = [float(number) for number in _number(unit).findall(text)]
     if unit == METRE:
-        found += [float(Decimal(number) * int(KILO)) for number in _number("km").findall(text)]
-    return found
+        numbers += [float(Decimal(number) * int(KILO)) for number in _number("km").findall(text)]
+    return numbers
 
 
 @cache
@@ -160,14 +160,14 @@ def rounded_as_written(value: float) -> float:
     return float(two_digits(value))
 
 
-def round_number(value: float, least: float, most: float) -> float:
+def round_number(value: float, smallest: float, most: float) -> float:
     """Return the round number nearest to a positive one, such as 0.4, 1.5 or 25, between two bounds.
 
     Where none does, the number is returned with two significant digits.
     """
     tens = floor(log10(value))
-    found = [float(f"{mantissa}e{exponent}") for exponent in (tens - 1, tens, tens + 1) for mantissa in ROUND]
-    fitting = [number for number in found if least <= number <= most]
+    candidates = [float(f"{mantissa}e{exponent}") for exponent in (tens - 1, tens, tens + 1) for mantissa in ROUND]
+    fitting = [number for number in candidates if smallest <= number <= most]
     return min(fitting, key=lambda number: abs(log10(number / value)), default=rounded_as_written(value))
 
 
@@ -198,14 +198,16 @@ class Words:
 
         `unknown` has the symbol of each number that it leaves unknown, or could; `symbols` those that all would have.
         """
-        said = frozenset(p.path for p in scene.parameters if p.value is not None and not p.hidden)
+        stated_paths = frozenset(p.path for p in scene.parameters if p.value is not None and not p.hidden)
         offered = unknowns(scene, mentions, unknown or {})
         named = named_numbers(scene, mentions)
-        return cls(scene.mechanism, mentions, scene.starts_from_rest, said, offered, symbols or {}, named=named)
+        return cls(scene.mechanism, mentions, scene.starts_from_rest, stated_paths, offered, symbols or {}, named=named)
 
     def in_symbols(self, own: Mapping[str, OwnSymbol]) -> Self:
         """Return words with symbols in place of the text's numbers; `own` has the symbols of the question's numbers."""
-        unknowns = [found.called(self.symbols[found.path]) for found in self.unknowns if found.path in self.symbols]
+        unknowns = [
+            unknown.called(self.symbols[unknown.path]) for unknown in self.unknowns if unknown.path in self.symbols
+        ]
         return replace(self, symbolic=True, own=own, unknowns=unknowns)
 
     @cached_property
@@ -242,10 +244,10 @@ class Words:
 
     def called(self, of: Subject) -> Mapping[str, str]:
         """Return the phrases for subjects of one kind, by name."""
-        found = self._called.get(of.name)
-        if found is None:
-            found = self._called[of.name] = of.phrases(self.mechanism, self.mentions)
-        return found
+        phrases = self._called.get(of.name)
+        if phrases is None:
+            phrases = self._called[of.name] = of.phrases(self.mechanism, self.mentions)
+        return phrases
 
     def fills(self, of: Subject, name: str) -> dict[str, str]:
         """Return the texts of further placeholders in phrases about one subject, by placeholder."""

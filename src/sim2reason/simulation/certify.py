@@ -102,8 +102,8 @@ class Certificate:
         Returns:
             The time; negative if the channel was not compared.
         """
-        found = self.until.get(channel)
-        return min(self.stable_until, self._until_of_others.get(channel, -1.0) if found is None else found)
+        until = self.until.get(channel)
+        return min(self.stable_until, self._until_of_others.get(channel, -1.0) if until is None else until)
 
     def covers(self, channel: Channel, time: float) -> bool:
         """Return whether both engines agree on a channel at a time.
@@ -184,8 +184,8 @@ def compare(recorded: Trace, witness: Trace) -> Certificate:
     blind = tuple(_around(match, near) for match in matched)
     if parted is not None and parted.time >= float(times[-1]) - near:  # one engine may see it just after the end
         blind += ((parted.time - near, parted.time + near),)
-    heard = (times <= end) & ~_inside(times, blind)
-    table = _Table(recorded.state, witness.state, times <= end, heard, EVENTFUL if changes else SMOOTH)
+    compared = (times <= end) & ~_inside(times, blind)
+    table = _Table(recorded.state, witness.state, times <= end, compared, EVENTFUL if changes else SMOOTH)
     stable, worst = table.first_over()
     if worst is not None and stable < end:
         end, reason = stable, f"the engines disagree on the {worst.quantity} of {worst.subject}"
@@ -210,16 +210,16 @@ def _match(recorded: list[Event], witness: list[Event], near: float) -> tuple[tu
     """Return the events that both engines recorded, and the first event without a counterpart in the same order."""
     left, matched, single = list(witness), list[Match](), list[Event]()
     for event in recorded:
-        found = next((other for other in left if _same(event, other, near)), None)
-        if found is None:
+        counterpart = next((other for other in left if _same(event, other, near)), None)
+        if counterpart is None:
             single.append(event)
             continue
-        before = left[: left.index(found)]
+        before = left[: left.index(counterpart)]
         if any(set(event.subjects) & set(other.subjects) for other in before):
             single.append(event)
             continue
-        left.remove(found)
-        matched.append(Match(event, found.time - event.time))
+        left.remove(counterpart)
+        matched.append(Match(event, counterpart.time - event.time))
     single = sorted([*single, *left], key=lambda event: event.time)
     if not single:
         return tuple(matched), None
@@ -264,21 +264,21 @@ class _Table:
         """Return the time, s, of the first disagreement of each channel about which recipes draw no questions."""
         known, self.until = self.until, {}
         self._compare_all(drawn=False)
-        found, self.until = self.until, known
-        return found
+        disagreements, self.until = self.until, known
+        return disagreements
 
     def _compare_all(self, *, drawn: bool) -> None:
         mechanism = self._both.mechanism
         movable = [body.mass for body in mechanism.bodies if self._both.began[body.name].steps]
         heaviest = max(movable, default=0.0) or 1.0  # a fixed star's mass would hide every momentum of its planets
-        found: dict[str, tuple[Quantity, list[tuple[Channel, Array]]]] = {}
+        by_quantity: dict[str, tuple[Quantity, list[tuple[Channel, Array]]]] = {}
         for channel, quantity in channels(mechanism):
             if quantity.drawn_by_recipes != drawn:
                 continue
             values = quantity.evaluate(self._both, channel.subject)
             columns = values if values.ndim == 2 else values[:, None]
-            found.setdefault(channel.quantity, (quantity, []))[1].append((channel, columns))
-        for quantity, members in found.values():
+            by_quantity.setdefault(channel.quantity, (quantity, []))[1].append((channel, columns))
+        for quantity, members in by_quantity.values():
             self._compare(quantity, members, heaviest)
 
     def _compare(self, quantity: Quantity, members: list[tuple[Channel, Array]], heaviest: float) -> None:
@@ -289,14 +289,14 @@ class _Table:
         size = np.sqrt((ours * ours).sum(axis=2))
         floor = quantity.floor * heaviest if quantity.heavy else quantity.floor  # a smaller scale would be rounding's
         scale = max(float(np.nanmax(size[:, self._living], initial=0.0)), floor)
-        apart = np.sqrt(((ours - theirs) ** 2).sum(axis=2))[:, self._heard] / scale
-        silent = np.isfinite(size[:, self._heard]) & np.isnan(apart)
+        deviation = np.sqrt(((ours - theirs) ** 2).sum(axis=2))[:, self._heard] / scale
+        silent = np.isfinite(size[:, self._heard]) & np.isnan(deviation)
         for row, (channel, _) in enumerate(members):
-            over = self._first(apart[row] > self.tolerance)
+            over = self._first(deviation[row] > self.tolerance)
             self.until[channel] = min(over, self._first(silent[row]))
             if not quantity.drawn_by_recipes:  # what only people ask ends no motion from which recipes draw
                 continue
-            self.agreement[channel] = float(np.nanmax(apart[row], initial=0.0))
+            self.agreement[channel] = float(np.nanmax(deviation[row], initial=0.0))
             if over < self._end:
                 self._over[channel] = over
 

@@ -51,9 +51,11 @@ class Balance:
         system, q = self.system, self.places
         slack = all(float(row.value) >= -ZERO_FORCE_TOL for i, row in enumerate(self.rows) if i not in self.active)
         pushed = all(force >= -little for i, force in enumerate(self.normal) if i not in system.guided)
-        apart = all(float(self.assembly.separation(pair).gap) > ZERO_FORCE_TOL for pair in system.mechanism.meetings)
+        separated = all(
+            float(self.assembly.separation(pair).gap) > ZERO_FORCE_TOL for pair in system.mechanism.meetings
+        )
         within = all(limit.room + limit.sign * float(q[limit.coordinate]) > ZERO_FORCE_TOL for limit in system.limits)
-        return slack and pushed and apart and within and self._strained() and self._ahead()
+        return slack and pushed and separated and within and self._strained() and self._ahead()
 
     def _strained(self) -> bool:
         """Return whether one-sided springs are in the same state here as at the start."""
@@ -66,8 +68,8 @@ class Balance:
     def _ahead(self) -> bool:
         """Return whether no straight line segment has reversed its direction, as after its end passes a pulley."""
         for ends, run in self.system.runs.items():
-            way = self.assembly.frames.distance(*ends).way
-            if sum(float(a) * float(b) for a, b in zip(way, run.way, strict=True)) < ZERO_FORCE_TOL - 1.0:
+            direction = self.assembly.frames.distance(*ends).way
+            if sum(float(a) * float(b) for a, b in zip(direction, run.way, strict=True)) < ZERO_FORCE_TOL - 1.0:
                 return False
         return True
 
@@ -178,11 +180,11 @@ def _restores(mechanism: Mechanism) -> bool:
 
 def _same(one: Rest, other: Rest, loads: RestingLoads) -> bool:
     """Return whether two equilibria are equal up to whole turns and motions without restoring force."""
-    apart = one.coordinates - other.coordinates
-    apart = np.where(loads.hinges, np.remainder(apart + math.pi, 2.0 * math.pi) - math.pi, apart)
+    difference = one.coordinates - other.coordinates
+    difference = np.where(loads.hinges, np.remainder(difference + math.pi, 2.0 * math.pi) - math.pi, difference)
     rolled = [number for grip in loads.slips for number, _ in grip.slip.terms if not loads.hinges[number]]
-    apart[rolled] = 0.0  # what never slips is as far on as it has turned
-    if float(np.abs(apart).max()) <= EQUILIBRIUM_DISTANCE_TOL:
+    difference[rolled] = 0.0  # what never slips is as far on as it has turned
+    if float(np.abs(difference).max()) <= EQUILIBRIUM_DISTANCE_TOL:
         return True
     if not one.free or one.free != other.free:
         return False
@@ -217,10 +219,10 @@ class _Descent:
         spare = self.loads.at(places).spare
         active = [number for number, always in enumerate(both) if always or spare[number] <= ZERO_FORCE_TOL]
         for _ in range(1 + len(both)):
-            found = self._settled(places, active)
-            if found is None:
+            settled = self._settled(places, active)
+            if settled is None:
                 return None
-            places, forces = found
+            places, forces = settled
             pushing = [
                 number for number in active if not both[number] and forces[number] < -ZERO_FORCE_TOL * self.scale
             ]
@@ -232,8 +234,8 @@ class _Descent:
     def end(self, point: Vector, active: tuple[int, ...]) -> Rest | None:
         """Return the equilibrium reached from a point with the same active rows; None if the search fails."""
         try:
-            found = self._settled(point, list(active))
-            return None if found is None else self._checked(found[0], list(active), found[1])
+            settled = self._settled(point, list(active))
+            return None if settled is None else self._checked(settled[0], list(active), settled[1])
         except (ZeroDivisionError, np.linalg.LinAlgError):
             return None
 
@@ -289,10 +291,10 @@ class _Descent:
         free = null_space(self.loads.at(places).along[active], self.size)
         stiffness = symmetric(free.T @ self.loads.stiffness(places, forces, active) @ free)
         sizes = np.linalg.eigvalsh(stiffness)
-        least = ZERO_STIFFNESS_RTOL * float(np.abs(sizes).max(initial=0.0))
-        if not len(sizes) or float(sizes.max()) <= 0.0 or float(sizes.min()) < -least:
+        threshold = ZERO_STIFFNESS_RTOL * float(np.abs(sizes).max(initial=0.0))
+        if not len(sizes) or float(sizes.max()) <= 0.0 or float(sizes.min()) < -threshold:
             return None
         balance = Balance(self.loads, places, active, forces)
         if not balance.holds(ZERO_FORCE_TOL * self.scale):
             return None
-        return Rest(balance.state(), free, stiffness, int((sizes <= least).sum()), tuple(active))
+        return Rest(balance.state(), free, stiffness, int((sizes <= threshold).sum()), tuple(active))

@@ -61,13 +61,13 @@ class RestingLoads:
 
     def at(self, places: Vector) -> Loads:
         """Return the loads at coordinates (n,), m or rad; raise ZeroDivisionError if two sites coincide."""
-        found: Vector = np.array(self._code(0.0, places.tolist()), dtype=np.float64)
+        outputs: Vector = np.array(self._code(0.0, places.tolist()), dtype=np.float64)
         n, last = self.size, self.size + len(self.kinds)
-        spare, along = found[n:last], found[last:].reshape(len(self.kinds), n)
+        spare, along = outputs[n:last], outputs[last:].reshape(len(self.kinds), n)
         if self.slips:
             spare = np.concatenate([spare, -self._sticking @ places])
             along = np.concatenate([along, self._sticking])
-        return Loads(found[:n], spare, along)
+        return Loads(outputs[:n], spare, along)
 
     def assembly(self, places: Vector) -> Assembly:
         """Return the exact engine's assembly of the mechanism at rest at these coordinates."""
@@ -97,23 +97,23 @@ class RestingLoads:
             return loads.force - forces[active] @ loads.along[active] if active else loads.force
 
         columns = [load(places - step) - load(places + step) for step in DIFFERENCE * np.eye(self.size)]
-        found: Vector = np.array(columns).T / (2.0 * DIFFERENCE)
-        return found
+        matrix: Vector = np.array(columns).T / (2.0 * DIFFERENCE)
+        return matrix
 
     def tightening(self, loads: Loads, active: list[int]) -> Vector:
         """Return the shortest change of the coordinates, (n,), that satisfies all active rows to first order."""
-        found: Vector = np.zeros(self.size)
+        change: Vector = np.zeros(self.size)
         if active:
-            found = found + np.linalg.lstsq(loads.along[active], loads.spare[active], rcond=1e-9)[0]
-        return found
+            change = change + np.linalg.lstsq(loads.along[active], loads.spare[active], rcond=1e-9)[0]
+        return change
 
     def linear(self, points: Vector, scale: float) -> bool:
         """Return whether loads are linear in the coordinates, from zero to each of the points (k, n)."""
         first = self.at(np.zeros(self.size))
         for point in points:
-            half, whole = self.at(0.5 * point), self.at(point)
-            bend = float(np.abs(first.force - 2.0 * half.force + whole.force).max(initial=0.0))
-            if bend > EXACT * scale or float(np.abs(whole.along - first.along).max(initial=0.0)) > EXACT:
+            half, full = self.at(0.5 * point), self.at(point)
+            bend = float(np.abs(first.force - 2.0 * half.force + full.force).max(initial=0.0))
+            if bend > EXACT * scale or float(np.abs(full.along - first.along).max(initial=0.0)) > EXACT:
                 return False
         return True
 
@@ -122,8 +122,8 @@ def null_space(rows: Vector, size: int) -> Vector:
     """Return an orthonormal basis of the null space of the rows, (size, m)."""
     if not rows.size:
         return np.eye(size)
-    _, sizes, found = np.linalg.svd(rows, full_matrices=True)
-    return found[int((sizes > ZERO_FORCE_TOL).sum()) :].T
+    _, sizes, right_vectors = np.linalg.svd(rows, full_matrices=True)
+    return right_vectors[int((sizes > ZERO_FORCE_TOL).sum()) :].T
 
 
 def undetermined_forces(rows: Vector) -> NDArray[np.bool_]:

@@ -64,8 +64,8 @@ def _following(stiffness: Vector, heavy: NDArray[np.bool_]) -> Vector | None:
     light = stiffness[np.ix_(~heavy, ~heavy)]
     if len(light) and float(np.linalg.eigvalsh(light).min()) <= ZERO_FREQUENCY_RTOL * float(np.abs(stiffness).max()):
         return None
-    found: Vector = np.zeros((int((~heavy).sum()), int(heavy.sum())))
-    return found - np.linalg.solve(light, stiffness[np.ix_(~heavy, heavy)])
+    matrix: Vector = np.zeros((int((~heavy).sum()), int(heavy.sum())))
+    return matrix - np.linalg.solve(light, stiffness[np.ix_(~heavy, heavy)])
 
 
 def _conserves(mechanism: Mechanism) -> bool:
@@ -105,7 +105,7 @@ def _still(mechanism: Mechanism) -> Mechanism:
 
 def _facts(rest: Rest) -> dict[str, Vector]:
     state = rest.state
-    forces = [float(force[0]) for found in (state.tension, state.normal) for force in found.values()]
+    forces = [float(force[0]) for forces_by_name in (state.tension, state.normal) for force in forces_by_name.values()]
     return {
         "lengths": np.array([float(state.length(line)[0][0]) for line in rest.mechanism.lines]),
         "forces": np.array(forces),
@@ -174,6 +174,6 @@ def mode_disagreement(rest: Rest, modes: Oscillations, number: int) -> str:
     places = trace.state.q + (begun - rest.coordinates)
     mass = inertia(rest)
     size = float(shift @ mass @ shift)
-    apart = np.abs(places @ mass @ shift / size - np.cos(frequency * times)).max()
+    deviation = np.abs(places @ mass @ shift / size - np.cos(frequency * times)).max()
     late = float(np.abs(trace.state.v[-1] @ mass @ shift)) / (size * frequency) / (2.0 * np.pi)
-    return "" if apart <= SHAPE and late <= PHASE else "in the other engine it oscillates otherwise"
+    return "" if deviation <= SHAPE and late <= PHASE else "in the other engine it oscillates otherwise"

@@ -75,7 +75,7 @@ def truncate_trace(trace: Trace, window: int = WINDOW) -> Trace:
 
 def alarms(trace: Trace, window: int = WINDOW) -> tuple[Alarm, ...]:
     """Return the jumps that the 5σ or the third-difference rule finds between the events of a trace, in order."""
-    found: list[Alarm] = []
+    jumps: list[Alarm] = []
     times = trace.state.times
     for start, stop in _segments(trace):
         inside = (times > start) & (times < stop)
@@ -87,8 +87,8 @@ def alarms(trace: Trace, window: int = WINDOW) -> tuple[Alarm, ...]:
             ):
                 first = _first(trace, column, inside, flags, (max(start, 0.0), stop))
                 if first is not None:
-                    found.append(Alarm(first[1], column.name, rule))
-    return tuple(sorted(found))
+                    jumps.append(Alarm(first[1], column.name, rule))
+    return tuple(sorted(jumps))
 
 
 def _segments(trace: Trace) -> list[tuple[float, float]]:
@@ -172,8 +172,8 @@ def _deviations(values: Array, window: int) -> list[tuple[int, int]]:
     if len(values) < window or not np.isfinite(values).all():
         return []
     windows = sliding_window_view(values, window)
-    apart = np.abs(windows - windows.mean(axis=1, keepdims=True))
-    out: Flags = apart >= np.maximum(DEVIATIONS * windows.std(axis=1, keepdims=True), _floor(values))
+    deviations = np.abs(windows - windows.mean(axis=1, keepdims=True))
+    out: Flags = deviations >= np.maximum(DEVIATIONS * windows.std(axis=1, keepdims=True), _floor(values))
     first, within = np.nonzero(out)
     return [(number, number) for number in dict.fromkeys((first + within).tolist())]
 

@@ -55,8 +55,8 @@ IMPACTS = frozenset({"collision", "taut", "land"})
 
 def in_order(times: Array) -> Array:
     """Return instants (n,) in ascending order without repeats, faster than `np.unique` for small arrays."""
-    found: Array = np.sort(times)
-    return found[np.append(found[1:] != found[:-1], True)] if len(found) else found
+    sorted_times: Array = np.sort(times)
+    return sorted_times[np.append(sorted_times[1:] != sorted_times[:-1], True)] if len(sorted_times) else sorted_times
 
 
 @dataclass(frozen=True, slots=True)
@@ -201,10 +201,10 @@ class Trace:
         Raises:
             ValueError: The trace was read from a file, which has only its samples.
         """
-        found = self._instants.get(time)
-        if found is None:
-            found = self._instants[time] = self.sample(np.array([time]))
-        return found
+        state = self._instants.get(time)
+        if state is None:
+            state = self._instants[time] = self.sample(np.array([time]))
+        return state
 
     @cached_property
     def scan(self) -> State:

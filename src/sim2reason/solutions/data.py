@@ -107,9 +107,9 @@ def _(held: NumericRoot) -> Tree:
     return ["solve", near] if _has_chain(held.residual) else ["root", held.name, tree(held.residual), near]
 
 
-def _has_chain(held: Expression) -> bool:
+def _has_chain(expression: Expression) -> bool:
     """Return whether a formula contains a chain."""
-    return isinstance(held, Chain) or any(map(_has_chain, held.parts))
+    return isinstance(expression, Chain) or any(map(_has_chain, expression.parts))
 
 
 Data = dict[str, Any]
@@ -145,8 +145,8 @@ def as_data(solution: Solution) -> Data:
 def _results(step: Step, values: Mapping[str, float]) -> dict[str, float]:
     """Return the values, in SI units by symbol, of the results whose numbers the text of a step contains."""
     units = {r.left.name: r.unit for r in step.relations if isinstance(r.left, Symbol)}
-    found = {name: values[name] for name in step.gives if name in units and name in values}
-    return {name: value for name, value in found.items() if f"= {with_unit(value, units[name])}" in step.text}
+    results = {name: values[name] for name in step.gives if name in units and name in values}
+    return {name: value for name, value in results.items() if f"= {with_unit(value, units[name])}" in step.text}
 
 
 def _step(step: Step, values: Mapping[str, float]) -> Data:
@@ -167,7 +167,7 @@ def _relation(relation: Relation) -> Data:
     return {"role": relation.role, "left": tree(relation.left), "right": tree(relation.right), "unit": relation.unit}
 
 
-def _integration(held: Integration) -> Data:
+def _integration(integration: Integration) -> Data:
     coordinates = [
         {
             "place": c.place,
@@ -176,22 +176,23 @@ def _integration(held: Integration) -> Data:
             "initial_place": tree(c.initial_place),
             "initial_rate": tree(c.initial_rate),
         }
-        for c in held.coordinates
+        for c in integration.coordinates
     ]
-    until = held.until
+    until = integration.until
     return {
-        "time": held.time,
-        "begin": tree(held.begin),
+        "time": integration.time,
+        "begin": tree(integration.begin),
         "coordinates": coordinates,
-        "unknowns": list(held.unknowns),
-        "equations": [_relation(relation) for relation in held.equations],
+        "unknowns": list(integration.unknowns),
+        "equations": [_relation(relation) for relation in integration.equations],
         "until": {
             "expression": tree(until.expression),
             "direction": until.direction,
             "occurrence": until.occurrence,
         },
-        "ends": [list(pair) for pair in held.ends],
+        "ends": [list(pair) for pair in integration.ends],
         "accumulated": [
-            {"name": held.name, "rate": tree(held.rate), "initial": tree(held.initial)} for held in held.accumulated
+            {"name": integration.name, "rate": tree(integration.rate), "initial": tree(integration.initial)}
+            for integration in integration.accumulated
         ],
     }

@@ -32,20 +32,20 @@ def shortest_solution(
     of the solution are only recomputed by `shortest_verified_solution`, since filters reject most questions before.
     """
     setting = _setting(query, study, words, unknown, stated, most)
-    found = study.memoize(_key(query, unknown, stated, setting.most), lambda: solve(setting, checked=False))
-    if found.answer is not None and not unknown and stated is None:
-        study.memoize((FOUND, query), lambda: found)
-    return found
+    solution = study.memoize(_key(query, unknown, stated, setting.most), lambda: solve(setting, checked=False))
+    if solution.answer is not None and not unknown and stated is None:
+        study.memoize((FOUND, query), lambda: solution)
+    return solution
 
 
 def shortest_verified_solution(
     query: Query, study: SimulatedScene, words: Words, unknown: str, stated: StatedResult | None, most: Need
 ) -> Solution:
     """Return the simplest solution of a query, without an answer if recomputation from its data gives another."""
-    found = shortest_solution(query, study, words, unknown, stated, most)
+    solution = shortest_solution(query, study, words, unknown, stated, most)
     setting = _setting(query, study, words, unknown, stated, most)
-    if found.answer is None or verify_solution(found, forward(setting)).answer is not None:
-        return found
+    if solution.answer is None or verify_solution(solution, forward(setting)).answer is not None:
+        return solution
     return study.keep(_key(query, unknown, stated, setting.most), solve(setting))
 
 
@@ -72,11 +72,11 @@ def cached_shortest_solution(query: Query, study: SimulatedScene) -> Solution | 
 
 def may_have_solution(kind: str, study: SimulatedScene, most: Need) -> bool:
     """Return whether some strategy may answer generated questions of a kind with mathematics of level `most`."""
-    found = study.memoize(
+    needs = study.memoize(
         ("needed least", kind),
         lambda: [each.least_need for each in closed_form_strategies(kind, study.mechanism) if each.drawn],
     )
-    return min(found, default=Need.INTEGRATION) <= most
+    return min(needs, default=Need.INTEGRATION) <= most
 
 
 DERIVATION = "derivation"
@@ -97,9 +97,9 @@ def is_derived(query: Query, study: SimulatedScene) -> bool:
 
 
 def _derived(query: Query, study: SimulatedScene, words: Words) -> Solution:
-    found = cached_shortest_solution(query, study)
-    if found is not None and query.kind in STRATEGIES[found.strategy].formulas(study.mechanism):
-        return found
+    solution = cached_shortest_solution(query, study)
+    if solution is not None and query.kind in STRATEGIES[solution.strategy].formulas(study.mechanism):
+        return solution
     setting = forward(ProblemContext(study.scene, words, words.symbols, study, query))
     if query.hides:  # the number that it asks for is the unknown of its laws
         return solve(setting, derived=True)

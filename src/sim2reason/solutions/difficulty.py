@@ -93,38 +93,38 @@ def number_of_events(trace: Trace, time: float | None) -> int:
     return len({event.time for event in events_before(trace.events, until)})
 
 
-def count_different_laws(*found: Solution) -> int:
+def count_different_laws(*solutions: Solution) -> int:
     """Return the number of laws in some solutions that differ by more than subscripts."""
-    return len({_SUBSCRIPT.sub("", law.latex()) for solution in found for law in _laws(solution)})
+    return len({_SUBSCRIPT.sub("", law.latex()) for solution in solutions for law in _laws(solution)})
 
 
-def count_laws(found: Solution) -> int:
+def count_laws(solution: Solution) -> int:
     """Return the number of laws of physics in a solution.
 
     Definitions do not count: a multiple or sum of names, as v = -v_x, T = 2π/ω or e = ℓ - ℓ_0, a number, as a = 0 in a
     limiting case, or the magnitude of a vector.
     """
-    return sum(1 for _ in _laws(found))
+    return sum(1 for _ in _laws(solution))
 
 
-def _laws(found: Solution) -> Iterator[Relation]:
-    return (relation for relation in found.relations if relation.role == "law" and not _is_bookkeeping(relation))
+def _laws(solution: Solution) -> Iterator[Relation]:
+    return (relation for relation in solution.relations if relation.role == "law" and not _is_bookkeeping(relation))
 
 
-def count_coupled_unknowns(found: Solution) -> int:
+def count_coupled_unknowns(solution: Solution) -> int:
     """Return the size of the largest set of unknowns that laws connect with each other; at least 1."""
     groups: list[set[str]] = []
-    for names in _unknowns_of_laws(found):
+    for names in _unknowns_of_laws(solution):
         touching = [group for group in groups if not group.isdisjoint(names)]
         groups = [group for group in groups if group.isdisjoint(names)]
         groups.append(names.union(*touching))
     return max((len(group) for group in groups), default=1)
 
 
-def _unknowns_of_laws(found: Solution) -> Iterator[set[str]]:
+def _unknowns_of_laws(solution: Solution) -> Iterator[set[str]]:
     """Yield for each law the set of its names that have no value yet, without a name that the law defines."""
     known: set[str] = set()
-    for step in found.steps:
+    for step in solution.steps:
         for relation in step.relations:
             defined = {relation.left.name} if isinstance(relation.left, Symbol) else set[str]()
             if relation.role in ("given", "result"):
@@ -138,9 +138,9 @@ def _unknowns_of_laws(found: Solution) -> Iterator[set[str]]:
         known.update(step.gives)
 
 
-def is_vector(held: Expression) -> bool:
+def is_vector(expression: Expression) -> bool:
     """Return whether a formula is the magnitude of a vector: the root of a sum of squares."""
-    squares = isinstance(held, Root) and isinstance(held.inside, Sum) and held.inside.terms
+    squares = isinstance(expression, Root) and isinstance(expression.inside, Sum) and expression.inside.terms
     return bool(squares) and all(isinstance(term, Power) and term.exponent == SQUARE for term in squares)
 
 
@@ -152,5 +152,5 @@ def _is_bookkeeping(relation: Relation) -> bool:
     return is_vector(relation.right) or _is_multiple(relation.right)
 
 
-def _is_multiple(held: Expression) -> bool:
-    return symbols_in(held) <= 1
+def _is_multiple(expression: Expression) -> bool:
+    return symbols_in(expression) <= 1

@@ -60,9 +60,9 @@ def at_end(setting: ProblemContext) -> ProblemContext | None:
     if kind.answer(query, setting.study) is not None or kind.loose_answer(query, setting.study) is None:
         return None
     for moment in _ends(setting, query):
-        found = replace(setting, query=_value_at(moment, query, functional), extreme=query)
-        if found.answer is not None and _same(found.answer, kind.loose_answer(query, setting.study)):
-            return found if reason(found) else None
+        rewritten = replace(setting, query=_value_at(moment, query, functional), extreme=query)
+        if rewritten.answer is not None and _same(rewritten.answer, kind.loose_answer(query, setting.study)):
+            return rewritten if reason(rewritten) else None
     return None
 
 
@@ -174,9 +174,9 @@ def _of_speed(setting: ProblemContext, course: _Course) -> str:
             f" so its {noun} is that at the end."
         )
     if course.monotonic:
-        way, changes = ("along", "increases") if course.last else ("opposite to", "decreases")
+        direction, changes = ("along", "increases") if course.last else ("opposite to", "decreases")
         return (
-            f"All this time the acceleration of {who} has a component {way} its velocity, so its speed {changes},"
+            f"All this time the acceleration of {who} has a component {direction} its velocity, so its speed {changes},"
             f" and its {noun} is that {course.end}."
         )
     if not changing(mechanism) and not steady:
@@ -242,8 +242,8 @@ def _of_rate(setting: ProblemContext, quantity: str, *, grows: bool, last: bool)
     assert query is not None
     end = "at the end" if last else "at the start"
     if quantity in SPEEDS:
-        way, changes = ("along", "increases") if grows else ("opposite to", "decreases")
-        why = f"the acceleration of {setting.display_name(query.name)} has a component {way} its velocity"
+        direction, changes = ("along", "increases") if grows else ("opposite to", "decreases")
+        why = f"the acceleration of {setting.display_name(query.name)} has a component {direction} its velocity"
         return f"All this time {why}, so its speed {changes}, and its {query.functional} is that {end}."
     if quantity not in CHANGES:
         return ""
@@ -309,13 +309,13 @@ def instants(setting: ProblemContext) -> Iterator[tuple[Moment, float]]:
     """
     reached, query = setting.query.moment, setting.query
     assert isinstance(reached, Reached)
-    asked = (query.target.subject,) if query.target is not None else ()
+    query_subjects = (query.target.subject,) if query.target is not None else ()
     for quantity, classes in THRESHOLDS.items():
         kept = (
             [] if setting.mechanism.burns else [cls for cls in classes if cls is not Away]
         )  # its mass hangs on the time
         subjects = {name: None for cls in kept for name in cls.candidates(setting.words)}
-        for subject in sorted(subjects, key=lambda name: name not in (*asked, reached.target.subject)):
+        for subject in sorted(subjects, key=lambda name: name not in (*query_subjects, reached.target.subject)):
             target = Target(quantity, subject)
             value = target.value(setting.study.trace.at(setting.time))
             yield from ((moment, value) for moment in _thresholds(setting, target, value))

@@ -33,20 +33,20 @@ def states_only_magnitude(setting: ProblemContext, book: SolutionBuilder, goal: 
 
 
 def exclude_opposite_sign(
-    book: SolutionBuilder, step: StepBuilder, goal: str, found: Sequence[tuple[str, Expression]]
+    book: SolutionBuilder, step: StepBuilder, goal: str, inverse_chain: Sequence[tuple[str, Expression]]
 ) -> bool:
     """Write why the goal with the opposite sign allows no value of the unknown; return whether a reason was found.
 
-    `found` has the chain of formulas from the goal to the unknown: each name with its formula, the unknown last.
+    `inverse_chain` has the chain of formulas from the goal to the unknown: each name with its formula, the unknown last.
     """
     values: dict[str, Expression] = {goal: -Symbol(goal)}
-    for number, (name, held) in enumerate(found):
+    for number, (name, original) in enumerate(inverse_chain):
         try:
-            formula = substitute_all(held, values)
+            formula = substitute_all(original, values)
         except TypeError:  # a number that is not written as a formula
             return False
         reason = _impossible(book, step, goal, name, formula)
-        if reason is None and number == len(found) - 1:
+        if reason is None and number == len(inverse_chain) - 1:
             reason = _out_of_range(book, step, goal, name, formula)
         if reason is not None:
             step.add_text(f"{ONLY} with $-{goal}$ in place of ${goal}$, {reason}." if reason else "")
@@ -63,7 +63,7 @@ def _impossible(book: SolutionBuilder, step: StepBuilder, goal: str, name: str, 
                 continue
             if book.value(part.inside) >= 0.0:
                 return None  # of either sign
-            if not any(isinstance(held, Sum) for held in _inner_first(part)):
+            if not any(isinstance(inner, Sum) for inner in _inner_first(part)):
                 return ""  # whoever sees the formula sees its sign
             record_inequality(book, step, ZERO, part.inside)
             return f"${name}$ would not be real, as what stands under the square root would be negative"
@@ -71,8 +71,8 @@ def _impossible(book: SolutionBuilder, step: StepBuilder, goal: str, name: str, 
             size = book.value(part.argument)
             record_inequality(book, step, Absolute(part.argument), ONE)
             whose = "its" if part in (formula, -formula) else "the"  # of the angle, or of a sum with it
-            told = f"{whose} {SINES[part.function]} would be ${with_unit(size, '')}$"
-            return f"there would be no angle ${name}$, as {told}"
+            clause = f"{whose} {SINES[part.function]} would be ${with_unit(size, '')}$"
+            return f"there would be no angle ${name}$, as {clause}"
     return None
 
 
@@ -80,16 +80,16 @@ def _out_of_range(book: SolutionBuilder, step: StepBuilder, goal: str, name: str
     """Return the clause that the unknown would be negative, or a restitution coefficient above 1; empty if neither."""
     try:
         branches = _of_either_sign(goal, formula)
-        found = list(dict.fromkeys(with_unit(book.value(branch), book.units[name]) for branch in branches))
+        numbers = list(dict.fromkeys(with_unit(book.value(branch), book.units[name]) for branch in branches))
         value = max(map(book.value, branches))
     except UnsolvedError:  # a branch has no value, or there are more than two
         return ""
-    given = " or ".join(f"${number}$" for number in found)  # maybe no solutions, as the formula comes from squares
+    given = " or ".join(f"${number}$" for number in numbers)  # maybe no solutions, as the formula comes from squares
     would = f"the formula would give {given} for ${name}$"
     if value < 0.0 < book.values[name]:
         for branch in branches:
             record_inequality(book, step, ZERO, branch)
-        return f"{would}, which is negative" if len(found) == 1 else f"{would}, both negative"
+        return f"{would}, which is negative" if len(numbers) == 1 else f"{would}, both negative"
     if len(branches) > 1:
         return ""
     if is_restitution(name, book) and value > 1.0:
@@ -98,29 +98,29 @@ def _out_of_range(book: SolutionBuilder, step: StepBuilder, goal: str, name: str
     return ""
 
 
-def _of_either_sign(goal: str, held: Expression) -> list[Expression]:
+def _of_either_sign(goal: str, formula: Expression) -> list[Expression]:
     """Return a formula and, if a square root in it contains the goal, the same with the root's sign reversed.
 
     Raises:
         UnsolvedError: several square roots contain the goal.
     """
-    roots = (part for part in _inner_first(held) if isinstance(part, Root) and goal in part.symbols())
-    found = list(dict.fromkeys(roots))
-    if len(found) > 1:
+    roots = (part for part in _inner_first(formula) if isinstance(part, Root) and goal in part.symbols())
+    distinct_roots = list(dict.fromkeys(roots))
+    if len(distinct_roots) > 1:
         raise UnsolvedError("several roots have more than two branches")
-    return [held, _with(held, found[0], -found[0])] if found else [held]
+    return [formula, _with(formula, distinct_roots[0], -distinct_roots[0])] if distinct_roots else [formula]
 
 
-def _with(held: Expression, old: Expression, new: Expression) -> Expression:
-    if held == old:
+def _with(formula: Expression, old: Expression, new: Expression) -> Expression:
+    if formula == old:
         return new
-    return held.built_of([_with(part, old, new) for part in held.parts]) if held.parts else held
+    return formula.built_of([_with(part, old, new) for part in formula.parts]) if formula.parts else formula
 
 
-def _inner_first(held: Expression) -> Iterator[Expression]:
-    for part in held.parts:
+def _inner_first(formula: Expression) -> Iterator[Expression]:
+    for part in formula.parts:
         yield from _inner_first(part)
-    yield held
+    yield formula
 
 
 OPPOSITE = f"{ONLY} with the opposite sign, for which {{}} would be {{}}"
@@ -128,7 +128,7 @@ OPPOSITE = f"{ONLY} with the opposite sign, for which {{}} would be {{}}"
 
 
 def write_sign_reason(
-    roots: OtherRoots, step: StepBuilder, chain: Chain | None, found: Sequence[tuple[str, Expression]]
+    roots: OtherRoots, step: StepBuilder, chain: Chain | None, inverse_chain: Sequence[tuple[str, Expression]]
 ) -> None:
     """Write why the opposite sign of the goal is excluded: the unknown would have no value or an impossible value.
 
@@ -138,7 +138,7 @@ def write_sign_reason(
     if chain is None:
         return
     goal, _ = chain.formulas[-1]
-    if exclude_opposite_sign(roots.book, step, goal, found) or not is_explicit(chain):
+    if exclude_opposite_sign(roots.book, step, goal, inverse_chain) or not is_explicit(chain):
         return
     others = values_with(chain, -float(chain.value(roots.book.values).real), roots.unknown, roots.book)
     if not others:

@@ -91,16 +91,16 @@ class OtherRoots:
         step.close()
 
     def _tell_excluded(self, value: float, lead: str, *, must: bool) -> None:
-        held = {name: formula for name, formula in self.book.formulas.items() if name not in self.book.stated}
+        formulas = {name: formula for name, formula in self.book.formulas.items() if name not in self.book.stated}
         relations = [relation for step in self.book.steps for relation in step.relations]
         for relation in relations:
             if relation.role == "verified" and isinstance(relation.left, Symbol):
-                held.setdefault(relation.left.name, relation.right)
+                formulas.setdefault(relation.left.name, relation.right)
         for relation in relations:
             if relation.role != "exceeds" or isinstance(relation.left, Number):
                 continue
             try:
-                left, right = (self._with(side, held, value) for side in (relation.left, relation.right))
+                left, right = (self._with(side, formulas, value) for side in (relation.left, relation.right))
                 broken = self.book.value(right) > self.book.value(left)
             except UNDEFINED:
                 continue
@@ -131,8 +131,8 @@ class OtherRoots:
     def _too_late(self, step: StepBuilder, name: str, others: Sequence[float]) -> None:
         """Write that another root is later than a stated instant that ends the stage."""
         book = self.book
-        stated = [held for held in book.stated if book.units[held] == book.units[name] == SECONDS]
-        late = [held for held in stated if book.values[name] < book.values[held] < others[0]]
+        stated = [instant for instant in book.stated if book.units[instant] == book.units[name] == SECONDS]
+        late = [instant for instant in stated if book.values[name] < book.values[instant] < others[0]]
         if late:
             step.add_text(f"The other root, {self._number(name, others[0])}, is later than ${late[0]}$.")
 
@@ -218,9 +218,9 @@ class OtherRoots:
             return None
         slope, middle = (one - less) / 2.0, (one + less) / 2.0  # of α x² + β x + γ: β and α + γ
         bend = (two - middle - 2.0 * slope) / 3.0
-        rest, whole = middle - bend, abs(less) + abs(two) + abs(three)
-        fits = abs(9.0 * bend + 3.0 * slope + rest - three) <= ANSWER_RTOL * whole and abs(one) <= ANSWER_RTOL * whole
-        root = rest / bend if abs(bend) > ANSWER_RTOL * whole else 1.0
+        rest, scale = middle - bend, abs(less) + abs(two) + abs(three)
+        fits = abs(9.0 * bend + 3.0 * slope + rest - three) <= ANSWER_RTOL * scale and abs(one) <= ANSWER_RTOL * scale
+        root = rest / bend if abs(bend) > ANSWER_RTOL * scale else 1.0
         return root * known if fits and abs(root - 1.0) > ANSWER_RTOL else None
 
     def _obtuse(self, step: StepBuilder, name: str, found: Expression) -> str:
@@ -233,7 +233,7 @@ class OtherRoots:
         return f"The other angle with this sine, {self._number(name, pi - known)}, is more than $90^\\circ$."
 
 
-def _parts(held: Expression) -> Iterator[Expression]:
-    yield held
-    for part in held.parts:
+def _parts(formula: Expression) -> Iterator[Expression]:
+    yield formula
+    for part in formula.parts:
         yield from _parts(part)

@@ -64,9 +64,9 @@ def forward(setting: ProblemContext) -> ProblemContext:
         scene = setting.scene.having(path, limit)
         return replace(setting, scene=scene, unknown=unknown, stated=None, sought=sought)
     if isinstance(setting.query, OptimumQuery) and setting.answer is not None and setting.sought is None:
-        place = setting.query.place(setting.study)
-        if place is not None:
-            scene = setting.scene.having(setting.query.path, place)
+        optimum = setting.query.place(setting.study)
+        if optimum is not None:
+            scene = setting.scene.having(setting.query.path, optimum)
             return replace(setting, scene=scene, unknown=setting.query.path, stated=None, sought=setting.answer)
     moment = setting.query.moment
     if setting.query.kind == "extremum":
@@ -108,11 +108,11 @@ class Inversion:
             names = [name for name in dict.fromkeys(formula.symbols()) if name in book.hidden]
             later = [name for name in names if name != self.unknown]
             if len(names) == 1 and not isinstance(formula, ImplicitRoot):
-                found = self._inverted(names[0], formula, value)
-                if not isinstance(found, NumericRoot) or names[0] == self.unknown:
+                solution = self._inverted(names[0], formula, value)
+                if not isinstance(solution, NumericRoot) or names[0] == self.unknown:
                     others = self._others(names[0], formula, value)
-                    behind = self._equation_behind(names[0], found, formula, value)
-                    self._close(names[0], found, at, others, [*([behind] if behind else []), (value, formula)])
+                    behind = self._equation_behind(names[0], solution, formula, value)
+                    self._close(names[0], solution, at, others, [*([behind] if behind else []), (value, formula)])
                     if names[0] == self.unknown:
                         return self.unknown
                     at, (formula, value), self._inserted = names[0], self._equation(names[0]), []
@@ -152,28 +152,30 @@ class Inversion:
 
     def _equation(self, name: str) -> tuple[Expression, Expression]:
         """Return both sides of formula = value for a name; for one defined by an equation, its residual and zero."""
-        found = self.book.formulas[name]
-        return (found.residual, ZERO) if isinstance(found, ImplicitRoot) else (found, Symbol(name))
+        definition = self.book.formulas[name]
+        return (definition.residual, ZERO) if isinstance(definition, ImplicitRoot) else (definition, Symbol(name))
 
     def _inverted(self, name: str, formula: Expression, value: Expression) -> Expression:
         """Return a formula solved for a name, with numbers in place of known symbols if it is too long to read."""
         book = self.book
-        found = solved_for(name, formula, value, book.values)
-        if isinstance(found, NumericRoot) or len(found.latex()) > MAX_FORMULA_LENGTH:
+        solution = solved_for(name, formula, value, book.values)
+        if isinstance(solution, NumericRoot) or len(solution.latex()) > MAX_FORMULA_LENGTH:
             short = self._in_numbers(name, formula)
             power = as_power(short, name, book.worked)
             if power is not None:
                 return solved_for(name, power, value, book.values)
-            found = solved_for(name, short, value, book.values, self._worked)
-            if not isinstance(found, NumericRoot) and loses_digits(found, book.values):
+            solution = solved_for(name, short, value, book.values, self._worked)
+            if not isinstance(solution, NumericRoot) and loses_digits(solution, book.values):
                 self._guarded = True
-                found = solved_for(name, short, value, book.values, self._worked)
-        return found if len(found.latex()) <= MAX_FORMULA_LENGTH else numeric_root(name, formula, value, book.values)
+                solution = solved_for(name, short, value, book.values, self._worked)
+        return (
+            solution if len(solution.latex()) <= MAX_FORMULA_LENGTH else numeric_root(name, formula, value, book.values)
+        )
 
     def _worked(self, held: Polynomial) -> Expression:
         """Return the value of a coefficient, with guard digits if a difference of such numbers would lose digits."""
-        found = self.book.worked(held.factored())
-        return replace(found, guarded=True) if self._guarded and isinstance(found, NumericFormula) else found
+        value = self.book.worked(held.factored())
+        return replace(value, guarded=True) if self._guarded and isinstance(value, NumericFormula) else value
 
     def _in_numbers(self, name: str, formula: Expression) -> Expression:
         """Replace all symbols of a formula except one by their numerical values."""
@@ -183,14 +185,18 @@ class Inversion:
         """Return the further values of a name that satisfy formula = value, besides its known one."""
         if self.book.in_symbols:
             return ()
-        found = other_solutions(name, formula, value, self.book.values)
-        return found or other_solutions(name, self._in_numbers(name, formula), value, self.book.values)
+        solutions = other_solutions(name, formula, value, self.book.values)
+        return solutions or other_solutions(name, self._in_numbers(name, formula), value, self.book.values)
 
     def _equation_behind(self, name: str, found: Expression, formula: Expression, value: Expression) -> Sides | None:
         """Return both sides of the equation to show before its root; None if inverse operations alone give the root."""
         if isinstance(found, NumericRoot):
-            told = self.book.in_symbols or formula is self._defined or isinstance(formula, ImplicitRoot)
-            return None if told or len(formula.latex()) > MAX_FORMULA_LENGTH or value == ZERO else (value, formula)
+            already_stated = self.book.in_symbols or formula is self._defined or isinstance(formula, ImplicitRoot)
+            return (
+                None
+                if already_stated or len(formula.latex()) > MAX_FORMULA_LENGTH or value == ZERO
+                else (value, formula)
+            )
         if not any(part in found.latex() for part in (r"\sqrt", r"\arctan")):
             return self._put_together(name, found, formula, value)
         if next(numeric_parts(found), None) is None:
@@ -233,10 +239,10 @@ class Inversion:
             sides = fraction_in(chain, Symbol(at), self.unknown, book.values)
             same = f", or ${closed.equation.latex()} = 0$" if len(closed.equation.parts) > PAIR else ""
             how = f"{step.derived(*sides)}{same}, so"
-            said = f"{self._insertion(at, names[::-1])} gives, in {'SI units' if book.counts_in_si else 'numbers'},"
+            lead = f"{self._insertion(at, names[::-1])} gives, in {'SI units' if book.counts_in_si else 'numbers'},"
         else:
-            said, how = "These equations together", "have the numerical solution"
-        step.add_text(f"{said} {how} {step.closed(Symbol(self.unknown), root)}.")
+            lead, how = "These equations together", "have the numerical solution"
+        step.add_text(f"{lead} {how} {step.closed(Symbol(self.unknown), root)}.")
         others = other_solutions(self.unknown, closed.equation, ZERO, book.values) if closed else []
         self._roots.drop(step, self.unknown, others)
         self._roots.schedule_exclusion(others)
@@ -247,23 +253,23 @@ class Inversion:
 
     def _tell_implied(self, step: StepBuilder, names: Sequence[str]) -> None:
         """Write the values of names that have been defined without one: roots and special functions."""
-        told: list[str] = []
+        equations: list[str] = []
         for name in names:
-            held = self.book.formulas[name]
-            if isinstance(held, ImplicitRoot):
-                told.append(step.closed(Symbol(name), NumericRoot(held.residual, held.name, held.near)))
-            elif isinstance(held, SpecialFunction):
-                told.append(step.closed(Symbol(name), held))
-        step.add_text(f"With it, {join_words(told)}." if told else "")
+            formula = self.book.formulas[name]
+            if isinstance(formula, ImplicitRoot):
+                equations.append(step.closed(Symbol(name), NumericRoot(formula.residual, formula.name, formula.near)))
+            elif isinstance(formula, SpecialFunction):
+                equations.append(step.closed(Symbol(name), formula))
+        step.add_text(f"With it, {join_words(equations)}." if equations else "")
 
     def _leading(self, at: str) -> list[str]:
         """Return the unknown names on which a name depends, each after those on which it depends itself."""
-        formulas, waiting, found = self.book.formulas, [at], set[str]()
+        formulas, waiting, dependencies = self.book.formulas, [at], set[str]()
         while waiting:
-            more = {*self._formula(waiting.pop()).symbols()} & (self.book.hidden & formulas.keys()) - found
-            found |= more
+            more = {*self._formula(waiting.pop()).symbols()} & (self.book.hidden & formulas.keys()) - dependencies
+            dependencies |= more
             waiting += more
-        return [name for name in formulas if name in found]
+        return [name for name in formulas if name in dependencies]
 
     def _chain(self, at: str, *names: str) -> Chain:
         """Return the formulas of some names, and of one that depends on them, as a chain."""
@@ -302,13 +308,13 @@ class Inversion:
             step.rest_on(self.goal)
         names = self._leading(self.goal) if name == self.unknown else []
         if equation is not None:
-            said, end = step.derived(*equation), "; " if how else ", so "
+            derivation, end = step.derived(*equation), "; " if how else ", so "
             if self._inserted and given and not how and equation[0].latex() == at:
                 end = f", so for the given ${at}$, "
             lead = self._lead(at, equation) or where.replace("So ", "Hence ", 1)
             sine = single_sine(name, found)
             end = f". {sine}, so " if sine and end == ", so " else end
-            where = f"{lead}{said}{self._only_root(name, equation[1], found)}{end}"
+            where = f"{lead}{derivation}{self._only_root(name, equation[1], found)}{end}"
             if found_by_double_angle(equation[1], found, name):
                 where = f"{where}with {join_words([step.derived(*sides) for sides in half_angles(name)])}, "
         self.book.values[name] = self.book.value(found)

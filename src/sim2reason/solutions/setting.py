@@ -53,8 +53,8 @@ class ProblemContext:
         symbols = {**description.voiced(numeric).symbols, **description.symbols}
         if question.formula is not None:
             symbols = {path: symbol for path, symbol in symbols.items() if path in description.told}
-        asked = question.query, question.unknown, question.given
-        return cls(study.scene, words, symbols, study, *asked, formula=question.formula, assumed=question.assumed)
+        arguments = question.query, question.unknown, question.given
+        return cls(study.scene, words, symbols, study, *arguments, formula=question.formula, assumed=question.assumed)
 
     @property
     def mechanism(self) -> Mechanism:
@@ -82,18 +82,18 @@ class ProblemContext:
     @cached_property
     def time(self) -> float:
         """Return the time, s, until which the motion affects the answer."""
-        found = KINDS[self.query.kind].time(self.query, self.study)
-        return 0.0 if found is None else found
+        end_time = KINDS[self.query.kind].time(self.query, self.study)
+        return 0.0 if end_time is None else end_time
 
     @cached_property
     def motion(self) -> Motion:
         """Return the motion, in segments, until the time that decides the answer; a recorded motion is reused."""
         until, trace = max(self.time * FOLLOWED_TIME_FACTOR, MIN_FOLLOWED_TIME), self.study.trace
-        known, held = float(trace.state.times[-1]), trace.record
+        known, record = float(trace.state.times[-1]), trace.record
         if self.mechanism is not self.study.mechanism or until > known:
             return motion(self.mechanism, until)
-        if isinstance(held, Motion) and not trace.tolerance:
-            return held.through(until)
+        if isinstance(record, Motion) and not trace.tolerance:
+            return record.through(until)
         return self.study.memoize("motion", lambda: motion(self.mechanism, known)).through(until)
 
     @cached_property
@@ -112,8 +112,8 @@ class ProblemContext:
         if self.unknown and self.stated is not None:
             return float(self.study.scene.value(self.unknown))
         kind = KINDS[self.query.kind]
-        found = kind.answer(self.query, self.study)
-        return kind.loose_answer(self.query, self.study) if found is None else found
+        value = kind.answer(self.query, self.study)
+        return kind.loose_answer(self.query, self.study) if value is None else value
 
     @property
     def unit(self) -> str:
@@ -134,20 +134,20 @@ class ProblemContext:
 
     def subscript_of(self, body: str) -> str:
         """Return the subscript for a body: its letter, else its noun; empty if it is the only moving body."""
-        said = self.display_name(body)
-        if not said.startswith("the "):
-            return said.rpartition(" ")[2]
+        name = self.display_name(body)
+        if not name.startswith("the "):
+            return name.rpartition(" ")[2]
         moving = {c.body for c in self.mechanism.coordinates}
         mass = self.symbols.get(f"{body}.mass", "")
         if len(moving) > 1 and len(mass) == 1 and mass.isupper():
             return mass  # a_M of the prism of mass M
-        return "" if len(moving) == 1 else rf"\text{{{said.removeprefix('the ').rpartition(' ')[2]}}}"
+        return "" if len(moving) == 1 else rf"\text{{{name.removeprefix('the ').rpartition(' ')[2]}}}"
 
     def bodies_phrase(self, bodies: list[str]) -> str:
         """Return several bodies as one phrase, such as *block A, crates B and C*."""
         nouns: dict[str, list[str]] = {}
-        for said in map(self.display_name, bodies):
-            noun, _, letter = said.rpartition(" ") if not said.startswith("the ") else (said, "", "")
+        for name in map(self.display_name, bodies):
+            noun, _, letter = name.rpartition(" ") if not name.startswith("the ") else (name, "", "")
             nouns.setdefault(noun, []).append(letter)
         phrases = [
             noun if letters == [""] else f"{noun}{'s' if len(letters) > 1 else ''} {join_words(letters)}"
@@ -158,13 +158,13 @@ class ProblemContext:
     @cached_property
     def string_phrases(self) -> Mapping[str, str]:
         """Return phrases for strings, by name, including pulled strings, which have no length constraint."""
-        found = line_phrases(self.mechanism, self.words.mentions, self.mechanism.strings, "string", alone=False)
+        phrases = line_phrases(self.mechanism, self.words.mentions, self.mechanism.strings, "string", alone=False)
         drawn = {
             line.name: "the string that is pulled"
             for line in self.mechanism.lines
             if isinstance(line.law, ConstantTension)
         }
-        return {**drawn, **found, **self._by_one_end(found)}
+        return {**drawn, **phrases, **self._by_one_end(phrases)}
 
     @cached_property
     def spring_phrases(self) -> Mapping[str, str]:
@@ -173,8 +173,8 @@ class ProblemContext:
 
     def _on_a_rim(self, site: str) -> bool:
         """Return whether a string leaves the rim of a pulley at a site."""
-        held = self.mechanism.site[site]
-        return held.body in self.pulleys and any(held.at)
+        attachment = self.mechanism.site[site]
+        return attachment.body in self.pulleys and any(attachment.at)
 
     def _by_one_end(self, found: Mapping[str, str]) -> dict[str, str]:
         """Return phrases, by string name, for the strings not in `found`, such as *the string tied to block A*."""
@@ -219,7 +219,7 @@ class ProblemContext:
 
     def _slides_along(self, body: str, way: Vector) -> bool:
         """Return whether a body, or its carrier, slides along a direction, as a plank on a slope does."""
-        axes = [held.axis for held in self.mechanism.body[body].coordinates]
+        axes = [coordinate.axis for coordinate in self.mechanism.body[body].coordinates]
         parent = self.mechanism.body[body].parent
         along = any(
             abs(abs(sum(a * b for a, b in zip(axis, way, strict=True))) - 1.0) < DIRECTION_TOLERANCE for axis in axes

@@ -113,11 +113,11 @@ class Integration:
 
     def symbols(self) -> Iterator[str]:
         """Yield each name that the initial-value problem takes from other steps, some names more than once."""
-        own = {self.time, *self.unknowns, *(held.name for held in self.accumulated)}
+        own = {self.time, *self.unknowns, *(integral.name for integral in self.accumulated)}
         own |= {name for c in self.coordinates for name in (c.place, c.rate, c.acceleration)}
         formulas = [self.begin, self.until.expression]
         formulas += [formula for c in self.coordinates for formula in (c.initial_place, c.initial_rate)]
-        formulas += [formula for held in self.accumulated for formula in (held.rate, held.initial)]
+        formulas += [formula for integral in self.accumulated for formula in (integral.rate, integral.initial)]
         formulas += [side for law in self.equations for side in (law.left, law.right)]
         return (name for formula in formulas for name in formula.symbols() if name not in own)
 
@@ -159,8 +159,8 @@ class Step:
         """Return the level of mathematics of the step; checks do not count."""
         if self.integration is not None:
             return Need.INTEGRATION
-        held = (relation for relation in self.relations if relation.role not in CHECKS)
-        return most_advanced(need_of(side) for relation in held for side in (relation.left, relation.right))
+        relations = (relation for relation in self.relations if relation.role not in CHECKS)
+        return most_advanced(need_of(side) for relation in relations for side in (relation.left, relation.right))
 
 
 @dataclass(frozen=True)
@@ -210,11 +210,11 @@ class Solution:
     @property
     def text(self) -> str:
         """Return all steps, a paragraph each, and the answer in a box: to three digits, or a formula."""
-        told = [step.text for step in self.steps if step.text]
+        paragraphs = [step.text for step in self.steps if step.text]
         if self.answer is not None:
             goal = rf"\left|{self.goal}\right|" if self.is_modulus else self.goal
-            told.append(f"Answer: ${goal}{self._boxed(self.answer)}$.")
-        return "\n\n".join(told)
+            paragraphs.append(f"Answer: ${goal}{self._boxed(self.answer)}$.")
+        return "\n\n".join(paragraphs)
 
     def _boxed(self, answer: float) -> str:
         if self.formula:
@@ -259,12 +259,12 @@ class PartsSolution(Solution):
     @property
     def text(self) -> str:
         """Return the solutions of all parts with their labels, and all answers in one box."""
-        told = [f"({label}) {_unboxed_text(part)}" for label, part in zip(LABELS, self.parts, strict=False)]
+        texts = [f"({label}) {_unboxed_text(part)}" for label, part in zip(LABELS, self.parts, strict=False)]
         if self.answer is not None:
             boxes = (_BOX.search(part.text) for part in self.parts)
-            said = "; ".join(f"({label}) {box[1] if box else ''}" for label, box in zip(LABELS, boxes, strict=False))
-            told.append(rf"Answers: $\boxed{{{said}}}$.")
-        return "\n\n".join(told)
+            answers = "; ".join(f"({label}) {box[1] if box else ''}" for label, box in zip(LABELS, boxes, strict=False))
+            texts.append(rf"Answers: $\boxed{{{answers}}}$.")
+        return "\n\n".join(texts)
 
 
 @dataclass(frozen=True, slots=True)
@@ -282,8 +282,8 @@ class ChosenSolution(Solution):
 
 def chosen(solution: Solution, letter: str) -> Solution:
     """Return the solution of a multiple-choice question from the solution of the plain question."""
-    held = {each.name: getattr(solution, each.name) for each in fields(Solution)}
-    return ChosenSolution(**held, letter=letter)
+    field_values = {each.name: getattr(solution, each.name) for each in fields(Solution)}
+    return ChosenSolution(**field_values, letter=letter)
 
 
 def combine_parts(parts: Sequence[Solution]) -> Solution:

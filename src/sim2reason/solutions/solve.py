@@ -56,16 +56,16 @@ def solve(setting: ProblemContext, *, derived: bool = False, checked: bool = Tru
             continue
         if strategy.integrates and (best is not None or setting.most < Need.INTEGRATION):
             continue
-        found = _kept(strategy, setting, derived=derived)
-        if found.answer is not None and best is not None and found.needs >= best.needs:
+        solution = _kept(strategy, setting, derived=derived)
+        if solution.answer is not None and best is not None and solution.needs >= best.needs:
             continue
-        found = verify_solution(found, setting) if checked and not derived else found
-        if found.answer is None:
-            reasons += [f"{strategy.name}: {found.reason}"] if found.applies else []
-        elif found.needs <= ELEMENTARY:
-            return found
-        elif best is None or found.needs < best.needs:
-            best = found
+        solution = verify_solution(solution, setting) if checked and not derived else solution
+        if solution.answer is None:
+            reasons += [f"{strategy.name}: {solution.reason}"] if solution.applies else []
+        elif solution.needs <= ELEMENTARY:
+            return solution
+        elif best is None or solution.needs < best.needs:
+            best = solution
     return best or Solution("", reason="; ".join(reasons) or "no strategy has a way to the question")
 
 
@@ -78,11 +78,11 @@ def _kept(strategy: Strategy, setting: ProblemContext, *, derived: bool) -> Solu
     key, study = ("derived by", strategy.name, setting.query), setting.study
     if derived:
         return study.memoize(key, lambda: solve_with(strategy, setting, shown=False))
-    asked = setting.unknown or setting.stated is not None or setting.sought is not None
-    if not asked and setting.most < Need.INTEGRATION and study.is_cached(key):
-        found = study.memoize(key, lambda: solve_with(strategy, setting, shown=False))
-        if found.answer is None or found.needs <= setting.most:
-            return found
+    is_reverse = setting.unknown or setting.stated is not None or setting.sought is not None
+    if not is_reverse and setting.most < Need.INTEGRATION and study.is_cached(key):
+        solution = study.memoize(key, lambda: solve_with(strategy, setting, shown=False))
+        if solution.answer is None or solution.needs <= setting.most:
+            return solution
     return solve_with(strategy, setting)
 
 
@@ -97,18 +97,18 @@ def solve_with(strategy: Strategy, setting: ProblemContext, *, shown: bool = Tru
     refused = refused or (strategy.why_unsuitable(setting.mechanism) if unfit else strategy.why_not_applicable(setting))
     if refused:
         return Solution(strategy.name, reason=refused, applies=False)
-    found = _written(strategy, setting, shown=shown)
-    if setting.formula is None or found.answer is None:
-        return found
-    said = {given.symbol for given in setting.lexicon.givens.values()}
-    own = [symbol for symbol in setting.formula.symbols if symbol not in said]
-    found = _written(strategy, setting, dict(zip(found.stated, own, strict=False)), shown=shown)
-    if found.answer is None:
-        return found
-    sides = [side for held in found.relations for side in (held.left, held.right)]
+    solution = _written(strategy, setting, shown=shown)
+    if setting.formula is None or solution.answer is None:
+        return solution
+    given_symbols = {given.symbol for given in setting.lexicon.givens.values()}
+    own = [symbol for symbol in setting.formula.symbols if symbol not in given_symbols]
+    solution = _written(strategy, setting, dict(zip(solution.stated, own, strict=False)), shown=shown)
+    if solution.answer is None:
+        return solution
+    sides = [side for relation in solution.relations for side in (relation.left, relation.right)]
     if any(is_special(side) or next(numeric_parts(side), None) is not None for side in sides):
         return Solution(strategy.name, reason="it would need numbers where all is in symbols")
-    return with_final_algebra(replace(found, formula=setting.formula.latex))
+    return with_final_algebra(replace(solution, formula=setting.formula.latex))
 
 
 def _written(
@@ -141,11 +141,11 @@ def _written(
         return Solution(strategy.name, reason=str(error))
     steps = book.steps if strategy.integrates or strategy.finished else _text_steps(book, goal, late)
     steps = _renumbered([_givens(setting, book, steps, goal), *steps])
-    found = renumber_times(_unanswered_solution(strategy, setting, book, goal, steps))
-    answer = found.in_answer_unit(book.values[goal])
+    solution = renumber_times(_unanswered_solution(strategy, setting, book, goal, steps))
+    answer = solution.in_answer_unit(book.values[goal])
     if setting.answer is None or abs(answer - setting.answer) > ANSWER_RTOL * abs(setting.answer):
         return Solution(strategy.name, reason=f"it leads to {answer:.6g}, which is not the answer")
-    return replace(found, answer=answer)
+    return replace(solution, answer=answer)
 
 
 def _unanswered_solution(
@@ -153,7 +153,7 @@ def _unanswered_solution(
 ) -> Solution:
     """Combine the steps that a strategy wrote into a solution whose answer is not yet set."""
     counted = not setting.unknown and setting.sought is None and KINDS[setting.query.kind].measured(setting.query).whole
-    found = Solution(
+    solution = Solution(
         strategy.name,
         steps,
         book.observed | book.values,
@@ -168,8 +168,8 @@ def _unanswered_solution(
     )
     unknown = setting.lexicon.givens.get(setting.unknown)
     if unknown is not None and goal == unknown.symbol and unknown.scale != 1.0 and not unknown.angle:
-        return replace(found, scale=1.0 / unknown.scale, asked_unit=(unknown.unit, 1.0))
-    return found
+        return replace(solution, scale=1.0 / unknown.scale, asked_unit=(unknown.unit, 1.0))
+    return solution
 
 
 def _inverted(setting: ProblemContext, book: SolutionBuilder, goal: str) -> str:
@@ -178,13 +178,13 @@ def _inverted(setting: ProblemContext, book: SolutionBuilder, goal: str) -> str:
     value, unit = setting.stated.value, book.units.get(goal, "")
     value = radians(value) if unit == DEGREES else value
     magnitude = states_only_magnitude(setting, book, goal)
-    found = Inversion(book, goal, value, book.sought, magnitude=magnitude).write(f"{setting.stated.value:g}{unit}")
+    symbol = Inversion(book, goal, value, book.sought, magnitude=magnitude).write(f"{setting.stated.value:g}{unit}")
     hung = {*book.formulas, book.sought}
     for step in book.steps:
         worked = [part for r in step.relations for side in (r.left, r.right) for part in numeric_parts(side)]
         if step.kind != SOLVE_KIND and any(not hung.isdisjoint(part.symbols()) for part in worked):
             raise UnsolvedError("it would need numbers that are not known")
-    return found
+    return symbol
 
 
 def solve_prompt(prompt: str) -> tuple[Solution, ProblemContext]:
@@ -202,7 +202,9 @@ def setting_of(parsed: ParsedPrompt) -> ProblemContext:
     If the given result does not determine the unknown, the setting asks for that result.
     """
     scene, mentions = parsed.scene, parsed.reading.mentions
-    letters = {address: said.rpartition(" ")[2] for address, said in mentions.items() if not said.startswith("the ")}
+    letters = {
+        address: mention.rpartition(" ")[2] for address, mention in mentions.items() if not mention.startswith("the ")
+    }
     nouns = {type(body): _noun(mentions[address]) for address, body in scene.bodies.items() if address in mentions}
     named = Writer(scene, Names(letters, nouns), np.random.default_rng(0), numeric).symbols
     study, given = parsed.study, parsed.asked.given
@@ -247,19 +249,19 @@ def _needed(steps: list[Step], goal: str) -> list[Step]:
 def _givens(setting: ProblemContext, book: SolutionBuilder, steps: list[Step], goal: str) -> Step:
     """Return the step that lists the numbers the solution takes from the text."""
     used = {name for step in steps for name in step.symbols()} | {goal}
-    said: dict[str, str] = {}
+    texts: dict[str, str] = {}
     relations: list[Relation] = []
     for given in setting.lexicon.givens.values():
         if given.symbol in used and given.symbol != book.sought:
             elastic = given.parameter.path.endswith("restitution") and given.value == 1.0
-            said[given.symbol] = f"{given.latex}{' (elastic)' if elastic else ''}"
+            texts[given.symbol] = f"{given.latex}{' (elastic)' if elastic else ''}"
             relations.append(Relation(Symbol(given.symbol), Number(given.value), "given"))
     for name, text in book.stated.items():
         if name in used:
-            said[name] = text
+            texts[name] = text
             relations.append(Relation(Symbol(name), Number(book.values[name]), "given"))
     symbols = setting.formula.symbols if book.in_symbols and setting.formula is not None else ()
-    pairs = [(name, *text.partition(" (elastic)")[:2]) for name, text in said.items() if name not in symbols]
+    pairs = [(name, *text.partition(" (elastic)")[:2]) for name, text in texts.items() if name not in symbols]
     numbers = [f"${name} = {text}${why}" for name, text, why in pairs]
     text = f"Given: {join_words(numbers)}." if numbers else ""
     return Step(-1, "givens", text, tuple(relations), (), ())
@@ -267,9 +269,9 @@ def _givens(setting: ProblemContext, book: SolutionBuilder, steps: list[Step], g
 
 def _renumbered(steps: list[Step]) -> tuple[Step, ...]:
     """Return the steps numbered from zero."""
-    place = {step.id: number for number, step in enumerate(steps)}
+    numbers = {step.id: number for number, step in enumerate(steps)}
     return tuple(
-        replace(step, id=number, needs=tuple(place[n] for n in step.needs if n in place))
+        replace(step, id=number, needs=tuple(numbers[n] for n in step.needs if n in numbers))
         for number, step in enumerate(steps)
     )
 

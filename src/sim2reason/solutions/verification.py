@@ -30,18 +30,18 @@ def verify_solution(
 def verification_fault(data: Data, setting: ProblemContext, earlier: Mapping[str, float] | None = None) -> str:
     """Return why a solution's data fail the check; empty if they pass. `earlier` has results of earlier parts."""
     setting = forward(setting)
-    said = named_in_text(setting) | dict(earlier or {})
+    stated = named_in_text(setting) | dict(earlier or {})
     for name, value in data["givens"].items():
-        if name in said and not _same(value, said[name]):
-            return f"{name} is {said[name]:g} in the question, not {value:g}"
-        if name not in said and not any(_same(value, number) for number in stated_by_question(setting)):
+        if name in stated and not _same(value, stated[name]):
+            return f"{name} is {stated[name]:g} in the question, not {value:g}"
+        if name not in stated and not any(_same(value, number) for number in stated_by_question(setting)):
             return f"{name} = {value:g} is not given by the text"
-    found = recompute(data)
-    if found.faults:
-        return found.faults[0]
-    if setting.answer is None or not found.agrees(setting.answer, ANSWER_RTOL):
-        return f"it leads to {found.answer}, not to {setting.answer}"
-    return next(_misstated(data, found.values), "")
+    recomputed = recompute(data)
+    if recomputed.faults:
+        return recomputed.faults[0]
+    if setting.answer is None or not recomputed.agrees(setting.answer, ANSWER_RTOL):
+        return f"it leads to {recomputed.answer}, not to {setting.answer}"
+    return next(_misstated(data, recomputed.values), "")
 
 
 def _misstated(data: Data, values: Mapping[str, float]) -> Iterator[str]:

@@ -87,11 +87,11 @@ def conformance(
     members: list[Specimen] = []
     findings: list[Finding] = []
     for seed in seeds:
-        found = _drawn(cls, seed)
-        if isinstance(found, Specimen):
-            members.append(found)
+        drawn = _drawn(cls, seed)
+        if isinstance(drawn, Specimen):
+            members.append(drawn)
         else:
-            findings.append(found)
+            findings.append(drawn)
     specimens = Specimens(cls, tuple(members), deep)
     for each in made if members else ():
         findings.extend(_caught(each.name, each.findings(specimens)))

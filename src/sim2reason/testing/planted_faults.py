@@ -39,9 +39,9 @@ def planted_faults(
     for kind, spoil in KINDS.items():
         count = spoil(_copy(data), None, values)
         for number in rng.sample(range(count), min(most, count)):
-            held = _copy(data)
-            spoil(held, number, values)
-            yield kind, held
+            faulty = _copy(data)
+            spoil(faulty, number, values)
+            yield kind, faulty
 
 
 def _copy(data: Mapping[str, Any]) -> Data:
@@ -55,11 +55,11 @@ def _idle(data: Data) -> list[Data]:
     names = {id(r): frozenset((*symbols(r["left"]), *symbols(r["right"]))) for r in relations}
     fixed = {name for phase in _phases(data) for tree in formulas(phase) for name in symbols(tree)}
     fixed |= {str(data["goal"]), *data["givens"], *(name for phase in _phases(data) for _, name in phase["ends"])}
-    found = [relation for relation in every if relation["role"] == COMPARED]
+    idle = [relation for relation in every if relation["role"] == COMPARED]
     while more := _last_named(relations, names, fixed, str(data["goal"])):
-        found += more
-        relations = [relation for relation in relations if not any(relation is held for held in more)]
-    return found
+        idle += more
+        relations = [relation for relation in relations if not any(relation is other for other in more)]
+    return idle
 
 
 def _last_named(relations: list[Data], names: Mapping[int, frozenset[str]], fixed: set[str], goal: str) -> list[Data]:
@@ -72,7 +72,7 @@ def _last_named(relations: list[Data], names: Mapping[int, frozenset[str]], fixe
     for relation in relations:
         for name in names[id(relation)] - fixed:
             where[name].append(relation)
-    last = (held for name, held in where.items() if all(new[id(r)] <= {name} for r in held))
+    last = (equations for name, equations in where.items() if all(new[id(r)] <= {name} for r in equations))
     return next(last, list[Data]())
 
 
@@ -80,10 +80,15 @@ def _laws(data: Data) -> list[tuple[list[Data], int]]:
     """Return the place of each law that the answer needs: its list of equations, and its index there."""
     lists = [step["relations"] for step in data["steps"]]
     idle = {id(relation) for relation in _idle(data)}
-    found = [(held, n) for held in lists for n, r in enumerate(held) if r["role"] == "law" and id(r) not in idle]
+    laws = [
+        (equations, n)
+        for equations in lists
+        for n, r in enumerate(equations)
+        if r["role"] == "law" and id(r) not in idle
+    ]
     for phase in _phases(data):
-        found += [(phase["equations"], n) for n in range(len(phase["equations"]))]
-    return found
+        laws += [(phase["equations"], n) for n in range(len(phase["equations"]))]
+    return laws
 
 
 def _phases(data: Data) -> list[Data]:
@@ -94,8 +99,8 @@ def _drop_law(data: Data, number: int | None, values: Mapping[str, float]) -> in
     del values
     laws = _laws(data)
     if number is not None:
-        held, place = laws[number]
-        same = held[place]["left"], held[place]["right"]
+        equations, index = laws[number]
+        same = equations[index]["left"], equations[index]["right"]
         for every in [step["relations"] for step in data["steps"]] + [phase["equations"] for phase in _phases(data)]:
             every[:] = [r for r in every if (r["left"], r["right"]) != same or r.get("role", "law") != "law"]
     return len(laws)
@@ -109,13 +114,13 @@ def _leave_out_phase(data: Data, number: int | None, values: Mapping[str, float]
         step for step in data["steps"] if any(id(r) not in idle for r in step["relations"]) or step["integration"]
     )
     phases = sorted({step["phase"] for step in needed})
-    whole = phases if len(phases) > 1 else []
+    removable = phases if len(phases) > 1 else []
     if number is not None and number < len(integrated):
         _skip(integrated[number])
     elif number is not None:
-        left_out = whole[number - len(integrated)]
+        left_out = removable[number - len(integrated)]
         data["steps"] = [step for step in data["steps"] if step["phase"] != left_out]
-    return len(integrated) + len(whole)
+    return len(integrated) + len(removable)
 
 
 def _skip(step: Data) -> None:
@@ -123,9 +128,9 @@ def _skip(step: Data) -> None:
     phase = step.pop("integration")
     step["integration"] = None
     start: dict[str, Tree] = {phase["time"]: phase["begin"]}
-    for held in phase["coordinates"]:
-        start |= {held["place"]: held["initial_place"], held["rate"]: held["initial_rate"]}
-    start |= {held["name"]: held["initial"] for held in phase["accumulated"]}
+    for entry in phase["coordinates"]:
+        start |= {entry["place"]: entry["initial_place"], entry["rate"]: entry["initial_rate"]}
+    start |= {entry["name"]: entry["initial"] for entry in phase["accumulated"]}
     ends = [(name, start[symbol]) for symbol, name in phase["ends"] if symbol in start]
     step["relations"] += [{"role": "law", "left": name, "right": tree, "unit": ""} for name, tree in ends]
 
@@ -143,14 +148,14 @@ def _exchange_sides(data: Data, number: int | None, values: Mapping[str, float])
     del values
     compared = [r for step in data["steps"] for r in step["relations"] if r["role"] == COMPARED]
     if number is not None:
-        held = compared[number]
-        held["left"], held["right"] = held["right"], held["left"]
+        relation = compared[number]
+        relation["left"], relation["right"] = relation["right"], relation["left"]
     return len(compared)
 
 
 def _leave_out_given(data: Data, number: int | None, values: Mapping[str, float]) -> int:
     del values
-    used = {name for held, key in _trees(data) for name in symbols(held[key])}
+    used = {name for parent, key in _trees(data) for name in symbols(parent[key])}
     names = [name for name in data["givens"] if name in used]
     if number is not None:
         del data["givens"][names[number]]
@@ -193,7 +198,7 @@ def _change(
     changed: Callable[[Any], Any],
 ) -> int:
     """Change one number or sign of the equations that the answer needs; return the number of candidates."""
-    found: list[Place] = []
+    candidates: list[Place] = []
     idle = {id(relation) for relation in _idle(data)}
     for relation, root in _roots(data):
         if id(relation) in idle:
@@ -201,18 +206,18 @@ def _change(
         holder, side = root
         generic = {name: 0.7 + 0.31 * n for n, name in enumerate(dict.fromkeys(symbols(holder[side])))}
         was = _value(holder[side], generic)
-        for held, key in places(root):
-            before = held[key]
-            held[key] = changed(before)
-            zero = _value(before, values) == _value(held[key], values) == 0.0
+        for parent, key in places(root):
+            before = parent[key]
+            parent[key] = changed(before)
+            zero = _value(before, values) == _value(parent[key], values) == 0.0
             same = zero or (_value(holder[side], generic) == was if relation is None else _holds(relation, values))
-            held[key] = before
+            parent[key] = before
             if not same:
-                found.append((held, key))
+                candidates.append((parent, key))
     if number is not None:
-        held, key = found[number]
-        held[key] = changed(held[key])
-    return len(found)
+        parent, key = candidates[number]
+        parent[key] = changed(parent[key])
+    return len(candidates)
 
 
 def _holds(relation: Data, values: Mapping[str, float]) -> bool:
@@ -238,42 +243,42 @@ def _roots(data: Data) -> Iterator[tuple[Data | None, Place]]:
             for side in ("left", "right"):
                 yield relation, (relation, side)
         if step["integration"] is not None:
-            yield from ((None, place) for place in _phase_trees(step["integration"]))
+            yield from ((None, slot) for slot in _phase_trees(step["integration"]))
 
 
 def _phase_trees(phase: Data) -> Iterator[Place]:
     yield phase, "begin"
     yield phase["until"], "expression"
     for part, names in PARTS.items():
-        for held in phase[part]:
-            yield from ((held, name) for name in names)
+        for entry in phase[part]:
+            yield from ((entry, name) for name in names)
 
 
 def _trees(data: Data) -> Iterator[Place]:
-    return (place for _, place in _roots(data))
+    return (slot for _, slot in _roots(data))
 
 
-def _signs(place: Place) -> Iterator[Place]:
+def _signs(slot: Place) -> Iterator[Place]:
     """Yield the terms of sums, and products after a minus sign."""
-    held, key = place
-    tree: Tree = held[key]
+    parent, key = slot
+    tree: Tree = parent[key]
     if not isinstance(tree, list):
         return
     if tree[0] == "+":
         yield from ((tree, n) for n in range(1, len(tree)))
     elif tree[0] == "*" and isinstance(tree[1], float) and tree[1] < 0.0:
-        yield place
+        yield slot
     for n in range(1, len(tree)):
         yield from _signs((tree, n))
 
 
-def _numbers(place: Place) -> Iterator[Place]:
+def _numbers(slot: Place) -> Iterator[Place]:
     """Yield all numbers except zeros and exponents."""
-    held, key = place
-    tree: Tree = held[key]
+    parent, key = slot
+    tree: Tree = parent[key]
     if isinstance(tree, float | int):
         if tree:
-            yield place
+            yield slot
     elif isinstance(tree, list):
         if tree[0] == "^":
             yield from _numbers((tree, 1))

@@ -59,14 +59,14 @@ class Report:
         made = f"{len(self.checks)} checks on {len(self.seeds)} scenes"
         if not self.findings:
             return f"{self.entity}: {made}, nothing found"
-        told = "\n\n".join(self._told(check) for check in dict.fromkeys(found.check for found in self.findings))
-        return f"{self.entity}: {len(self.findings)} finding{'s' * (len(self.findings) != 1)}, by {made}\n\n{told}"
+        details = "\n\n".join(self._told(check) for check in dict.fromkeys(finding.check for finding in self.findings))
+        return f"{self.entity}: {len(self.findings)} finding{'s' * (len(self.findings) != 1)}, by {made}\n\n{details}"
 
     def _told(self, check: str) -> str:
         """Return the first findings of a check in full, and the number of the others."""
-        found = [finding for finding in self.findings if finding.check == check]
-        more = [f"{check}: and {len(found) - FULL} more"] if len(found) > FULL else []
-        return "\n\n".join([*(finding.text for finding in found[:FULL]), *more])
+        findings = [finding for finding in self.findings if finding.check == check]
+        more = [f"{check}: and {len(findings) - FULL} more"] if len(findings) > FULL else []
+        return "\n\n".join([*(finding.text for finding in findings[:FULL]), *more])
 
     def raise_for_findings(self) -> None:
         """Raise ConformanceError with all findings, if there are any."""

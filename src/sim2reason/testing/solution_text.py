@@ -52,8 +52,8 @@ class Equality:
 
     def sizes(self, values: Mapping[str, float]) -> float:
         """Return the sum of the magnitudes of all terms of both sides."""
-        found = (arithmetic.value(term, values) for term in self.terms)
-        return sum(abs(size) for size in found if size is not None)
+        term_values = (arithmetic.value(term, values) for term in self.terms)
+        return sum(abs(size) for size in term_values if size is not None)
 
     def rounding(self, values: Mapping[str, float], excess: float) -> float:
         """Return by how much left minus right side may differ from zero if all numbers are rounded."""
@@ -85,7 +85,7 @@ class ReadText:
     def broken(self) -> list[str]:
         """Return the equations that do not hold for the values in the text, or contain symbols without a value."""
         wrong = [e.text for e in self.equalities if e.symbols - self.values.keys() or not e.holds(self.values)]
-        return wrong + [held.text for held in self.sums if not held.holds(self.values)]
+        return wrong + [label_sum.text for label_sum in self.sums if not label_sum.holds(self.values)]
 
 
 def read(text: str, known: Mapping[str, float] | None = None) -> ReadText:
@@ -121,8 +121,8 @@ def read(text: str, known: Mapping[str, float] | None = None) -> ReadText:
         except Refused as refused:
             unread.append(f"{match[0]}: {refused}")
     given = text.partition("\n")[0] if text.startswith("Given") else ""
-    told = [*known, *(name for chain in FORMULA.findall(given) if (name := _name(chain, table)))]
-    sums = label_sums(text, lambda formula: _excess(formula, table), told, sorted(values))
+    given_names = [*known, *(name for chain in FORMULA.findall(given) if (name := _name(chain, table)))]
+    sums = label_sums(text, lambda formula: _excess(formula, table), given_names, sorted(values))
     return ReadText(tuple(equalities), tuple(unread), values, tuple(sums))
 
 
@@ -148,8 +148,8 @@ def _excess(formula: str, table: frozenset[str]) -> Callable[[Mapping[str, float
         left, right, *_ = [_side(part, table) for part in formula.split("=")]
     except Refused:
         return None
-    held = Equality(formula, (left[0], right[0]), (), left[2] | right[2])
-    return lambda values: held.excess(values) if held.symbols <= values.keys() else None
+    equality = Equality(formula, (left[0], right[0]), (), left[2] | right[2])
+    return lambda values: equality.excess(values) if equality.symbols <= values.keys() else None
 
 
 def _follow(equalities: list[Equality], values: dict[str, float]) -> None:
@@ -158,10 +158,10 @@ def _follow(equalities: list[Equality], values: dict[str, float]) -> None:
     Among several such equalities, the one with the smallest magnification of rounding errors is used.
     """
     for _ in equalities:
-        found = [each for equality in equalities if (each := _solved(equality, values)) is not None]
-        if not found:
+        candidates = [each for equality in equalities if (each := _solved(equality, values)) is not None]
+        if not candidates:
             return
-        _, name, value = min(found)
+        _, name, value = min(candidates)
         values[name] = value
 
 
@@ -171,10 +171,10 @@ def _solved(equality: Equality, values: Mapping[str, float]) -> tuple[float, str
     if len(missing) != 1:
         return None
     name = missing[0]
-    found = [equality.excess({**values, name: x}) for x in (0.0, 1.0, 2.0)]
-    if None in found:
+    excesses = [equality.excess({**values, name: x}) for x in (0.0, 1.0, 2.0)]
+    if None in excesses:
         return None
-    zero, one, two = (float(x or 0.0) for x in found)
+    zero, one, two = (float(x or 0.0) for x in excesses)
     if one == zero or abs(two - 2.0 * one + zero) > 1e-6 * abs(one - zero):
         return None
     value = -zero / (one - zero)
@@ -184,13 +184,13 @@ def _solved(equality: Equality, values: Mapping[str, float]) -> tuple[float, str
 
 def _table(chains: list[str]) -> frozenset[str]:
     """Return the symbols of the text; e is one of them if it is equated with something."""
-    found: set[str] = {"e"} if any(chain.strip().startswith("e =") for chain in chains) else set()
+    symbols: set[str] = {"e"} if any(chain.strip().startswith("e =") for chain in chains) else set()
     for side in (side for chain in chains for side in chain.split("=")):
         try:
-            found |= {token.text for token in tokenize(side, None, primes=True) if token.kind == "symbol"}
+            symbols |= {token.text for token in tokenize(side, None, primes=True) if token.kind == "symbol"}
         except Refused:
             continue
-    return frozenset(found)
+    return frozenset(symbols)
 
 
 def _side(text: str, table: frozenset[str]) -> tuple[Node, tuple[Node, ...], frozenset[str]]:
@@ -243,36 +243,36 @@ def part_faults(text: str) -> list[str]:
     body = text.partition("\n\nAnswers: ")[0]
     pieces = PART.split(body)[1:]
     parts = dict(zip(pieces[::2], pieces[1::2], strict=True))
-    found = [fault for part in parts.values() for fault in _recalls(part, parts)]
-    whole = read("\n\n".join(parts.values()))
-    found += [f"does not hold: {broken}" for broken in whole.broken]
-    found += [f"cannot be read: {unread}" for unread in whole.unread]
+    faults = [fault for part in parts.values() for fault in _recalls(part, parts)]
+    parsed = read("\n\n".join(parts.values()))
+    faults += [f"does not hold: {broken}" for broken in parsed.broken]
+    faults += [f"cannot be read: {unread}" for unread in parsed.unread]
     equations: dict[str, str] = {}
     for label, formula in LABELLED.findall(body):
         if equations.setdefault(label, formula) != formula:
-            found.append(f"{label} stands for two equations")
-    return found
+            faults.append(f"{label} stands for two equations")
+    return faults
 
 
 def _recalls(part: str, parts: dict[str, str]) -> list[str]:
     """Return faults of names that a part quotes from another part."""
-    found: list[str] = []
+    faults: list[str] = []
     for recall in RECALL.finditer(part):
         source = parts.get(recall["label"], "")
-        said = _numbers(RECALL.sub("", source))
+        source_numbers = _numbers(RECALL.sub("", source))
         for name, number in _numbers(recall["results"]).items():
-            if said.get(name) != number:
-                found.append(f"part ({recall['label']}) does not say {name} = {number}")
-    return found
+            if source_numbers.get(name) != number:
+                faults.append(f"part ({recall['label']}) does not say {name} = {number}")
+    return faults
 
 
 def _numbers(text: str) -> dict[str, str]:
     """Return the names equated with numbers in a text, each with its last number as written."""
-    found: dict[str, str] = {}
+    numbers: dict[str, str] = {}
     for match in FORMULA.finditer(text):
         name, _, number = match[1].partition("=")
         try:
-            found[canonical(name.strip())] = number.rpartition("=")[2].strip()
+            numbers[canonical(name.strip())] = number.rpartition("=")[2].strip()
         except ValueError:
             continue
-    return found
+    return numbers

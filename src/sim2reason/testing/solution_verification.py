@@ -41,18 +41,18 @@ def faults(solution: Solution, answer: float, within: float = RELATION_RTOL) -> 
     """
     if solution.answer is None:
         return [f"no answer: {solution.reason}"]
-    found: list[str] = []
+    problems: list[str] = []
     if abs(solution.answer - answer) > within / min(1.0, solution.keen or 1.0) * abs(answer):
-        found.append(f"it gives {solution.answer:.12g}, the engine {answer:.12g}")
-    found += [f"does not hold: {r.latex()}" for r in solution.relations if not holds(r, solution.values)]
-    found += [f"recomputed: {fault}" for fault in recompute(as_data(solution)).faults]
+        problems.append(f"it gives {solution.answer:.12g}, the engine {answer:.12g}")
+    problems += [f"does not hold: {r.latex()}" for r in solution.relations if not holds(r, solution.values)]
+    problems += [f"recomputed: {fault}" for fault in recompute(as_data(solution)).faults]
     if not solution.derived:  # an integration carries all digits, and states more of its end than is asked for
-        return found
-    found += undetermined(solution)
+        return problems
+    problems += undetermined(solution)
     carried = by_digits(solution)
     if not abs(carried - answer) <= CARRIED * abs(answer):  # also where it is not a number
-        found.append(f"with {DIGITS} digits it gives {carried:.6g}, not {answer:.6g}")
-    return found
+        problems.append(f"with {DIGITS} digits it gives {carried:.6g}, not {answer:.6g}")
+    return problems
 
 
 def holds(relation: Relation, values: Mapping[str, float]) -> bool:
@@ -64,8 +64,8 @@ def holds(relation: Relation, values: Mapping[str, float]) -> bool:
     return abs(left - right) <= RELATION_RTOL * size + ROUNDING
 
 
-def _size(held: Expression, at: Mapping[str, float]) -> float:
-    terms = held.terms if isinstance(held, Sum) else (held,)
+def _size(expression: Expression, at: Mapping[str, float]) -> float:
+    terms = expression.terms if isinstance(expression, Sum) else (expression,)
     return max((abs(term.value(at)) for term in terms), default=0.0)
 
 
@@ -77,32 +77,32 @@ def undetermined(solution: Solution) -> list[str]:
     relations = [r for r in solution.relations if r.role not in (*KNOWN, *CHECKS)]
     known = {name for r in solution.relations if r.role in KNOWN for name in r.left.symbols()}
     names = sorted({name for r in relations for name in r.symbols()} - known)
-    place = {name: number for number, name in enumerate(names)}
+    index = {name: number for number, name in enumerate(names)}
     values = dict(solution.values)
     goals = [solution.goal]
-    if unknown := [name for name in goals if name not in place and name not in known]:
+    if unknown := [name for name in goals if name not in index and name not in known]:
         return [f"no relation speaks of {name}" for name in unknown]
-    rows = [_row(r, values, place) for r in relations]
+    rows = [_row(r, values, index) for r in relations]
     laws = [number for number, r in enumerate(relations) if r.role == "law"]
-    found: list[str] = []
-    told = [rows[number] for number in laws]
+    problems: list[str] = []
+    law_rows = [rows[number] for number in laws]
     sought = goals, _since_when(solution)
-    units, since = ([np.eye(len(names))[place[n]] for n in some if n in place] for some in sought)
-    if not all(_spanned(told, unit) for unit in units):
-        found.append("the laws that are told do not determine the answer")
+    units, since = ([np.eye(len(names))[index[n]] for n in some if n in index] for some in sought)
+    if not all(_spanned(law_rows, unit) for unit in units):
+        problems.append("the laws that are told do not determine the answer")
     else:
         there = _elsewhere(solution)
-        others = [_row(r, there, place) for r in relations]
+        others = [_row(r, there, index) for r in relations]
 
         def are_enough(kept: list[int]) -> bool:
             spanned = all(_spanned([e[k] for k in kept], unit) for e in (rows, others) for unit in [*units, *since])
-            return spanned and all(_spared([relations[k] for k in kept], values, place, unit) for unit in units)
+            return spanned and all(_spared([relations[k] for k in kept], values, index, unit) for unit in units)
 
         idle = [n for n in laws if are_enough([k for k in laws if k != n])] if units else []
-        found += [f"superfluous: {relations[number].latex()}" for number in idle]
+        problems += [f"superfluous: {relations[number].latex()}" for number in idle]
     derived = (number for number, relation in enumerate(relations) if relation.role != "law")
-    strays = [relations[number].latex() for number in derived if not _spanned(told, rows[number])]
-    return found + [f"does not follow from what is told: {text}" for text in strays]
+    strays = [relations[number].latex() for number in derived if not _spanned(law_rows, rows[number])]
+    return problems + [f"does not follow from what is told: {text}" for text in strays]
 
 
 def _since_when(solution: Solution) -> list[str]:
@@ -117,9 +117,9 @@ def _since_when(solution: Solution) -> list[str]:
     """
     verified = [relation for relation in solution.relations if relation.role in CHECKS]
     checked = {r.left.latex() for r in verified if r.role == "verified"}
-    told = (r for step in solution.steps if step.kind == "time" and verified for r in step.relations)
+    time_relations = (r for step in solution.steps if step.kind == "time" and verified for r in step.relations)
     flown = [relation for step in solution.steps if step.kind == TIME for relation in step.relations]
-    times = [relation.left.latex() for relation in (*(r for r in told if r.role == "result"), *flown)]
+    times = [relation.left.latex() for relation in (*(r for r in time_relations if r.role == "result"), *flown)]
     times += [name for r in _formulas(solution) for name in r.left.symbols()]
     return times + [name for r in verified for name in r.symbols() if name not in checked]
 
@@ -148,40 +148,40 @@ def _elsewhere(solution: Solution) -> dict[str, float]:
     return values
 
 
-def _spared(laws: Sequence[Relation], values: dict[str, float], place: dict[str, int], goal: Array) -> bool:
+def _spared(laws: Sequence[Relation], values: dict[str, float], index: dict[str, int], goal: Array) -> bool:
     """Return whether the given laws alone determine the answer, also at another point that satisfies these laws.
 
     If that law states when something is greatest, the goal is stationary without it: so the solution set is followed
     for a short distance, with Newton's method back onto it, and the test is repeated there.
     """
-    matrix = np.array([_row(law, values, place) for law in laws])
+    matrix = np.array([_row(law, values, index) for law in laws])
     if not len(matrix):
         return True
-    sizes = _sizes(values, place)
+    sizes = _sizes(values, index)
     _, spread, ways = np.linalg.svd(matrix * sizes)
     free = ways[int((spread > FAINT * spread.max(initial=0.0)).sum()) :]
-    way = free.sum(axis=0)
-    away = values | {name: values[name] + ASIDE * sizes[k] * float(way[k]) for name, k in place.items()}
+    direction = free.sum(axis=0)
+    away = values | {name: values[name] + ASIDE * sizes[k] * float(direction[k]) for name, k in index.items()}
     for _ in range(ROUNDS):
-        jacobian = np.array([_row(law, away, place, scaled=False) for law in laws]) * sizes
+        jacobian = np.array([_row(law, away, index, scaled=False) for law in laws]) * sizes
         off = np.array([complex(law.left.value(away) - law.right.value(away)).real for law in laws], dtype=np.float64)
         step: Array = np.asarray(np.linalg.lstsq(jacobian, off, rcond=1e-12)[0], dtype=np.float64) * sizes
-        away |= {name: away[name] - float(step[k]) for name, k in place.items()}
-    return _spanned([_row(law, away, place) for law in laws], goal)
+        away |= {name: away[name] - float(step[k]) for name, k in index.items()}
+    return _spanned([_row(law, away, index) for law in laws], goal)
 
 
-def _row(relation: Relation, values: dict[str, float], place: dict[str, int], *, scaled: bool = True) -> Array:
-    left, right = gradient(relation.left, values, place), gradient(relation.right, values, place)
+def _row(relation: Relation, values: dict[str, float], index: dict[str, int], *, scaled: bool = True) -> Array:
+    left, right = gradient(relation.left, values, index), gradient(relation.right, values, index)
     row = np.array(left) - np.array(right)
     if scaled:  # by relative changes: what is large and what is small weigh alike
-        row = row * _sizes(values, place)
+        row = row * _sizes(values, index)
     scale = np.abs(row).max(initial=0.0)
     return row / scale if scaled and scale else row
 
 
-def _sizes(values: Mapping[str, float], place: Mapping[str, int]) -> Array:
+def _sizes(values: Mapping[str, float], index: Mapping[str, int]) -> Array:
     """Return the magnitudes of the named values, SI units; 1 for values that are zero within rounding errors."""
-    return np.array([abs(values[name]) if abs(values[name]) > ROUNDING else 1.0 for name in place])
+    return np.array([abs(values[name]) if abs(values[name]) > ROUNDING else 1.0 for name in index])
 
 
 def _spanned(rows: Sequence[Array], goal: Array) -> bool:
@@ -208,8 +208,8 @@ def by_digits(solution: Solution, digits: int = DIGITS) -> float:
                 values[name] = round_to_digits(float(relation.right.value(values, digits).real), digits)
             except (ValueError, ArithmeticError):  # such as the arccosine of what rounding has made more than 1
                 return float("nan")
-    found = values.get(solution.goal, float("nan"))
-    return solution.in_answer_unit(found)
+    answer = values.get(solution.goal, float("nan"))
+    return solution.in_answer_unit(answer)
 
 
 TERM = r"(?:(?:\$[^$]*\$|[^\s$()·]+)·)?\(\w+\)"
@@ -258,22 +258,26 @@ def label_sums(
     """Return all sums of equations in a text; `read` parses an equation as a function of its symbols."""
     labelled = {match["label"]: match["formula"] for match in LABEL.finditer(text)}
     sums = list(SUM.finditer(text))
-    apart = [match["formula"] for match in LABEL.finditer(text) if LIGHT in match[0]]
+    light_formulas = [match["formula"] for match in LABEL.finditer(text) if LIGHT in match[0]]
     outs = {match["out"] for match in sums}
     rows = {*labelled.values(), *outs}
     moved = tuple(name for name in names if name not in givens)
-    found: list[LabelSum] = []
+    parsed_sums: list[LabelSum] = []
     for match in sums:
         plain = re.findall(r"\$([^$]*=[^$]*)\$", text[: match.start()])  # what follows is free to move with it
-        told = [f.rpartition("=")[0] if f.count("=") == 2 and _number(f) else f for f in plain]  # a law and its result
-        laws = [f for f in told if f not in rows and f.count("=") == 1 and not _number(f)]
-        held = tuple(excess for formula in dict.fromkeys((*apart, *laws)) if (excess := read(formula)) is not None)
+        formulas = [
+            f.rpartition("=")[0] if f.count("=") == 2 and _number(f) else f for f in plain
+        ]  # a law and its result
+        laws = [f for f in formulas if f not in rows and f.count("=") == 1 and not _number(f)]
+        constraints = tuple(
+            excess for formula in dict.fromkeys((*light_formulas, *laws)) if (excess := read(formula)) is not None
+        )
         out = read(match["out"])
         parts = [_part(part, labelled, read) for part in PART.finditer(match["sum"])]
         if out is not None and all(part is not None for part in parts):
             kept = tuple(part for part in parts if part is not None)
-            found.append(LabelSum(match[0], out, kept, held, moved))
-    return found
+            parsed_sums.append(LabelSum(match[0], out, kept, constraints, moved))
+    return parsed_sums
 
 
 def _number(formula: str) -> bool:
@@ -300,14 +304,14 @@ def _part(
 
 
 def _gradient(excess: Excess, values: Mapping[str, float], names: Sequence[str]) -> Array | None:
-    here, found = excess(values), list[float]()
+    here, derivatives = excess(values), list[float]()
     for name in names:
         step = STEP * max(1.0, abs(values[name]))
         there = excess({**values, name: values[name] + step})
         if here is None or there is None:
             return None
-        found.append((there - here) / step)
-    return np.array(found)
+        derivatives.append((there - here) / step)
+    return np.array(derivatives)
 
 
 def _free(rows: Sequence[Array], size: int) -> Array:

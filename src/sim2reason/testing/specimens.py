@@ -44,8 +44,8 @@ def _with(value: Any, address: str, numbers: Mapping[str, float]) -> Any:  # noq
     if address in numbers:
         return numbers[address]
     if isinstance(value, tuple):
-        held = cast("tuple[Any, ...]", value)
-        return tuple(_with(member, f"{address}.{index}", numbers) for index, member in enumerate(held))
+        members = cast("tuple[Any, ...]", value)
+        return tuple(_with(member, f"{address}.{index}", numbers) for index, member in enumerate(members))
     if not isinstance(value, Model) or not any(path.startswith(f"{address}.") for path in numbers):
         return value
     fields = {name: _with(getattr(value, name), f"{address}.{name}", numbers) for name in type(value).model_fields}
@@ -64,14 +64,14 @@ def studied(scene: Scene | None, duration: float) -> SimulatedScene | None:
 
 def stated_numbers(scene: Scene, seed: int = 0) -> dict[str, Parameter]:
     """Return the numbers that a text states as numbers, by address, without those stated by words."""
-    found: dict[str, Parameter] = {}
+    parameters: dict[str, Parameter] = {}
 
     def heard(parameter: Parameter, symbol: str) -> str:
-        found[parameter.path] = parameter
+        parameters[parameter.path] = parameter
         return numeric(parameter, symbol)
 
     describe(scene, seed, heard)
-    return found
+    return parameters
 
 
 def stated_by_word(scene: Scene, path: str) -> bool:
@@ -85,8 +85,8 @@ def stated_by_word(scene: Scene, path: str) -> bool:
 
 
 def _worded(value: Body | Part, name: str) -> bool:
-    held = getattr(value, name)
-    return any(word.parameter == name and held in word.special for word in value.words.values())
+    field_value = getattr(value, name)
+    return any(word.parameter == name and field_value in word.special for word in value.words.values())
 
 
 IT = "it"  # name of the entity in its scenes
@@ -185,16 +185,16 @@ def specimen(cls: type[Entity], seed: int) -> Specimen:
         rng = np.random.default_rng([seed, attempt])
         try:
             entity = draw(cls, rng, choices(cls, rng))
-            found = Specimen(seed, close_ports(Named(name=IT, entity=entity), rng, widely=attempt >= NARROW))
-            found.scene.check()
-            _ = found.description  # also what can't be told is drawn again
-            moves = found.moves  # and what an engine says can not be
+            candidate = Specimen(seed, close_ports(Named(name=IT, entity=entity), rng, widely=attempt >= NARROW))
+            candidate.scene.check()
+            _ = candidate.description  # also what can't be told is drawn again
+            moves = candidate.moves  # and what an engine says can not be
         except (SceneError, ValidationError) as error:
             refused = str(error)
             continue
-        if moves and found.targets:
-            return found
-        still = still or found
+        if moves and candidate.targets:
+            return candidate
+        still = still or candidate
         if attempt >= PATIENT:
             break
     if still is None:
@@ -256,12 +256,12 @@ def differences(
 
 
 def _values(targets: list[Target], trace: Trace, times: list[float], stretch: float) -> dict[Target, list[float]]:
-    found: dict[Target, list[float]] = {target: [] for target in targets}
+    values: dict[Target, list[float]] = {target: [] for target in targets}
     for time in times:
         state = trace.sample(np.array([time * stretch]))
         for target in targets:
-            found[target].append(target.value(state))
-    return found
+            values[target].append(target.value(state))
+    return values
 
 
 def _events(trace: Trace, end: float, stretch: float) -> list[Event]:

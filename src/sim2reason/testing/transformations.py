@@ -124,11 +124,11 @@ class Integrals(NamedTuple):
     sizes: Array
 
 
-def integrals(trace: Trace, start: float, stop: float, integrand: Callable[[State], Array], least: float) -> Integrals:
+def integrals(trace: Trace, start: float, stop: float, integrand: Callable[[State], Array], floor: float) -> Integrals:
     """Return the integrals of k functions, with values (k, n) from `integrand`, by Gauss-Legendre quadrature.
 
     Both results have the shape (k,); NaN where a value is unknown. Pieces are halved until their integrals converge.
-    Integrals much smaller than `least` count as zero.
+    Integrals much smaller than `floor` count as zero.
     """
     pieces = np.array([[start, stop]])
     values, sizes = _pieces(trace, pieces, integrand)
@@ -137,9 +137,9 @@ def integrals(trace: Trace, start: float, stop: float, integrand: Callable[[Stat
         middle = pieces.mean(axis=1)
         halves = np.stack([pieces[:, 0], middle, middle, pieces[:, 1]], axis=1).reshape(-1, 2)
         finer, larger = _pieces(trace, halves, integrand)
-        whole = max(float(np.max(size + larger.sum(axis=1), initial=0.0)), least)
-        apart = np.abs(finer.reshape(len(finer), -1, 2).sum(axis=2) - values)
-        rough = (apart > SETTLED * whole).any(axis=0)
+        scale = max(float(np.max(size + larger.sum(axis=1), initial=0.0)), floor)
+        errors = np.abs(finer.reshape(len(finer), -1, 2).sum(axis=2) - values)
+        rough = (errors > SETTLED * scale).any(axis=0)
         kept = np.repeat(~rough, 2)
         total, size = total + finer[:, kept].sum(axis=1), size + larger[:, kept].sum(axis=1)
         pieces, values, sizes = halves[~kept], finer[:, ~kept], larger[:, ~kept]
@@ -168,23 +168,25 @@ def kinetic(state: State) -> Array:
 
 def powers(state: State) -> dict[str, Array]:
     """Return the power of each force that does work, W, by name; NaN where a force is undetermined."""
-    mechanism, found = state.mechanism, dict[str, Array]()
+    mechanism, power_by_name = state.mechanism, dict[str, Array]()
     g = np.array(mechanism.gravity)
     for body in mechanism.bodies:
-        found[f"weight of {body.name}"] = body.mass * _velocity(state, body.name) @ g
+        power_by_name[f"weight of {body.name}"] = body.mass * _velocity(state, body.name) @ g
     for line in mechanism.lines:
-        found[f"tension of {line.name}"] = _working(state.tension[line.name], -_rate(state, line))
+        power_by_name[f"tension of {line.name}"] = _working(state.tension[line.name], -_rate(state, line))
     for face in mechanism.faces:
         slip = sum(factor * state.v[:, mechanism.number[name]] for name, factor in face.slip)
-        found[f"friction under {face.subject}"] = _working(
+        power_by_name[f"friction under {face.subject}"] = _working(
             state.friction[face.subject], slip + np.zeros(state.times.shape)
         )
     for force in mechanism.forces:
-        found[f"the force {force.name}"] = np.einsum("ij,ij->i", acting(state, force), _velocity(state, force.body))
+        power_by_name[f"the force {force.name}"] = np.einsum(
+            "ij,ij->i", acting(state, force), _velocity(state, force.body)
+        )
     for pair, pull in attractions(state):
         parting = _velocity(state, pair[0]) - _velocity(state, pair[1])
-        found[f"attraction of {' and '.join(pair)}"] = np.einsum("ij,ij->i", pull, parting)
-    return found
+        power_by_name[f"attraction of {' and '.join(pair)}"] = np.einsum("ij,ij->i", pull, parting)
+    return power_by_name
 
 
 def _velocity(state: State, body: str) -> Array:
@@ -205,21 +207,21 @@ def _rate(state: State, line: Line) -> Array:
 def acting(state: State, force: Force) -> Array:
     """Return an applied force at all times, N, (n, 3); zero outside its region."""
     center = state.frames.center(force.body)
-    found = state.vector(force.law.force(center.place, center.velocity, state.times, np))
+    force_vectors = state.vector(force.law.force(center.place, center.velocity, state.times, np))
     if force.region is None:
-        return found
+        return force_vectors
     margins = [state.vector((margin, 0.0, 0.0))[:, 0] for margin in force.region.margins(center.place, np)]
-    return found * (np.min(margins, axis=0) > 0.0)[:, None]
+    return force_vectors * (np.min(margins, axis=0) > 0.0)[:, None]
 
 
 def attractions(state: State) -> Iterator[tuple[tuple[str, str], Array]]:
     """Yield the pairs of attracting bodies, with the force on the first, N, (n, 3)."""
     mechanism = state.mechanism
     for pair in mechanism.attractions:
-        apart = state.vector(minus(state.frames.center(pair.b).place, state.frames.center(pair.a).place))
-        distance = np.linalg.norm(apart, axis=1)[:, None]
+        separation = state.vector(minus(state.frames.center(pair.b).place, state.frames.center(pair.a).place))
+        distance = np.linalg.norm(separation, axis=1)[:, None]
         strength = pair.constant * mechanism.body[pair.a].mass * mechanism.body[pair.b].mass
-        yield (pair.a, pair.b), strength * apart / distance ** (pair.power + 1.0)
+        yield (pair.a, pair.b), strength * separation / distance ** (pair.power + 1.0)
 
 
 def movable(mechanism: Mechanism) -> Iterator[Coordinate]:
@@ -234,11 +236,11 @@ def movable(mechanism: Mechanism) -> Iterator[Coordinate]:
 
 def carried(mechanism: Mechanism, root: str) -> set[str | None]:
     """Return the names of a body and all bodies that it carries, directly or indirectly."""
-    found: set[str | None] = {root}
+    names: set[str | None] = {root}
     for body in mechanism.bodies:
-        if body.parent in found:
-            found.add(body.name)
-    return found
+        if body.parent in names:
+            names.add(body.name)
+    return names
 
 
 def momentum(state: State, coordinate: Coordinate) -> Array:
@@ -258,8 +260,8 @@ def push(state: State, coordinate: Coordinate) -> Array:
         for first, last in pairwise(line.through):
             inside = [mechanism.site[site].body in names for site in (first, last)]
             if inside[0] != inside[1]:
-                way = minus(state.frames.site(last).place, state.frames.site(first).place)
-                along = state.vector(way) @ axis / np.linalg.norm(state.vector(way), axis=1)
+                segment = minus(state.frames.site(last).place, state.frames.site(first).place)
+                along = state.vector(segment) @ axis / np.linalg.norm(state.vector(segment), axis=1)
                 total = total + _working(state.tension[line.name], along * (1.0 if inside[0] else -1.0))
     for face in mechanism.faces:
         factor = dict(face.slip).get(coordinate.name, 0.0)

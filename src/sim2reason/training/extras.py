@@ -40,13 +40,13 @@ def without_cudnn_attention() -> None:
 
 def versions() -> dict[str, str]:
     """Return the versions of the installed libraries that affect training."""
-    found = dict[str, str]()
+    installed = dict[str, str]()
     for name in LIBRARIES:
         try:
-            found[name] = version(name)
+            installed[name] = version(name)
         except PackageNotFoundError:
             continue
-    return found
+    return installed
 
 
 def is_main_process() -> bool:

@@ -112,8 +112,8 @@ class LazyRows:
             error.args = (f"{path}: {error}", *error.args[1:])
             raise
         if (self._share < 1) != (len(stored) > 0):
-            told = "but there are no stored rows" if self._share < 1 else "so that stored rows would never be shown"
-            raise DatasetError(f"{path}: share is {self._settings.share}, {told}; give both or neither")
+            reason = "but there are no stored rows" if self._share < 1 else "so that stored rows would never be shown"
+            raise DatasetError(f"{path}: share is {self._settings.share}, {reason}; give both or neither")
         self._stored = stored
         self._order: tuple[int, np.ndarray[Any, np.dtype[np.int64]]] = (-1, np.zeros(0, np.int64))
 
@@ -134,10 +134,10 @@ class LazyRows:
         return dict(row)
 
     def _stored_row(self, number: int) -> dict[str, Any]:
-        lap, place = divmod(number, len(self._stored))
+        lap, index = divmod(number, len(self._stored))
         if self._order[0] != lap:
             self._order = lap, np.random.default_rng([self._settings.seed, lap]).permutation(len(self._stored))
-        row = self._stored[int(self._order[1][place])]
+        row = self._stored[int(self._order[1][index])]
         lacking = [name for name in self._export.columns if name not in row]
         if lacking:
             raise DatasetError(f"a stored row has no column {lacking[0]!r}; it has {', '.join(row)}")

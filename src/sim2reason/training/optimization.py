@@ -58,15 +58,15 @@ def muon_with_adamw(
     fixed norm, so that its rate depends neither on the loss nor on gradient clipping.
     """
     outer = {
-        id(held)
+        id(parameter)
         for layer in (model.get_input_embeddings(), model.get_output_embeddings())
         if layer is not None
-        for held in layer.parameters()
+        for parameter in layer.parameters()
     }
-    trained = [held for held in model.parameters() if held.requires_grad]
-    vectors = [held for held in trained if held.ndim != 2 and id(held) not in outer]
-    matrices = [held for held in trained if held.ndim == 2 and id(held) not in outer]
-    ends = [held for held in trained if id(held) in outer]
+    trained = [parameter for parameter in model.parameters() if parameter.requires_grad]
+    vectors = [parameter for parameter in trained if parameter.ndim != 2 and id(parameter) not in outer]
+    matrices = [parameter for parameter in trained if parameter.ndim == 2 and id(parameter) not in outer]
+    ends = [parameter for parameter in trained if id(parameter) in outer]
     muon = library("torch").optim.Muon(matrices, lr=muon_learning_rate, weight_decay=weight_decay)
     adamw = library("torch").optim.AdamW(
         [{"params": ends, "weight_decay": weight_decay}, {"params": vectors, "weight_decay": 0.0}], lr=learning_rate
@@ -96,8 +96,8 @@ def _together() -> External:
             return {"parts": [part.state_dict() for part in self.parts]}
 
         def load_state_dict(self, state_dict: dict[str, Any]) -> None:
-            for part, held in zip(self.parts, state_dict["parts"], strict=True):
-                part.load_state_dict(held)
+            for part, part_state in zip(self.parts, state_dict["parts"], strict=True):
+                part.load_state_dict(part_state)
             self.param_groups = [group for part in self.parts for group in part.param_groups]  # those that it replaced
 
     return Together

@@ -44,10 +44,10 @@ class Prefetcher:
     def at(self, source: ProblemSource, cell: str, index: int) -> Problem | None:
         """Return the problem of a cell and index; request the following ones from the other processes."""
         self.order(source, cell, index)
-        found = self._ordered.pop((source.name, cell, index), None)
-        if found is not None:
+        future = self._ordered.pop((source.name, cell, index), None)
+        if future is not None:
             try:
-                return found.result()[0]
+                return future.result()[0]
             except BrokenProcessPool:  # a process was killed, for want of memory say: go on without
                 self._pool = None
                 self._ordered.clear()
@@ -220,15 +220,15 @@ class ProblemStream:
 
     def shares(self) -> dict[str, float]:
         """Return the probability with which each cell provides the next prompt."""
-        found: dict[str, float] = {}
-        whole = sum(source.weight for source in self.sources)
+        probabilities: dict[str, float] = {}
+        total_weight = sum(source.weight for source in self.sources)
         for source in self.sources:
             keys = [f"{source.name}/{cell}" for cell in source.cells]
             curriculum, rates = self.curriculum, self.cursor.rates
             weights = {key: 1.0 if curriculum is None else curriculum.weight(rates.get(key)) for key in keys}
             total = sum(weights.values())
-            found |= {key: source.weight / whole * weight / total for key, weight in weights.items()}
-        return found
+            probabilities |= {key: source.weight / total_weight * weight / total for key, weight in weights.items()}
+        return probabilities
 
     def _next(self) -> Problem:
         deficits, cursor = self.cursor.deficits, self.cursor
@@ -236,16 +236,16 @@ class ProblemStream:
             deficits[key] = deficits.get(key, 0.0) + share
         key = max(deficits, key=lambda name: deficits[name])  # the first of equals
         deficits[key] -= 1.0
-        index, found = self._at_or_after(key, cursor.next.get(key, 0))
+        index, problem = self._at_or_after(key, cursor.next.get(key, 0))
         cursor.next[key] = index + 1
         cursor.drawn += 1
-        return found
+        return problem
 
     def _at_or_after(self, key: str, start: int) -> tuple[int, Problem]:
         """Return the first problem of a cell from an index on, with its index."""
         source, cell = self._cells[key]
         for index in range(start, start + EMPTY):
-            found = self.prefetcher.at(source, cell, index)
-            if found is not None and not {found.item.prompt, found.fingerprint} & self.avoid:
-                return index, found
+            problem = self.prefetcher.at(source, cell, index)
+            if problem is not None and not {problem.item.prompt, problem.fingerprint} & self.avoid:
+                return index, problem
         raise TrainingError(f"problems: {key} gave nothing in {EMPTY} draws; choose other recipes, kinds or weights")

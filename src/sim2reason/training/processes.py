@@ -86,23 +86,23 @@ def _followed(pipe: External, ranks: list[External], begun: Begun, advance: Adva
 def _heard(pipe: External, begun: Begun, advance: Advance) -> tuple[Sim2ReasonError | None, bool]:
     """Forward one report; return an error if it is one, and whether the pipe is closed."""
     try:
-        told: Told = pipe.recv()
+        report: Told = pipe.recv()
     except EOFError:
         return None, True
-    match told:
+    match report:
         case Sim2ReasonError():
-            return told, False
+            return report, False
         case int():
-            advance(told)
+            advance(report)
         case phase, steps:
             begun(phase, steps)
     return None, False
 
 
 def _free_port() -> int:
-    with socket.socket() as found:
-        found.bind(("127.0.0.1", 0))
-        return int(found.getsockname()[1])
+    with socket.socket() as sock:
+        sock.bind(("127.0.0.1", 0))
+        return int(sock.getsockname()[1])
 
 
 def _rank(rank: int, count: int, port: int, pipe: External, work: Work[T], given: T) -> None:
@@ -122,6 +122,6 @@ def _rank(rank: int, count: int, port: int, pipe: External, work: Work[T], given
         sys.exit(2)
 
 
-def _say(pipe: External, told: Told) -> None:
+def _say(pipe: External, report: Told) -> None:
     if pipe is not None:
-        pipe.send(told)
+        pipe.send(report)

@@ -100,8 +100,8 @@ def _first(one: Mapping[str, JsonValue], other: Mapping[str, JsonValue]) -> str:
 
 def _only(folder: Path, known: AbstractSet[Path]) -> bool:
     """Return whether a folder contains only known paths and remains of interrupted writes."""
-    held = (path for path in folder.rglob("*") if not path.is_dir() and path.suffix != TEMPORARY)
-    return all(known & {path, *path.parents} for path in held)
+    paths = (path for path in folder.rglob("*") if not path.is_dir() and path.suffix != TEMPORARY)
+    return all(known & {path, *path.parents} for path in paths)
 
 
 def _remove(path: Path) -> None:
@@ -149,8 +149,8 @@ class StepLines:
 
     def read(self) -> list[str]:
         """Return the complete lines so far."""
-        whole = self.path.read_bytes().split(b"\n")[:-1] if self.path.is_file() else []
-        return [line.decode() for line in whole]
+        complete = self.path.read_bytes().split(b"\n")[:-1] if self.path.is_file() else []
+        return [line.decode() for line in complete]
 
 
 STEP_LOG = "log.jsonl"
@@ -296,10 +296,10 @@ def clear_behind(out: Path, cursor: Cursor | None) -> None:
     """
     done = 0 if cursor is None else cursor.updates
     later = [path for path in _folders(out) if _updates(path) > done]
-    whole = sorted((path for path in later if (path / CURSOR).is_file()), key=_updates)
-    if whole:
+    complete = sorted((path for path in later if (path / CURSOR).is_file()), key=_updates)
+    if complete:
         raise TrainingError(
-            f"{out} holds a run up to {whole[-1].name}; go on from there with resume_from_checkpoint=True, "
+            f"{out} holds a run up to {complete[-1].name}; go on from there with resume_from_checkpoint=True, "
             "remove what comes later, or choose another folder"
         )
     for path in later:

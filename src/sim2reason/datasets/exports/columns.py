@@ -47,8 +47,8 @@ class Letter(Record):
 
 def ground_truth(right: Item | Answer | Letter) -> str:
     """Return the answer, with all data for grading, as one line of JSON."""
-    held = right.answer if isinstance(right, Item) else right
-    given = held.model_dump(mode="json", exclude_none=True)
+    answer = right.answer if isinstance(right, Item) else right
+    given = answer.model_dump(mode="json", exclude_none=True)
     return json.dumps({name: value for name, value in given.items() if name not in EXTRA or value}, ensure_ascii=False)
 
 

@@ -33,8 +33,8 @@ def split_parts(item: Item) -> tuple[Item, ...]:
     if not item.parts:
         return (item,)
     prompt = PartPrompt.read(item.prompt)
-    told = [_told(answer) for answer in item.answer.parts]
-    return tuple(_single(item, number, prompt.after(number, told)) for number in range(len(item.parts)))
+    answers = [_told(answer) for answer in item.answer.parts]
+    return tuple(_single(item, number, prompt.after(number, answers)) for number in range(len(item.parts)))
 
 
 def _single(item: Item, number: int, prompt: str) -> Item:
@@ -184,14 +184,14 @@ def export(
     if parts not in get_args(Parts):
         raise DatasetError(f"parts: {parts!r} is none of {', '.join(get_args(Parts))}; give one of them")
     format_, source, folder = EXPORTS[to], Dataset(dataset), Path(out)
-    with _replacing(folder) as place:
-        writing = _Writing(format_, source, place, advance, separate=parts == "separate")
+    with _replacing(folder) as staging:
+        writing = _Writing(format_, source, staging, advance, separate=parts == "separate")
         rows = {name: writing.split(name) for name in source.splits(split)}
         rows = {name: count for name, count in rows.items() if count}
         if not rows:
             lacking = f": {format_.lacks}" if format_.lacks else ""
             raise DatasetError(f"{dataset}: holds no problem for {to}{lacking}; give another dataset or split")
-        _copy(format_, place, rows, source)
+        _copy(format_, staging, rows, source)
     return Exported(folder, rows, writing.left_out)
 
 
@@ -233,7 +233,7 @@ class _Writing:
             self.advance(1)
 
 
-def _copy(export: Export, place: Path, rows: dict[str, int], dataset: Dataset) -> None:
+def _copy(export: Export, staging: Path, rows: dict[str, int], dataset: Dataset) -> None:
     """Copy the export's files beside the data: Python unchanged, placeholders in other texts filled in."""
     counts = "\n".join(f"- `{export.data.format(split=name)}`: {count} problems" for name, count in rows.items())
     marks = {
@@ -248,9 +248,9 @@ def _copy(export: Export, place: Path, rows: dict[str, int], dataset: Dataset) -
         text = source.read_text(encoding="utf-8")
         for mark, value in marks.items() if source.suffix != ".py" else ():
             text = text.replace(mark, value)
-        path = place / source.relative_to(export.folder)
+        path = staging / source.relative_to(export.folder)
         path.parent.mkdir(parents=True, exist_ok=True)
-        put_text(path, text, place)
+        put_text(path, text, staging)
 
 
 @contextmanager
@@ -262,23 +262,25 @@ def _replacing(folder: Path) -> Generator[Path, None, None]:
         raise DatasetError(f"{folder}: is the folder that you are in, which can't be replaced; give a new one in it")
     folder.parent.mkdir(parents=True, exist_ok=True)
     target = folder.resolve()  # once: a relative name may lead elsewhere when folders have moved
-    place = target.with_name(f".{target.name}.export")
-    place.mkdir(exist_ok=True)
-    with locked(place):
-        if place.is_symlink() or (any(place.iterdir()) and not (place / MARK).is_file()):
-            raise DatasetError(f"{place}: is there, and no export was begun in it; move it away or give another folder")
-        (place / MARK).touch()
+    staging = target.with_name(f".{target.name}.export")
+    staging.mkdir(exist_ok=True)
+    with locked(staging):
+        if staging.is_symlink() or (any(staging.iterdir()) and not (staging / MARK).is_file()):
+            raise DatasetError(
+                f"{staging}: is there, and no export was begun in it; move it away or give another folder"
+            )
+        (staging / MARK).touch()
         try:
-            _clear(place)  # what a kill has left
-            yield place
-            place.replace(target)
+            _clear(staging)  # what a kill has left
+            yield staging
+            staging.replace(target)
             (target / MARK).unlink()
             sync(target.parent)
         finally:
-            shutil.rmtree(place, ignore_errors=True)
+            shutil.rmtree(staging, ignore_errors=True)
 
 
-def _clear(place: Path) -> None:
-    for path in place.iterdir():
+def _clear(staging: Path) -> None:
+    for path in staging.iterdir():
         if path.name != MARK:
             shutil.rmtree(path) if path.is_dir() else path.unlink()

@@ -21,8 +21,8 @@ class InspectTask(Export):
     def row(self, item: Item, place: Place) -> Row:
         """Return the sample of an item; its target is for readers, the scorer uses the ground truth."""
         del place
-        told = {"ground_truth": ground_truth(item), **facts(item)}
-        return {"id": item.id, "input": item.prompt, "target": item.answer.told, "metadata": told}
+        metadata = {"ground_truth": ground_truth(item), **facts(item)}
+        return {"id": item.id, "input": item.prompt, "target": item.answer.told, "metadata": metadata}
 
 
 @target
@@ -59,13 +59,13 @@ class MultipleChoice(Export):
         chosen = options_of(item)
         if chosen is None:
             return None
-        told = _prompt(item, values(item.answer, chosen))
+        prompt = _prompt(item, values(item.answer, chosen))
         letters, label = LETTERS[: len(chosen)], chosen.index(None)
         return {
             "id": item.id,
-            "prompt": asked(told.text),
-            "question": told.question,
-            "choices": list(told.options),
+            "prompt": asked(prompt.text),
+            "question": prompt.question,
+            "choices": list(prompt.options),
             "answer": letters[label],
             "label": label,
             "slips": ["" if wrong is None else wrong.simplification for wrong in chosen],
@@ -104,8 +104,8 @@ class HuggingFace(Export):
     def row(self, item: Item, place: Place) -> Row:
         """Return the row of an item: the prompt, columns for rewards, a readable solution, and facts to group by."""
         del place
-        told = {"ground_truth": ground_truth(item), "answer": answered(item), "solution": worked(item)}
-        return {"prompt": asked(item.prompt), **told, "id": item.id, **facts(item)}
+        columns = {"ground_truth": ground_truth(item), "answer": answered(item), "solution": worked(item)}
+        return {"prompt": asked(item.prompt), **columns, "id": item.id, **facts(item)}
 
 
 @target
@@ -152,8 +152,8 @@ class VerifiersTaskset(Export):
     def row(self, item: Item, place: Place) -> Row:
         """Return the task data of an item."""
         del place
-        told = {"answer": answered(item), "ground_truth": ground_truth(item), **facts(item)}
-        return {"id": item.id, "prompt": item.prompt, **told}
+        columns = {"answer": answered(item), "ground_truth": ground_truth(item), **facts(item)}
+        return {"id": item.id, "prompt": item.prompt, **columns}
 
 
 LICENSES = {
@@ -199,5 +199,5 @@ class ReasoningGym(Export):
     def row(self, item: Item, place: Place) -> Row:
         """Return a question with a correct answer and the data for grading."""
         del place
-        told = {"id": item.id, "ground_truth": ground_truth(item), **facts(item)}
-        return {"question": item.prompt, "answer": answered(item), "metadata": told}
+        metadata = {"id": item.id, "ground_truth": ground_truth(item), **facts(item)}
+        return {"question": item.prompt, "answer": answered(item), "metadata": metadata}

@@ -46,5 +46,5 @@ PLACES: Registry[Place] = Registry("datasets.places")
 
 def opened(name: str, crew: Callable[[str], WorkerPool]) -> AbstractContextManager[Run]:
     """Return the executor called ``NAME`` or ``NAME://ADDRESS``; UnknownNameError if there is none."""
-    place, _, address = name.partition("://")
-    return PLACES[place](crew(address))
+    scheme, _, address = name.partition("://")
+    return PLACES[scheme](crew(address))

@@ -48,18 +48,18 @@ def on_ray(crew: WorkerPool) -> Generator[Run, None, None]:
 
 
 def _replies(ray: Any, crew: WorkerPool, source: Source) -> Generator[tuple[Batch, Reply], None, None]:  # noqa: ANN401 - a module
-    task, held = ray.remote(num_cpus=1, max_retries=RETRIES)(attempts), dict[Any, Batch]()
+    task, pending = ray.remote(num_cpus=1, max_retries=RETRIES)(attempts), dict[Any, Batch]()
     try:
         while True:
             most = crew.workers or WAITING * int(ray.cluster_resources().get("CPU", 1))  # a cluster may grow
-            while len(held) < most and (batch := source()) is not None:
-                held[task.remote(batch, crew.maker, crew.patience, versions())] = batch
-            if not held:
+            while len(pending) < most and (batch := source()) is not None:
+                pending[task.remote(batch, crew.maker, crew.patience, versions())] = batch
+            if not pending:
                 return
-            for done in ray.wait(list(held))[0]:
-                yield held.pop(done), _reply(ray, done)
+            for done in ray.wait(list(pending))[0]:
+                yield pending.pop(done), _reply(ray, done)
     finally:
-        for begun in held:
+        for begun in pending:
             ray.cancel(begun, force=True)
 
 

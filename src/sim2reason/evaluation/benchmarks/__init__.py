@@ -76,14 +76,14 @@ class Benchmark(BaseModel, ABC):
 BENCHMARKS: Registry[type[Benchmark]] = Registry("benchmarks", package="sim2reason.evaluation.benchmarks")
 
 
-def benchmark_from(settings: Mapping[str, object], place: str = "benchmark") -> Benchmark:
+def benchmark_from(settings: Mapping[str, object], location: str = "benchmark") -> Benchmark:
     """Return the benchmark described by settings; `kind` is its registered name.
 
     Raises:
         EvaluationError: a setting that is unknown, missing or makes no sense.
         UnknownNameError: no such kind.
     """
-    return build_member(BENCHMARKS, settings, place, EvaluationError)
+    return build_member(BENCHMARKS, settings, location, EvaluationError)
 
 
 def items_of(benchmark: Benchmark) -> list[BenchmarkItem]:
@@ -92,20 +92,20 @@ def items_of(benchmark: Benchmark) -> list[BenchmarkItem]:
     Raises:
         EvaluationError: none, another number than expected, or the same id twice.
     """
-    found = list(benchmark.problems())
-    if benchmark.expected is not None and len(found) != benchmark.expected:
+    items = list(benchmark.problems())
+    if benchmark.expected is not None and len(items) != benchmark.expected:
         raise EvaluationError(
-            f"benchmark {benchmark.name!r}: {len(found)} problems where {benchmark.expected} are expected; "
+            f"benchmark {benchmark.name!r}: {len(items)} problems where {benchmark.expected} are expected; "
             "see its filters and its file"
         )
-    if not found:
+    if not items:
         raise EvaluationError(f"benchmark {benchmark.name!r}: no problem passes its filters")
     seen: set[str] = set()
-    for item in found:
+    for item in items:
         if item.id in seen:
             raise EvaluationError(f"benchmark {benchmark.name!r}: holds {item.id!r} twice")
         seen.add(item.id)
-    return found[: benchmark.limit]
+    return items[: benchmark.limit]
 
 
 def data_hash(items: Iterable[BenchmarkItem]) -> str:

@@ -50,13 +50,13 @@ def fetched(file: HubFile) -> Path:
     hub = optional("huggingface_hub", "eval")
     try:
         kept = out_of_reach(file.repository, "dataset", file.revision)
-        found = hub.hf_hub_download(
+        downloaded = hub.hf_hub_download(
             file.repository, file.path, repo_type="dataset", revision=file.revision, local_files_only=kept
         )
     except Exception as error:  # noqa: BLE001 - the library raises what its transport does
         why = type(error).__name__
         raise EvaluationError(f"hub: no {file.path} of {file.repository} at {file.revision} ({why})") from None
-    return Path(found)
+    return Path(downloaded)
 
 
 def rows(path: Path, sha256: str | None = None) -> list[Row]:
@@ -69,19 +69,19 @@ def rows(path: Path, sha256: str | None = None) -> list[Row]:
         raise EvaluationError(f"{path}: no such file; say where the benchmark lies")
     if path.stat().st_size > LARGEST:
         raise EvaluationError(f"{path}: more than {LARGEST // 2**20} MiB; give the benchmark's file alone")
-    found = checksum(path)
-    if sha256 is not None and found != sha256.lower():
-        raise EvaluationError(f"{path}: its SHA-256 is {found}, not the expected one; is it another version?")
+    digest = checksum(path)
+    if sha256 is not None and digest != sha256.lower():
+        raise EvaluationError(f"{path}: its SHA-256 is {digest}, not the expected one; is it another version?")
     read = {".json": _json, ".jsonl": _lines, ".parquet": _parquet}.get(path.suffix)
     if read is None:
         raise EvaluationError(f"{path}: no format that is known here; give a .json, .jsonl or .parquet file")
     try:
-        held = read(path.read_bytes())
+        parsed = read(path.read_bytes())
     except (ValueError, RecursionError, OSError) as error:
         raise EvaluationError(f"{path}: not readable: {' '.join(str(error).split())[:200]}") from None
-    if not isinstance(held, list) or not all(isinstance(row, dict) for row in cast("list[object]", held)):
+    if not isinstance(parsed, list) or not all(isinstance(row, dict) for row in cast("list[object]", parsed)):
         raise EvaluationError(f"{path}: holds no list of objects")
-    return cast("list[Row]", held)
+    return cast("list[Row]", parsed)
 
 
 def _json(content: bytes) -> object:
@@ -92,11 +92,11 @@ def _lines(content: bytes) -> object:
     return _writable(content, [json.loads(line) for line in content.decode().split("\n") if line.strip()])
 
 
-def _writable(content: bytes, held: object) -> object:
+def _writable(content: bytes, parsed: object) -> object:
     """Return the parsed value; ValueError for unpaired surrogates, which no file can contain."""
     if b"\\ud" in content.lower():
-        json.dumps(held, ensure_ascii=False).encode()
-    return held
+        json.dumps(parsed, ensure_ascii=False).encode()
+    return parsed
 
 
 def _parquet(content: bytes) -> object:
@@ -153,20 +153,20 @@ class FileBenchmark(Benchmark):
             ):
                 continue
             try:
-                found = self.problem(row, number)
+                problem = self.problem(row, number)
             except KeyError as error:
                 raise EvaluationError(f"{path}: row {number} has no {error}; is it another benchmark's file?") from None
             except (TypeError, ValueError) as error:
                 raise EvaluationError(f"{path}: row {number}: {error}") from None
-            if found is not None:
-                yield found.model_copy(update={"prompt": f"{caption}{found.prompt}"}) if caption else found
+            if problem is not None:
+                yield problem.model_copy(update={"prompt": f"{caption}{problem.prompt}"}) if caption else problem
         if unknown := sorted(set(self.subjects) - subjects):
             there = ", ".join(sorted(subjects)[:20])
             raise EvaluationError(f"{path}: has no subject {unknown[0]!r}; there are: {there}")
 
     def _caption(self, row: Row) -> str:
-        said = row.get(self.captions) if self.captions is not None else None
-        return f"The figure shows: {said.strip()}\n\n" if isinstance(said, str) and said.strip() else ""
+        caption = row.get(self.captions) if self.captions is not None else None
+        return f"The figure shows: {caption.strip()}\n\n" if isinstance(caption, str) and caption.strip() else ""
 
     @property
     def column_of_subject(self) -> str:
@@ -175,8 +175,8 @@ class FileBenchmark(Benchmark):
 
     def subject_of(self, row: Row) -> str:
         """Return the subject of a row's problem, such as mechanics; empty if the row has none."""
-        said = row.get(self.column_of_subject)
-        return said if isinstance(said, str) else ""
+        subject = row.get(self.column_of_subject)
+        return subject if isinstance(subject, str) else ""
 
     def needs_figure(self, row: Row) -> bool:
         """Return whether a problem requires its figure; by default none does."""
@@ -248,14 +248,14 @@ class QuestionFile(FileBenchmark):
 
     def reference(self, row: Row) -> dict[str, JsonValue]:
         """Return the correct answer of a row as the scoring rule needs it; ValueError if it is invalid."""
-        held: Any = _at(row, self.answer_column)
-        several = [str(part) for part in cast("list[object]", held)] if isinstance(held, list) else [str(held)]
+        answer: Any = _at(row, self.answer_column)
+        several = [str(part) for part in cast("list[object]", answer)] if isinstance(answer, list) else [str(answer)]
         if not all(part.strip() for part in several):
             raise ValueError(f"its {self.answer_column} is empty")
         unit = row.get(self.unit_column)
         answers: list[JsonValue] = list(several)
-        told: dict[str, JsonValue] = {"answer": ", ".join(several), "answers": answers, "lenient": self.lenient}
-        return told | ({"unit": unit} if isinstance(unit, str) else {}) | self._number(several, unit)
+        fields: dict[str, JsonValue] = {"answer": ", ".join(several), "answers": answers, "lenient": self.lenient}
+        return fields | ({"unit": unit} if isinstance(unit, str) else {}) | self._number(several, unit)
 
     def _number(self, several: list[str], unit: object) -> dict[str, JsonValue]:
         """Return the number and unit of the correct answer, for the rule that compares one number."""
@@ -274,16 +274,16 @@ def _at(row: Row, path: str, *, optional: bool = False) -> object:
     """Return the value of a column, or of a dotted path inside it; KeyError if there is none."""
     if path in row:
         return row[path]
-    held: object = row
+    node: object = row
     for part in path.split("."):
-        several = cast("list[object]", held) if isinstance(held, list) else []
-        named = cast("dict[str, object]", held) if isinstance(held, dict) else {}
+        several = cast("list[object]", node) if isinstance(node, list) else []
+        named = cast("dict[str, object]", node) if isinstance(node, dict) else {}
         if part.isdecimal() and int(part) < len(several):
-            held = several[int(part)]
+            node = several[int(part)]
         elif part in named:
-            held = named[part]
+            node = named[part]
         elif optional:
             return None
         else:
             raise KeyError(path)
-    return held
+    return node

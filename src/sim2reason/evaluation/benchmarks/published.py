@@ -54,10 +54,10 @@ class HiPhOFile(FileBenchmark):
         if not parts or not sum(float(points) for points in row["points"]) > 0:
             raise ValueError("its questions are worth no points")
         count = "the answer" if len(parts) == 1 else f"the {len(parts)} answers in order, each"
-        asked = rf"Reason step by step, and end with {count} in a \boxed{{}} of its own."
+        instruction = rf"Reason step by step, and end with {count} in a \boxed{{}} of its own."
         return BenchmarkItem(
             id=str(row["id"]),
-            prompt=f"{row.get('context', '')}\n\n{row['question']}\n\n{asked}".strip(),
+            prompt=f"{row.get('context', '')}\n\n{row['question']}\n\n{instruction}".strip(),
             scoring="hipho",
             reference={"parts": [*parts], "told": ", ".join(answers)},
             tags={
@@ -133,8 +133,8 @@ class OlympiadBenchFile(FileBenchmark):
 
     def needs_figure(self, row: Row) -> bool:
         """Return whether the text or the context contains a picture."""
-        said = f"{row.get('question', '')}{row.get('context') or ''}"
-        return any(mark in said for mark in FIGURES) or any(key.startswith("image_") and row[key] for key in row)
+        text = f"{row.get('question', '')}{row.get('context') or ''}"
+        return any(mark in text for mark in FIGURES) or any(key.startswith("image_") and row[key] for key in row)
 
     def problem(self, row: Row, number: int) -> BenchmarkItem | None:
         """Return the problem with the first of its final answers, as the published rule does."""
@@ -145,10 +145,10 @@ class OlympiadBenchFile(FileBenchmark):
         reference = {"answer": answer, "unit": unit, "error": row.get("error"), "type": kind}
         expected_parts(reference)
         context = f"{row['context'].strip()}\n\n" if row.get("context") else ""
-        asked = _asked(kind, unit, several=bool(row["is_multiple_answer"]))
+        instruction = _asked(kind, unit, several=bool(row["is_multiple_answer"]))
         return BenchmarkItem(
             id=f"olympiadbench-{row.get('id', number)}",
-            prompt=f"{context}{row['question'].strip()}\n\n{asked}",
+            prompt=f"{context}{row['question'].strip()}\n\n{instruction}",
             scoring="olympiadbench",
             reference=reference,
             tags={"subject": (self.subject_of(row),), "type": (kind,), "source": (str(row.get("source", "")),)},

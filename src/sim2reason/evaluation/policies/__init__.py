@@ -148,11 +148,11 @@ class Policy(_Settings, ABC):
 POLICIES: Registry[type[Policy]] = Registry("policies", package="sim2reason.evaluation.policies")
 
 
-def policy_from(settings: Mapping[str, object], place: str = "policy") -> Policy:
+def policy_from(settings: Mapping[str, object], location: str = "policy") -> Policy:
     """Return the policy described by settings; `kind` is its registered name.
 
     Raises:
         PolicyError: a setting that is unknown, missing or makes no sense.
         UnknownNameError: no such kind.
     """
-    return build_member(POLICIES, settings, place, PolicyError)
+    return build_member(POLICIES, settings, location, PolicyError)

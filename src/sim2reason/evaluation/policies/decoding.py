@@ -54,18 +54,18 @@ class Decoder:
         torch = import_module("torch")
         rows, training = len(ids), self._model.training
         ending = torch.tensor(sorted(ends), device=ids.device)
-        ended, found = torch.zeros(rows, dtype=torch.bool, device=ids.device), list[Tensor]()
+        ended, tokens = torch.zeros(rows, dtype=torch.bool, device=ids.device), list[Tensor]()
         self._model.eval()
         try:
             with torch.no_grad(), self._on_its_device():
                 recorded = self._recorded(rows, ids.shape[1] + count)
                 logits = recorded.prefill(ids, mask)
                 while True:
-                    found.append(choose(logits[:rows]))
-                    ended |= (found[-1][:, None] == ending).any(dim=1)
-                    if len(found) == count or (len(found) % CHECK_EVERY == 0 and bool(ended.all())):
-                        return torch.stack(found, dim=1)
-                    logits = recorded.step(found[-1])
+                    tokens.append(choose(logits[:rows]))
+                    ended |= (tokens[-1][:, None] == ending).any(dim=1)
+                    if len(tokens) == count or (len(tokens) % CHECK_EVERY == 0 and bool(ended.all())):
+                        return torch.stack(tokens, dim=1)
+                    logits = recorded.step(tokens[-1])
         finally:
             self._model.train(training)
 
@@ -76,12 +76,12 @@ class Decoder:
 
     def _recorded(self, rows: int, length: int) -> "_RecordedPass":
         """Return a recorded pass for at least `rows` rows and `length` tokens: the last one, or a larger new one."""
-        held = self._held
-        if held is None or held.rows < rows or held.length < length:
-            rows, length = (rows, length) if held is None else (max(rows, held.rows), max(length, held.length))
-            self._held = held = None  # not two caches at once
-            self._held = held = _RecordedPass(self._model, rows, -(-length // ALIGNED) * ALIGNED)
-        return held
+        cached = self._held
+        if cached is None or cached.rows < rows or cached.length < length:
+            rows, length = (rows, length) if cached is None else (max(rows, cached.rows), max(length, cached.length))
+            self._held = cached = None  # not two caches at once
+            self._held = cached = _RecordedPass(self._model, rows, -(-length // ALIGNED) * ALIGNED)
+        return cached
 
 
 class _RecordedPass:
@@ -140,8 +140,8 @@ class _RecordedPass:
     def _forward(self, ids: Tensor, visible: Tensor, position_ids: Tensor, **given: int) -> Tensor:
         """Return the logits of the last token from the model class's own forward, without a trainer's wrappers."""
         run, named = type(self._model).forward, {"attention_mask": visible, "position_ids": position_ids}
-        found = run(self._model, input_ids=ids, past_key_values=self._cache, use_cache=True, **named, **given)
-        return found.logits[:, -1].float()
+        output = run(self._model, input_ids=ids, past_key_values=self._cache, use_cache=True, **named, **given)
+        return output.logits[:, -1].float()
 
     def _record(self) -> None:
         cuda = self._torch.cuda

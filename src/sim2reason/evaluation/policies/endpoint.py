@@ -71,16 +71,16 @@ def read(reply: Reply | NoReply, hidden: Callable[[str], str]) -> Completion | F
         return Fault(reply.reason, "again")
     if reply.status != 200:
         return _refusal(reply, hidden)
-    found = _json(reply.body)
-    if found is None:
+    payload = _json(reply.body)
+    if payload is None:
         return Fault("status 200 with a page that is no JSON object", "again")
-    if found.get("error"):
-        return Fault(f"status 200 with an error{_said(found, hidden)}", "again")
-    choices = found.get("choices")
+    if payload.get("error"):
+        return Fault(f"status 200 with an error{_said(payload, hidden)}", "again")
+    choices = payload.get("choices")
     first = cast("list[object]", choices)[0] if isinstance(choices, list) and choices else None
     if not isinstance(first, dict):
         return Fault("status 200 without a choice", "again")
-    return _completion(cast("dict[str, Any]", first), found.get("usage"), hidden)
+    return _completion(cast("dict[str, Any]", first), payload.get("usage"), hidden)
 
 
 def _completion(choice: Mapping[str, Any], usage: object, hidden: Callable[[str], str]) -> Completion | Fault:
@@ -88,11 +88,11 @@ def _completion(choice: Mapping[str, Any], usage: object, hidden: Callable[[str]
     if not isinstance(message, dict):
         return Fault("status 200 with a choice without a message", "again")
     fields = cast("dict[str, object]", message)
-    said, refusal = _text(fields.get("content")), _text(fields.get("refusal"))
+    content, refusal = _text(fields.get("content")), _text(fields.get("refusal"))
     finish: Finish = "refused" if refusal else FINISHES.get(str(choice.get("finish_reason")), "unknown")
     counts = cast("dict[str, object]", usage) if isinstance(usage, dict) else {}
     return Completion(
-        text=hidden(_whole(said or refusal)),
+        text=hidden(_whole(content or refusal)),
         finish=finish,
         thinking=hidden(_whole(_text(fields.get("reasoning_content")) or _text(fields.get("reasoning")))),
         prompt_tokens=_count(counts.get("prompt_tokens")),
@@ -102,28 +102,28 @@ def _completion(choice: Mapping[str, Any], usage: object, hidden: Callable[[str]
 
 def _refusal(reply: Reply, hidden: Callable[[str], str]) -> Completion | Fault:
     """Return what an endpoint's error status means: a fault, or a completion for a prompt that is too long."""
-    found = _json(reply.body) or {}
-    said = _said(found, hidden)
+    payload = _json(reply.body) or {}
+    message = _said(payload, hidden)
     if reply.status in BUSY:
-        return Fault(f"status {reply.status}{said}", "again", reply.retry_after)
+        return Fault(f"status {reply.status}{message}", "again", reply.retry_after)
     if reply.status in REFUSES_KEY:
         return Fault(f"status {reply.status}: it refuses the key, or the lack of one; see key_from", "stop")
-    if reply.status in REFUSES_PROMPT and any(mark in json.dumps(found).lower() for mark in _CONTEXT):
+    if reply.status in REFUSES_PROMPT and any(mark in json.dumps(payload).lower() for mark in _CONTEXT):
         return Completion(text="", finish="overflow")
     if 300 <= reply.status < 400:
         return Fault(f"status {reply.status}: it sends us elsewhere; give the final address as url", "stop")
-    return Fault(f"status {reply.status}{said}; {_remedy(reply.status, said)}", "stop")
+    return Fault(f"status {reply.status}{message}; {_remedy(reply.status, message)}", "stop")
 
 
-def _remedy(status: int, said: str) -> str:
+def _remedy(status: int, message: str) -> str:
     """Return advice on settings after an endpoint rejected a request."""
-    found = [remedy for field, remedy in _FIELDS.items() if status in REFUSES_PROMPT and re.search(field, said)]
-    return found[0] if found else "see url, model and extra" if status in REFUSES_PROMPT else "see url and model"
+    remedies = [remedy for field, remedy in _FIELDS.items() if status in REFUSES_PROMPT and re.search(field, message)]
+    return remedies[0] if remedies else "see url, model and extra" if status in REFUSES_PROMPT else "see url and model"
 
 
-def _said(found: Mapping[str, object], hidden: Callable[[str], str]) -> str:
+def _said(payload: Mapping[str, object], hidden: Callable[[str], str]) -> str:
     """Return the endpoint's error message after a colon."""
-    text = _reason(found.get("error", found.get("message", found.get("detail"))))
+    text = _reason(payload.get("error", payload.get("message", payload.get("detail"))))
     line = " ".join(hidden(_whole(text)).split())[:SHOWN]
     return f": {line}" if line else ""
 
@@ -137,20 +137,26 @@ def _reason(error: object, depth: int = 4) -> str:
     if not isinstance(error, dict) or not depth:
         return ""
     fields = cast("dict[str, object]", error)
-    held = next((fields[name] for name in ("message", "msg", "detail") if fields.get(name)), "")
-    place = fields.get("loc", fields.get("param"))
-    parts = cast("list[object]", place) if isinstance(place, list) else [place] if isinstance(place, str) else []
-    said = _reason(held, depth - 1)
+    nested = next((fields[name] for name in ("message", "msg", "detail") if fields.get(name)), "")
+    location = fields.get("loc", fields.get("param"))
+    parts = (
+        cast("list[object]", location)
+        if isinstance(location, list)
+        else [location]
+        if isinstance(location, str)
+        else []
+    )
+    message = _reason(nested, depth - 1)
     named = ".".join(str(part) for part in parts if part != "body")
-    return f"{named}: {said}" if named and not re.search(rf"\b{re.escape(named)}\b", said) else said
+    return f"{named}: {message}" if named and not re.search(rf"\b{re.escape(named)}\b", message) else message
 
 
 def _json(body: bytes) -> dict[str, object] | None:
     try:
-        found = json.loads(body)
+        payload = json.loads(body)
     except (ValueError, RecursionError):
         return None
-    return cast("dict[str, object]", found) if isinstance(found, dict) else None
+    return cast("dict[str, object]", payload) if isinstance(payload, dict) else None
 
 
 def _text(content: object) -> str:
@@ -269,12 +275,12 @@ class Endpoint(Policy):
         for attempt in range(self.attempts):
             if attempt:
                 self._sleep(delay(attempt - 1, request.seed, last.wait))
-            found = read(post(f"{self.url}/chat/completions", body, key.headers(), self.timeout), key.hidden)
-            if isinstance(found, Completion):
-                return found
-            if found.what == "stop":
-                raise PolicyError(f"policy {self.name!r} at {self.url}: {found.reason}")
-            last = found
+            outcome = read(post(f"{self.url}/chat/completions", body, key.headers(), self.timeout), key.hidden)
+            if isinstance(outcome, Completion):
+                return outcome
+            if outcome.what == "stop":
+                raise PolicyError(f"policy {self.name!r} at {self.url}: {outcome.reason}")
+            last = outcome
         raise NoAnswerError(
             f"policy {self.name!r} at {self.url}: no answer after {self.attempts} attempts; the last was {last.reason}"
         )

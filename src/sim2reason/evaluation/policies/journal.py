@@ -58,11 +58,11 @@ def finished(path: Path) -> Iterator[FinishedSample]:
         for count, line in enumerate(file, start=1):
             if not line.endswith(b"\n"):
                 return
-            found = _sample(path, count, line)
-            if found.key in seen:
-                raise EvaluationError(f"{path}:{count}: holds {found.id} a second time; remove that line")
-            seen.add(found.key)
-            yield found
+            sample = _sample(path, count, line)
+            if sample.key in seen:
+                raise EvaluationError(f"{path}:{count}: holds {sample.id} a second time; remove that line")
+            seen.add(sample.key)
+            yield sample
 
 
 def _sample(path: Path, count: int, line: bytes) -> FinishedSample:
@@ -88,7 +88,7 @@ class SampleJournal:
         try:
             fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
             self._cut()
-            self._known = {found.key: (found.seed, found.prompt) for found in finished(path)}
+            self._known = {sample.key: (sample.seed, sample.prompt) for sample in finished(path)}
         except BlockingIOError:
             self._file.close()
             raise EvaluationError(f"{path}: another run is writing here; wait for it") from None
@@ -98,17 +98,17 @@ class SampleJournal:
 
     def _cut(self) -> None:
         """Remove everything after the last line feed."""
-        size = whole = self.path.stat().st_size
+        size = complete_size = self.path.stat().st_size
         with self.path.open("rb") as file:
-            while whole:
-                start = max(0, whole - BLOCK)
+            while complete_size:
+                start = max(0, complete_size - BLOCK)
                 file.seek(start)
-                end = file.read(whole - start).rfind(b"\n") + 1
-                whole = start + end
+                end = file.read(complete_size - start).rfind(b"\n") + 1
+                complete_size = start + end
                 if end:
                     break
-        if whole < size:
-            self._file.truncate(whole)
+        if complete_size < size:
+            self._file.truncate(complete_size)
             os.fsync(self._file.fileno())
 
     def __enter__(self) -> Self:

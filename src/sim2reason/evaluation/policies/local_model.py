@@ -107,10 +107,10 @@ class LocalModel(Policy):
         """Return the decoder with CUDA graphs, or None if unwanted; PolicyError if the model's settings rule it out."""
         if not self.cuda_graphs:
             return None
-        asked = {name: getattr(model.generation_config, name, None) for name in WISHES}
-        if found := [name for name, value in asked.items() if value not in (None, WISHES[name])]:
+        settings = {name: getattr(model.generation_config, name, None) for name in WISHES}
+        if unsupported := [name for name, value in settings.items() if value not in (None, WISHES[name])]:
             raise PolicyError(
-                f"policy {self.name!r}: cuda_graphs: the model asks for {found[0]}; leave cuda_graphs out"
+                f"policy {self.name!r}: cuda_graphs: the model asks for {unsupported[0]}; leave cuda_graphs out"
             )
         return Decoder(model)
 
@@ -199,9 +199,9 @@ class LocalModel(Policy):
         if temperature == 0.0:
             return []
         torch, transformers, model, _, _ = self._loaded
-        found: list[Any] = [transformers.TemperatureLogitsWarper(temperature)] if temperature != 1.0 else []
+        processors: list[Any] = [transformers.TemperatureLogitsWarper(temperature)] if temperature != 1.0 else []
         if self.sampling.top_p is not None:
-            found.append(transformers.TopPLogitsWarper(self.sampling.top_p))
+            processors.append(transformers.TopPLogitsWarper(self.sampling.top_p))
         generators = [torch.Generator(device=model.device).manual_seed(seed) for seed in seeds]
         ahead: list[Any] = []  # noise of the next tokens: one call for each row draws that of several
 
@@ -212,19 +212,19 @@ class LocalModel(Policy):
                 ahead.extend(reversed(torch.stack(drawn, dim=1)))
             return scores.float() - torch.log(-torch.log(ahead.pop().clamp(TINY, 1.0 - 1e-7)))
 
-        return [*found, noise]
+        return [*processors, noise]
 
     def _ends(self) -> set[int]:
         """Return the tokens at which the model ends a text."""
-        held = self._loaded.model.generation_config.eos_token_id
+        end_tokens = self._loaded.model.generation_config.eos_token_id
         own = self._loaded.tokenizer.eos_token_id
-        return {*(held if isinstance(held, list) else [held]), own} - {None}
+        return {*(end_tokens if isinstance(end_tokens, list) else [end_tokens]), own} - {None}
 
     def _completion(self, tokens: list[int], prompt_tokens: int, ends: set[int]) -> Completion:
         """Return the completion of a row of tokens up to its end token."""
-        end = next((place for place, token in enumerate(tokens) if token in ends), None)
+        end = next((position for position, token in enumerate(tokens) if token in ends), None)
         finish: Finish = "length" if end is None else "stop"
-        held = tokens if end is None else tokens[:end]
-        text = self._loaded.tokenizer.decode(held, skip_special_tokens=True)
-        count = len(held) + (end is not None)
+        kept = tokens if end is None else tokens[:end]
+        text = self._loaded.tokenizer.decode(kept, skip_special_tokens=True)
+        count = len(kept) + (end is not None)
         return Completion(text=text, finish=finish, prompt_tokens=int(prompt_tokens), completion_tokens=count)

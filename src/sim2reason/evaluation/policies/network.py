@@ -45,15 +45,15 @@ FIRST, LONGEST, ASKED = 1.0, 60.0, 300.0  # s: first and longest delay, and long
 WORTH_IT: Final = 2.0  # factor between successive delays
 
 
-def delay(attempt: int, seed: int, asked: float | None = None) -> float:
+def delay(attempt: int, seed: int, retry_after: float | None = None) -> float:
     """Return how long to wait after a request has failed for the `attempt`-th time, counted from zero, s.
 
     It doubles up to a minute, minus a fraction of up to one half determined by `seed` and `attempt`; at least as long
-    as the server `asked`, up to five minutes.
+    as the server `retry_after`, up to five minutes.
     """
     most = min(FIRST * WORTH_IT ** min(attempt, 30), LONGEST)
     share = Random(f"{seed}:{attempt}").uniform(0.5, 1.0)  # noqa: S311 - spreads requests, guards nothing
-    return max(most * share, min(asked or 0.0, ASKED))
+    return max(most * share, min(retry_after or 0.0, ASKED))
 
 
 VARIABLE: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,79}")
@@ -156,10 +156,10 @@ def post(url: str, body: bytes, headers: Mapping[str, str], timeout: float) -> R
     request = Request(url, body, {"Content-Type": "application/json", "User-Agent": "sim2reason", **headers})  # noqa: S310
     try:
         with build_opener(_AnyStatus).open(request, timeout=timeout) as response:
-            found = _read(response, deadline)
-            if isinstance(found, str):
-                return NoReply(found)
-            return Reply(response.status, found, _seconds(response.headers.get("Retry-After")))
+            content = _read(response, deadline)
+            if isinstance(content, str):
+                return NoReply(content)
+            return Reply(response.status, content, _seconds(response.headers.get("Retry-After")))
     except TimeoutError:
         return NoReply(f"no answer within {timeout:g} s")
     except (OSError, HTTPException, ValueError) as error:

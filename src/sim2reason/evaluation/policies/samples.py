@@ -57,9 +57,9 @@ class Budget:
     def charge_finished(self, journal: Path, requests: Iterable[SampleRequest]) -> None:
         """Add the tokens and cost of a journal's samples; those in `requests` count fully if they are unreported."""
         by_key = {(request.id, request.sample): request for request in requests}
-        for found in finished(journal):
-            request = by_key.get(found.key)
-            self.charge(self.used(found.completion, self.most(request) if request else (0, 0.0)))
+        for sample in finished(journal):
+            request = by_key.get(sample.key)
+            self.charge(self.used(sample.completion, self.most(request) if request else (0, 0.0)))
 
     def reserve(self, most: tuple[int, float]) -> None:
         """Reserve tokens and cost before a request, waiting for others to finish; PolicyError beyond the budget."""
@@ -135,23 +135,23 @@ def ask(
     """
     wanted = list(requests)
     missing = [request for request in wanted if not journal.holds(request)]
-    asked = Asked(finished_before=len(wanted) - len(missing))
-    advance(asked.finished_before)
+    progress = Asked(finished_before=len(wanted) - len(missing))
+    advance(progress.finished_before)
     if budget is None:
         budget = Budget(policy)
         budget.charge_finished(journal.path, wanted)
-    held = budget
+    charged_budget = budget
     source = iter(missing)
     batches = iter(lambda: list(islice(source, policy.batch)), [])
-    _run(policy.in_flight, batches, lambda batch: _one(policy, batch, journal, held), asked, advance)
-    return asked
+    _run(policy.in_flight, batches, lambda batch: _one(policy, batch, journal, charged_budget), progress, advance)
+    return progress
 
 
 def _run(
     width: int,
     batches: Iterator[list[SampleRequest]],
     work: Callable[[list[SampleRequest]], int],
-    asked: Asked,
+    progress: Asked,
     advance: Callable[[int], object],
 ) -> None:
     """Keep `width` batches of requests running at once; stop at the first error that would affect all others.
@@ -168,7 +168,7 @@ def _run(
         for future in done:
             error = future.exception()
             if isinstance(error, NoAnswerError):
-                asked.open.append(str(error))
+                progress.open.append(str(error))
                 row += 1
                 if row >= MAX_FAILURES:
                     wait(running)
@@ -178,7 +178,7 @@ def _run(
                 raise error
             else:
                 row = 0
-                asked.finished_now += future.result()
+                progress.finished_now += future.result()
                 advance(future.result())
 
 
@@ -205,8 +205,8 @@ def _one(policy: Policy, batch: list[SampleRequest], journal: SampleJournal, bud
     try:
         completions = policy.complete(batch)
         for request, completion, limit in zip(batch, completions, most, strict=True):
-            said = completion.model_copy(update={"thinking_opened": True}) if policy.thinking_opened else completion
-            journal.add(request, said)
+            recorded = completion.model_copy(update={"thinking_opened": True}) if policy.thinking_opened else completion
+            journal.add(request, recorded)
             tokens, cost = budget.used(completion, limit)
             used = used[0] + tokens, used[1] + cost
     finally:

@@ -39,7 +39,9 @@ class PolicyScores:
 
     def means(self, benchmark: str) -> dict[str, float]:
         """Return the mean points of each problem of a benchmark."""
-        return {item: sum(held) / len(held) for item, held in self.points.get(benchmark, {}).items()}
+        return {
+            item: sum(item_points) / len(item_points) for item, item_points in self.points.get(benchmark, {}).items()
+        }
 
 
 def _outcomes(folder: RunFolder) -> Iterator[SampleOutcome]:
@@ -58,24 +60,24 @@ def all_scores(run: Path | str) -> list[PolicyScores]:
     """Return the scores of every policy of a run; EvaluationError if it has no report."""
     folder = RunFolder(Path(run))
     points: dict[str, dict[str, dict[str, list[float]]]] = {name: {} for name in folder.record.policies}
-    for found in _outcomes(folder):
-        points[found.policy].setdefault(found.benchmark, {}).setdefault(found.id, []).append(found.points)
-    return [PolicyScores(name, folder, held) for name, held in points.items()]
+    for outcome in _outcomes(folder):
+        points[outcome.policy].setdefault(outcome.benchmark, {}).setdefault(outcome.id, []).append(outcome.points)
+    return [PolicyScores(name, folder, policy_points) for name, policy_points in points.items()]
 
 
-def scores_of(place: str) -> PolicyScores:
+def scores_of(address: str) -> PolicyScores:
     """Return the scores of one policy, given as RUN if that has only one, or RUN:POLICY.
 
     EvaluationError if there is no such run or policy, or if there are several and none is named.
     """
-    run, name = place, ""
-    if not Path(place).exists() and ":" in place:
-        run, _, name = place.rpartition(":")
-    found = all_scores(run)
-    chosen = [scores for scores in found if name in {"", scores.name}]
+    run, name = address, ""
+    if not Path(address).exists() and ":" in address:
+        run, _, name = address.rpartition(":")
+    candidates = all_scores(run)
+    chosen = [scores for scores in candidates if name in {"", scores.name}]
     if len(chosen) != 1:
-        there = ", ".join(scores.name for scores in found)
-        raise EvaluationError(f"{place}: which policy? give {run}:NAME, with one of {there}")
+        there = ", ".join(scores.name for scores in candidates)
+        raise EvaluationError(f"{address}: which policy? give {run}:NAME, with one of {there}")
     return chosen[0]
 
 
@@ -115,10 +117,10 @@ def compare(first: str | Path, second: str | Path, out: Path | None = None) -> l
     common = [name for name in mine.points if name in theirs.points]
     if not common:
         raise EvaluationError(f"{first} and {second} have answered no benchmark of the same name")
-    found = [_pair(mine, theirs, name) for name in common]
+    pairs = [_pair(mine, theirs, name) for name in common]
     if out is not None:
-        _write_comparison(out, str(first), str(second), found)
-    return found
+        _write_comparison(out, str(first), str(second), pairs)
+    return pairs
 
 
 def _pair(mine: PolicyScores, theirs: PolicyScores, benchmark: str) -> PairedDifference:
@@ -141,28 +143,28 @@ def _pair(mine: PolicyScores, theirs: PolicyScores, benchmark: str) -> PairedDif
     )
 
 
-def rows(found: list[PairedDifference]) -> list[list[object]]:
+def rows(pairs: list[PairedDifference]) -> list[list[object]]:
     """Return table rows of the differences, in per cent."""
     return [
         [o.benchmark, o.items, f"{100 * o.first:.1f}", f"{100 * o.second:.1f}", o.difference.shown, o.better, o.worse]
-        for o in found
+        for o in pairs
     ]
 
 
 HEAD = "benchmark", "problems", "first", "second", "difference", "better", "worse"
 
 
-def _write_comparison(out: Path, first: str, second: str, found: list[PairedDifference]) -> None:
+def _write_comparison(out: Path, first: str, second: str, pairs: list[PairedDifference]) -> None:
     own_folder(out, COMPARISON_FILE)
-    told = [{**one._asdict(), "difference": one.difference._asdict()} for one in found]
-    put_text(out / COMPARISON_FILE, canonical({"first": first, "second": second, "benchmarks": told}), out)
+    records = [{**one._asdict(), "difference": one.difference._asdict()} for one in pairs]
+    put_text(out / COMPARISON_FILE, canonical({"first": first, "second": second, "benchmarks": records}), out)
     lines = [
         "# Paired comparison",
         "",
         f"First: `{first}`. Second: `{second}`. Accuracies and differences in per cent;",
     ]
     lines += ["95 % interval by a bootstrap over the problems that both answered.", ""]
-    put_text(out / "compare.md", "\n".join([*lines, *table(HEAD, rows(found)), ""]), out)
+    put_text(out / "compare.md", "\n".join([*lines, *table(HEAD, rows(pairs)), ""]), out)
 
 
 MIN_MODELS = 3  # models
@@ -194,7 +196,7 @@ def correlate(
             problems under the same name, or a folder that holds something else.
     """
     places = [Path(run).resolve() for run in runs]
-    if twice := [run for run, place in zip(runs, places, strict=True) if places.count(place) > 1]:
+    if twice := [run for run, path in zip(runs, places, strict=True) if places.count(path) > 1]:
         raise EvaluationError(f"{twice[0]}: this run stands twice; give each once, its models count once")
     models = [scores for run in runs for scores in all_scores(run)]
     across = across or _synthetic(models)
@@ -206,10 +208,10 @@ def correlate(
         raise EvaluationError(f"{across} lies across; correlate it with others: {', '.join(there)}")
     if not others:
         raise EvaluationError(f"these runs have answered no benchmark but {across}")
-    found = [_correlation(models, across, other) for other in others]
+    correlations = [_correlation(models, across, other) for other in others]
     if out is not None:
-        _write_correlation(out, found)
-    return found
+        _write_correlation(out, correlations)
+    return correlations
 
 
 def _synthetic(models: Sequence[PolicyScores]) -> str:
@@ -231,18 +233,18 @@ def _correlation(models: Sequence[PolicyScores], across: str, up: str) -> RankCo
     return RankCorrelation(across, up, tuple(s.name for s in both), rho, x, y)
 
 
-def correlation_text(found: RankCorrelation) -> str:
+def correlation_text(correlation: RankCorrelation) -> str:
     """Return ρ as readable text."""
-    rho = found.rho
+    rho = correlation.rho
     return "none" if rho is None else f"{rho.value:.2f} [{rho.low:.2f}, {rho.high:.2f}]"
 
 
-def _write_correlation(out: Path, found: Sequence[RankCorrelation]) -> None:
+def _write_correlation(out: Path, correlations: Sequence[RankCorrelation]) -> None:
     own_folder(out, CORRELATION_FILE)
     listed = [
         {**each._asdict(), "rho": each.rho and each.rho._asdict()}
         | {side: [one._asdict() for one in getattr(each, side)] for side in ("x", "y")}
-        for each in found
+        for each in correlations
     ]
     put_text(out / CORRELATION_FILE, canonical(listed), out)
     lines = [
@@ -252,9 +254,9 @@ def _write_correlation(out: Path, found: Sequence[RankCorrelation]) -> None:
         "",
     ]
     lines += table(
-        ["across", "up", "models", "ρ"], [[f.across, f.up, len(f.models), correlation_text(f)] for f in found]
+        ["across", "up", "models", "ρ"], [[f.across, f.up, len(f.models), correlation_text(f)] for f in correlations]
     )
-    for each in found:
+    for each in correlations:
         rows = zip(each.models, (one.shown for one in each.x), (one.shown for one in each.y), strict=True)
         lines += ["", *table(["model", each.across, each.up], rows)]
         if (name := _picture(out, each)) is not None:
@@ -262,14 +264,19 @@ def _write_correlation(out: Path, found: Sequence[RankCorrelation]) -> None:
     put_text(out / "correlate.md", "\n".join([*lines, ""]), out)
 
 
-def _picture(out: Path, found: RankCorrelation) -> str | None:
-    name = f"{found.across}-{found.up}.png"
+def _picture(out: Path, correlation: RankCorrelation) -> str | None:
+    name = f"{correlation.across}-{correlation.up}.png"
     points = [
-        Point(model, Bar(*x[:3]), Bar(*y[:3])) for model, x, y in zip(found.models, found.x, found.y, strict=True)
+        Point(model, Bar(*x[:3]), Bar(*y[:3]))
+        for model, x, y in zip(correlation.models, correlation.x, correlation.y, strict=True)
     ]
     try:
         scatter(
-            out / name, points, found.across, found.up, f"Spearman's ρ {correlation_text(found)}, {len(points)} models"
+            out / name,
+            points,
+            correlation.across,
+            correlation.up,
+            f"Spearman's ρ {correlation_text(correlation)}, {len(points)} models",
         )
     except MissingExtraError:
         return None

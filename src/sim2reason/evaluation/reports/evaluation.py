@@ -32,22 +32,22 @@ def write_report(folder: RunFolder) -> RunReport:
     out, record = folder.report, folder.record
     out.mkdir(exist_ok=True)
     by_benchmark: dict[str, list[SampleOutcome]] = {}
-    found: list[Result] = []
+    all_results: list[Result] = []
     for benchmark in record.benchmarks:
         for policy in record.policies:
-            held = sorted(outcomes(folder, policy, benchmark), key=lambda each: (each.id, each.sample))
-            by_benchmark.setdefault(benchmark, []).extend(held)
-            if (each := result(folder, policy, benchmark, held)) is not None:
-                found.append(each)
-    _lines(out / SCORES, (f"{one.model_dump_json()}\n" for held in by_benchmark.values() for one in held))
+            samples = sorted(outcomes(folder, policy, benchmark), key=lambda each: (each.id, each.sample))
+            by_benchmark.setdefault(benchmark, []).extend(samples)
+            if (each := result(folder, policy, benchmark, samples)) is not None:
+                all_results.append(each)
+    _lines(out / SCORES, (f"{one.model_dump_json()}\n" for samples in by_benchmark.values() for one in samples))
     _lines(out / ANSWERS, answers_page(folder, by_benchmark))
     notes: list[str] = []
     try:
-        pictures = tuple(_pictures(folder, found))
+        pictures = tuple(_pictures(folder, all_results))
     except MissingExtraError:
         pictures, notes = (), [NO_PICTURES]
-    put_text(out / PAGE, page(record, found, pictures, notes), out)
-    report = RunReport(run=record.model_dump(mode="json"), results=tuple(found), pictures=pictures)
+    put_text(out / PAGE, page(record, all_results, pictures, notes), out)
+    report = RunReport(run=record.model_dump(mode="json"), results=tuple(all_results), pictures=pictures)
     put_text(out / JSON, canonical(report.model_dump(mode="json")), out)
     return report
 
@@ -60,18 +60,22 @@ def _lines(path: Path, lines: Iterator[str]) -> None:
     put(path, write, path.parent)
 
 
-def _bar(found: Result | None) -> Bar | None:
-    return None if found is None else Bar(found.accuracy.value, found.accuracy.low, found.accuracy.high)
+def _bar(policy_result: Result | None) -> Bar | None:
+    return (
+        None
+        if policy_result is None
+        else Bar(policy_result.accuracy.value, policy_result.accuracy.low, policy_result.accuracy.high)
+    )
 
 
 def _pictures(folder: RunFolder, results: Sequence[Result]) -> Iterator[str]:
     """Draw all possible plots, and yield the names of their files."""
     if not results:
         return
-    out, held = folder.report, {(each.policy, each.benchmark): each for each in results}
+    out, result_by_pair = folder.report, {(each.policy, each.benchmark): each for each in results}
     benchmarks = list(dict.fromkeys(each.benchmark for each in results))
     policies = list(dict.fromkeys(each.policy for each in results))
-    rows = {policy: [_bar(held.get((policy, benchmark))) for benchmark in benchmarks] for policy in policies}
+    rows = {policy: [_bar(result_by_pair.get((policy, benchmark))) for benchmark in benchmarks] for policy in policies}
     bars(out / "accuracy.png", "Accuracy with 95 % intervals", benchmarks, rows)
     yield "accuracy.png"
     for benchmark in benchmarks:
@@ -91,8 +95,8 @@ def _groups(out: Path, benchmark: str, results: Sequence[Result]) -> Iterator[st
         yield name
 
 
-def _group(found: Result, tag: str, value: str) -> Bar | None:
-    group = found.groups.get(tag, {}).get(value)
+def _group(policy_result: Result, tag: str, value: str) -> Bar | None:
+    group = policy_result.groups.get(tag, {}).get(value)
     return None if group is None else Bar(group.accuracy.value, group.accuracy.low, group.accuracy.high)
 
 
@@ -104,11 +108,14 @@ def _steps(folder: RunFolder, out: Path, results: Sequence[Result]) -> Iterator[
     by_benchmark: dict[str, dict[int, Result]] = {}
     for step, each in staged:
         by_benchmark.setdefault(each.benchmark, {})[step] = each
-    whole = {name: held for name, held in by_benchmark.items() if sorted(held) == moments}
-    if len(moments) < 2 or not whole:
+    complete = {name: by_step for name, by_step in by_benchmark.items() if sorted(by_step) == moments}
+    if len(moments) < 2 or not complete:
         return
-    rows = {name: [bar for step in moments if (bar := _bar(held[step]))] for name, held in whole.items()}
-    lengths = {name: [held[step].tokens or held[step].characters for step in moments] for name, held in whole.items()}
+    rows = {name: [bar for step in moments if (bar := _bar(by_step[step]))] for name, by_step in complete.items()}
+    lengths = {
+        name: [by_step[step].tokens or by_step[step].characters for step in moments]
+        for name, by_step in complete.items()
+    }
     over_steps(out / "steps.png", moments, rows, lengths)
     yield "steps.png"
 

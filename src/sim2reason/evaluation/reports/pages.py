@@ -79,23 +79,26 @@ def _model(settings: Mapping[str, JsonValue]) -> str:
 
 
 def _sampling(settings: Mapping[str, JsonValue]) -> str:
-    found = settings.get("sampling")
-    pairs = found.items() if isinstance(found, dict) else ()
+    sampling = settings.get("sampling")
+    pairs = sampling.items() if isinstance(sampling, dict) else ()
     return ", ".join(f"{name} {value}" for name, value in pairs if value is not None)
 
 
 def _groups(results: Sequence[Result]) -> Iterator[str]:
     """Yield a table for each benchmark and tag, a column for each policy."""
     for benchmark in dict.fromkeys(result.benchmark for result in results):
-        held = [result for result in results if result.benchmark == benchmark]
-        for tag in sorted({tag for result in held for tag in result.groups}):
-            values = sorted({value for result in held for value in result.groups.get(tag, {})})
+        benchmark_results = [result for result in results if result.benchmark == benchmark]
+        for tag in sorted({tag for result in benchmark_results for tag in result.groups}):
+            values = sorted({value for result in benchmark_results for value in result.groups.get(tag, {})})
             if len(values) < 2:
                 continue
             yield f"## {benchmark}, by {tag}"
             yield ""
-            rows = ([value, _count(held, tag, value), *(_share(r, tag, value) for r in held)] for value in values)
-            yield from table([tag, "problems", *(result.policy for result in held)], rows)
+            rows = (
+                [value, _count(benchmark_results, tag, value), *(_share(r, tag, value) for r in benchmark_results)]
+                for value in values
+            )
+            yield from table([tag, "problems", *(result.policy for result in benchmark_results)], rows)
             yield ""
 
 
@@ -139,9 +142,9 @@ Shown = Mapping[tuple[str, str], SampleOutcome]
 def answers_page(folder: RunFolder, outcomes: Mapping[str, Sequence[SampleOutcome]]) -> Iterator[str]:
     """Yield the page in pieces; `outcomes` are given by benchmark."""
     yield HEAD.format(most=MOST_ITEMS)
-    for benchmark, held in outcomes.items():
-        policies = list(dict.fromkeys(outcome.policy for outcome in held))
-        first = {(outcome.policy, outcome.id): outcome for outcome in held if outcome.sample == 0}
+    for benchmark, samples in outcomes.items():
+        policies = list(dict.fromkeys(outcome.policy for outcome in samples))
+        first = {(outcome.policy, outcome.id): outcome for outcome in samples if outcome.sample == 0}
         items = folder.items(benchmark)[:MOST_ITEMS]
         texts = {policy: _texts(folder, policy, benchmark, {item.id for item in items}) for policy in policies}
         yield f"<h2>{escape(benchmark)}</h2>\n"
@@ -168,10 +171,10 @@ def _item(
         if outcome is None:
             yield "<td>no answer yet</td>"
             continue
-        said = escape(texts[policy].get(item.id, ""))
+        response = escape(texts[policy].get(item.id, ""))
         why = f" <i>{escape(outcome.why)}</i>" if outcome.why else ""
         yield (
             f'<td class="{outcome.ending}"><b>{outcome.ending}</b>: {escape(outcome.parsed)}{why}'
-            f"<details><summary>what it said</summary><pre>{said}</pre></details></td>"
+            f"<details><summary>what it said</summary><pre>{response}</pre></details></td>"
         )
     yield "</tr></table>\n"

@@ -80,15 +80,15 @@ def _resampled(values: Floats) -> Floats:
     return np.concatenate(means)
 
 
-def _interval(values: Floats, least: float) -> Estimate:
-    """Return the mean of values between `least` and 1, with its 95 % interval.
+def _interval(values: Floats, minimum: float) -> Estimate:
+    """Return the mean of values between `minimum` and 1, with its 95 % interval.
 
     If all values are equal, the bootstrap interval is empty; then its width is that of Wilson's for zero of n.
     """
     mean = float(values.mean())
     if np.ptp(values) == 0.0:
         reach = wilson(0, len(values)).high
-        return Estimate(mean, max(least, mean - reach), min(1.0, mean + reach), "score")
+        return Estimate(mean, max(minimum, mean - reach), min(1.0, mean + reach), "score")
     low, high = np.quantile(_resampled(values), [(1 - LEVEL) / 2, (1 + LEVEL) / 2])
     return Estimate(mean, float(low), float(high), "bootstrap")
 
@@ -99,8 +99,8 @@ def mean_of_items(points: Sequence[Sequence[float]]) -> Estimate:
     Items are the trials. With one sample each, correct or not, the interval is Wilson's; else it is a bootstrap over
     items.
     """
-    means = np.array([sum(held) / len(held) for held in points], dtype=np.float64)
-    if all(len(held) == 1 and held[0] in {0.0, 1.0} for held in points):
+    means = np.array([sum(item_points) / len(item_points) for item_points in points], dtype=np.float64)
+    if all(len(item_points) == 1 and item_points[0] in {0.0, 1.0} for item_points in points):
         return wilson(int(means.sum()), len(means))
     return _interval(means, 0.0)
 
@@ -111,9 +111,9 @@ def pass_at(points: Sequence[Sequence[float]], k: int) -> float | None:
     The formula is 1 - C(n - c, k)/C(n, k) for c correct ones of n: Chen et al., *Evaluating Large Language Models
     Trained on Code* (2021).
     """
-    if any(len(held) < k for held in points):
+    if any(len(item_points) < k for item_points in points):
         return None
-    right = ((len(held), sum(point >= 1.0 for point in held)) for held in points)
+    right = ((len(item_points), sum(point >= 1.0 for point in item_points)) for item_points in points)
     return sum(1.0 - comb(n - c, k) / comb(n, k) for n, c in right) / len(points)
 
 
@@ -127,9 +127,9 @@ def difference(mine: Sequence[float], theirs: Sequence[float]) -> Estimate:
 
 def _ranks(values: Floats) -> Floats:
     """Return the ranks from 1; equal values share their mean rank."""
-    _, place, counts = np.unique(values, return_inverse=True, return_counts=True)
+    _, inverse, counts = np.unique(values, return_inverse=True, return_counts=True)
     last = np.cumsum(counts)
-    return ((last - counts + 1 + last) / 2.0)[place]
+    return ((last - counts + 1 + last) / 2.0)[inverse]
 
 
 def rank_correlation(x: Sequence[float], y: Sequence[float]) -> Estimate | None:
@@ -146,9 +146,9 @@ def rank_correlation(x: Sequence[float], y: Sequence[float]) -> Estimate | None:
     if count == 3:
         return Estimate(rho, -1.0, 1.0, "none")
     next_to = 1.0 - 12.0 / (count * (count**2 - 1))
-    held = max(-next_to, min(next_to, rho))
-    half = NORMAL * sqrt((1 + held**2 / 2) / (count - 3))
-    low, high = tanh(atanh(held) - half), tanh(atanh(held) + half)
+    clipped = max(-next_to, min(next_to, rho))
+    half = NORMAL * sqrt((1 + clipped**2 / 2) / (count - 3))
+    low, high = tanh(atanh(clipped) - half), tanh(atanh(clipped) + half)
     return Estimate(rho, -1.0 if rho < -next_to else low, 1.0 if rho > next_to else high, "bonett-wright")
 
 
@@ -223,10 +223,10 @@ class RunReport(_Record):
 
 def points_by_item(outcomes: Iterable[SampleOutcome]) -> dict[str, list[float]]:
     """Return the points of each problem's samples."""
-    found: dict[str, list[float]] = {}
+    points: dict[str, list[float]] = {}
     for outcome in outcomes:
-        found.setdefault(outcome.id, []).append(outcome.points)
-    return found
+        points.setdefault(outcome.id, []).append(outcome.points)
+    return points
 
 
 def result(folder: RunFolder, policy: str, benchmark: str, outcomes: Sequence[SampleOutcome]) -> Result | None:
@@ -236,8 +236,8 @@ def result(folder: RunFolder, policy: str, benchmark: str, outcomes: Sequence[Sa
     plan, points = folder.record.benchmarks[benchmark], points_by_item(outcomes)
     tokens = [outcome.tokens for outcome in outcomes if outcome.tokens is not None]
     endings = Counter(outcome.ending for outcome in outcomes)
-    held = list(points.values())
-    passes = {k: share for k in PASSES if k <= plan.samples and (share := pass_at(held, k)) is not None}
+    all_points = list(points.values())
+    passes = {k: share for k in PASSES if k <= plan.samples and (share := pass_at(all_points, k)) is not None}
     return Result(
         policy=policy,
         benchmark=benchmark,
@@ -245,7 +245,7 @@ def result(folder: RunFolder, policy: str, benchmark: str, outcomes: Sequence[Sa
         samples=plan.samples,
         responses=len(outcomes),
         missing=plan.items * plan.samples - len(outcomes),
-        accuracy=Share.of(mean_of_items(held)),
+        accuracy=Share.of(mean_of_items(all_points)),
         pass_at=passes,
         endings={ending: endings[ending] for ending in Ending},
         tokens=sum(tokens) / len(tokens) if tokens else None,
@@ -264,8 +264,8 @@ def _groups(items: Iterable[BenchmarkItem], points: Mapping[str, list[float]]) -
                     sorted_out.setdefault(tag, {}).setdefault(value, []).append(points[item.id])
     return {
         tag: {
-            value: Group(items=len(held), accuracy=Share.of(mean_of_items(held)))
-            for value, held in sorted(by_value.items())
+            value: Group(items=len(group_points), accuracy=Share.of(mean_of_items(group_points)))
+            for value, group_points in sorted(by_value.items())
         }
         for tag, by_value in sorted(sorted_out.items())
         if 1 <= len(by_value) <= MOST_GROUPS

@@ -92,7 +92,7 @@ def sphere(look: Spherical, at: complex, size: float, z: complex) -> list[Shape]
     return found + ([Arc(middle, hole, weight="thin")] if hole else [])
 
 
-def shell(at: complex, radii: tuple[float, float], hole: tuple[float, float], way: complex) -> Polygon:
+def shell(at: complex, radii: tuple[float, float], hole: tuple[float, float], direction: complex) -> Polygon:
     """Return the outline of a ring that has a circular hole (distance, radius) on its side in a direction."""
 
     def opening(radius: float) -> float:
@@ -101,7 +101,7 @@ def shell(at: complex, radii: tuple[float, float], hole: tuple[float, float], wa
         cosine = (radius**2 + off**2 - reach**2) / (2.0 * radius * off) if off else 1.0
         return acos(max(-1.0, min(1.0, cosine)))
 
-    outer, inner = ([at + radius * way * rect(1.0, turn) for turn in _turns(opening(radius))] for radius in radii)
+    outer, inner = ([at + radius * direction * rect(1.0, turn) for turn in _turns(opening(radius))] for radius in radii)
     return (*outer, *reversed(inner))
 
 
@@ -159,12 +159,12 @@ def names(setting: DrawingContext, address: str, look: BodyLook, at: complex) ->
         return [replace(inside, places=(*inside.places, *around(at, 0.55, wide, start=unit_vector(-1 + 1j)))), *rest]
     name, radius = plan.name(address), setting.radius(address)
     mark = look.mark if isinstance(look, Small) else ""
-    found = [LabelRequest(mark, (at,), address, SMALL, name=False)] if mark else []
+    labels = [LabelRequest(mark, (at,), address, SMALL, name=False)] if mark else []
     long, half = lengthwise(setting, address, look)
     fits = not mark and len(name) <= LETTER and width(name, SIZE) < 1.5 * half and _plain(look)
     mass = plan.mass(address)
     if fits and mass:
-        found.append(
+        labels.append(
             LabelRequest(mass, around(at, radius + 0.1, width(mass, SMALL), start=UP), address, SMALL, name=False)
         )
     text = name if fits or not mass else f"{name} ({mass})"
@@ -172,12 +172,12 @@ def names(setting: DrawingContext, address: str, look: BodyLook, at: complex) ->
     start = -unit_vector(velocity) if (velocity := setting.velocity(address)) else UP
     aside = tuple(beside(at - long, at + long, text, size, half + 0.12)) if long else ()
     ring = (around(at, radius + far, width(text, size), start=start) for far in (0.1, 0.7))
-    beyond = (*aside, *(place for each in ring for place in each))
+    beyond = (*aside, *(position for each in ring for position in each))
     places = (at, *beyond) if fits else beyond
     if not named:  # it needs no name, but a number may stand beside it
         text, size = mass, SMALL
         places = around(at, radius + 0.1, width(mass, SMALL), start=UP)
-    return [*found, LabelRequest(text, places, address, size, name=bool(named))] if text else found
+    return [*labels, LabelRequest(text, places, address, size, name=bool(named))] if text else labels
 
 
 def slab_labels(setting: DrawingContext, address: str, at: complex) -> list[LabelRequest]:
@@ -191,8 +191,8 @@ def slab_labels(setting: DrawingContext, address: str, at: complex) -> list[Labe
     bare = 0.5 * SLAB_STEP  # of the slab, at either end, where another one lies on it
     ends = tuple(at + side * (half - 0.5 * bare) * along for side in (-1.0, 1.0))
     places = (at + 0.3 * along,) if level else ()
-    found = LabelRequest(mass, places, address, TINY, name=False, anchors=ends)
-    return [LabelRequest(name, (at + first if level else at,), address), found]
+    mass_label = LabelRequest(mass, places, address, TINY, name=False, anchors=ends)
+    return [LabelRequest(name, (at + first if level else at,), address), mass_label]
 
 
 def lengthwise(setting: DrawingContext, address: str, look: BodyLook) -> tuple[complex, float]:

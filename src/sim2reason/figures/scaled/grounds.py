@@ -33,8 +33,10 @@ class Surface:
     @property
     def along(self) -> complex:
         """Return the unit vector along the surface, to the right or up."""
-        way = self.normal * -1j
-        return way if way.real > FLAT or (abs(way.real) <= FLAT and way.imag > 0.0) else -way
+        direction = self.normal * -1j
+        return (
+            direction if direction.real > FLAT or (abs(direction.real) <= FLAT and direction.imag > 0.0) else -direction
+        )
 
     @property
     def ends(self) -> tuple[complex, complex]:
@@ -48,25 +50,25 @@ class Surface:
 
 def surfaces(setting: DrawingContext) -> list[Surface]:
     """Return the straight surfaces on which bodies lie, without repetitions."""
-    found: dict[tuple[str | None, float, float, float], Surface] = {}
+    surfaces_by_key: dict[tuple[str | None, float, float, float], Surface] = {}
     for face in setting.mechanism.faces:
         parent = setting.mechanism.body[face.subject].parent
-        held = face.subject in setting.stacked or isinstance(setting.look(parent or ""), BigBox)
+        carried = face.subject in setting.stacked or isinstance(setting.look(parent or ""), BigBox)
         bears = isinstance(setting.look(face.subject), MovingSlope | BigBox)
-        if not setting.owns(face.subject) or face.turning or held or bears:
+        if not setting.owns(face.subject) or face.turning or carried or bears:
             continue
         normal = unit_vector(setting.view.way(vector(setting.frames.normal(face.subject))) or UP)
         below = reach(setting, face)
         half = max(WIDER * below, 0.5 * setting.sizes(face.subject)[0]) * normal * 1j
         at = setting.at(face.subject)
         for end in (at - half, at + half, *walls(setting, at, normal * 1j, parent)):
-            _touch(found, parent, normal, end - below * normal, face)
+            _touch(surfaces_by_key, parent, normal, end - below * normal, face)
     for foot in setting.mechanism.feet:
         at, normal = setting.site(foot.site), unit_vector(setting.view.way(foot.normal))
         if setting.owns(foot.name) and abs(dot(at, normal) - setting.view.scale * foot.height) < FLAT:
             for end in _below(setting, setting.mechanism.site[foot.site].body or "", at, normal):
-                _touch(found, None, normal, end)
-    return list(found.values())
+                _touch(surfaces_by_key, None, normal, end)
+    return list(surfaces_by_key.values())
 
 
 def _below(setting: DrawingContext, body: str, foot: complex, normal: complex) -> Iterator[complex]:
@@ -84,91 +86,91 @@ def reach(setting: DrawingContext, face: SurfaceContact) -> float:
 
 
 def _touch(
-    found: dict[tuple[str | None, float, float, float], Surface],
+    surfaces_by_key: dict[tuple[str | None, float, float, float], Surface],
     owner: str | None,
     normal: complex,
     point: complex,
     face: SurfaceContact | None = None,
 ) -> None:
     key = (owner, round(normal.real, 6), round(normal.imag, 6), round(dot(point, normal), 2))
-    before = found[key].touched if key in found else ()
-    found[key] = Surface(owner, normal, (*before, point), face)
+    before = surfaces_by_key[key].touched if key in surfaces_by_key else ()
+    surfaces_by_key[key] = Surface(owner, normal, (*before, point), face)
 
 
 def grounds(setting: DrawingContext) -> Sketch:
     """Return the sketch of all surfaces under bodies, from back to front."""
-    found = Sketch()
-    _straight(setting, found)
+    sketch = Sketch()
+    _straight(setting, sketch)
     for face in setting.mechanism.faces:
         if setting.owns(face.subject) and face.turning:
-            _curved(setting, face, found)
-    found.extend(rails(setting))
-    _walls(setting, found)
+            _curved(setting, face, sketch)
+    sketch.extend(rails(setting))
+    _walls(setting, sketch)
     for address, body in setting.bodies.items():
         if isinstance(body.look, Tabletop):
-            _note(setting, address, body.look.tilt, found)
-    return found
+            _note(setting, address, body.look.tilt, sketch)
+    return sketch
 
 
-def _straight(setting: DrawingContext, found: Sketch) -> None:
+def _straight(setting: DrawingContext, sketch: Sketch) -> None:
     """Draw planes, floors and wedges."""
     straight = surfaces(setting)
     wedges = dict.fromkeys(s.owner for s in straight if isinstance(setting.look(s.owner or ""), MovingSlope))
     for surface in straight:
         if surface.owner not in wedges:
-            _fixed(setting, surface, found)
-            _rough(setting, surface, found)
+            _fixed(setting, surface, sketch)
+            _rough(setting, surface, sketch)
     for owner in wedges:
-        _wedge(setting, owner or "", [s for s in straight if s.owner == owner], found)
+        _wedge(setting, owner or "", [s for s in straight if s.owner == owner], sketch)
 
 
-def _fixed(setting: DrawingContext, surface: Surface, found: Sketch) -> None:
+def _fixed(setting: DrawingContext, surface: Surface, sketch: Sketch) -> None:
     """Draw a fixed surface as a hatched line; for a slope also the triangle below it, with its angle."""
     a, b = surface.ends
     slope = surface.along.imag
     if abs(slope) < FLAT or surface.normal.imag < FLAT:
-        found.shapes += hatched(a, b) if surface.normal.imag > 0.0 or slope > 0.0 else hatched(b, a)
+        sketch.shapes += hatched(a, b) if surface.normal.imag > 0.0 or slope > 0.0 else hatched(b, a)
         return
     low, high = (a, b) if a.imag < b.imag else (b, a)
     corner = complex(high.real, low.imag)
-    found.shapes.append(Area((low, corner, high) if corner.real > low.real else (corner, low, high), "fixed"))
+    sketch.shapes.append(Area((low, corner, high) if corner.real > low.real else (corner, low, high), "fixed"))
     left, right = sorted((low, corner), key=lambda p: p.real)
-    found.shapes += hatched(left, right)
-    _angle(low, high, found, setting)
+    sketch.shapes += hatched(left, right)
+    _angle(low, high, sketch, setting)
 
 
-def _rough(setting: DrawingContext, surface: Surface, found: Sketch) -> None:
+def _rough(setting: DrawingContext, surface: Surface, sketch: Sketch) -> None:
     """Draw dots under a face with friction, and its coefficient if the text states it."""
     face = surface.face
     if face is None or face.friction == 0.0:
         return
     a, b = surface.ends
-    found.shapes.append(rough(a, b, surface.normal))
-    told = (said for owner in setting.owners if (said := setting.plan.friction_text(owner, face)))
-    if text := next(told, ""):
+    sketch.shapes.append(rough(a, b, surface.normal))
+    coefficients = (coefficient for owner in setting.owners if (coefficient := setting.plan.friction_text(owner, face)))
+    if text := next(coefficients, ""):
         left, low, right, _ = box((a, b))
         wide = 0.5 * width(text, SMALL)
         spots = (complex(0.5 * (left + right), low - 0.5), complex(right - wide, low - 0.5))
         inside = complex(right - wide - 0.2, low + 0.3)
-        found.labels.append(LabelRequest(text, (inside, *spots) if a.imag != b.imag else spots, "", SMALL, name=False))
+        sketch.labels.append(LabelRequest(text, (inside, *spots) if a.imag != b.imag else spots, "", SMALL, name=False))
 
 
-def _angle(low: complex, high: complex, found: Sketch, setting: DrawingContext) -> None:
+def _angle(low: complex, high: complex, sketch: Sketch, setting: DrawingContext) -> None:
     """Draw the angle at the foot of a slope."""
-    way = unit_vector(high - low)
-    side = 1.0 if way.real > 0.0 else -1.0
-    value = round(degrees(acos(min(1.0, abs(way.real)))), 9)
+    direction = unit_vector(high - low)
+    side = 1.0 if direction.real > 0.0 else -1.0
+    value = round(degrees(acos(min(1.0, abs(direction.real)))), 9)
     if value % 90.0 == 0.0:
         return
     start, stop = (0.0, value) if side > 0.0 else (180.0 - value, 180.0)
-    said = [text for owner in setting.owners if (text := setting.stated(owner, "deg", value))]
+    texts = [text for owner in setting.owners if (text := setting.stated(owner, "deg", value))]
     for owner in setting.owners:
         setting.state_once(owner, "deg", value)
-    if said:
-        found.extend(corner_angle(low, (start, stop), said[0], next(iter(setting.owners))))
+    if texts:
+        sketch.extend(corner_angle(low, (start, stop), texts[0], next(iter(setting.owners))))
 
 
-def _wedge(setting: DrawingContext, owner: str, faces: list[Surface], found: Sketch) -> None:
+def _wedge(setting: DrawingContext, owner: str, faces: list[Surface], sketch: Sketch) -> None:
     """Draw a body with one or two faces, standing on its floor."""
     ends = [sorted(face.ends, key=lambda p: p.imag) for face in faces]
     if len(faces) == 2:
@@ -180,14 +182,14 @@ def _wedge(setting: DrawingContext, owner: str, faces: list[Surface], found: Ske
     corners = [*feet, *tops, *(complex(top.real, base) for top in tops if len(faces) == 1)]
     left, _, right, _ = box(corners)
     outline = tuple(sorted(corners, key=lambda p: _round(p, sum(corners) / len(corners))))
-    found.shapes += [Area(outline, "wedge"), *hatched(complex(left - 0.9, base), complex(right + 0.9, base))]
+    sketch.shapes += [Area(outline, "wedge"), *hatched(complex(left - 0.9, base), complex(right + 0.9, base))]
     for foot, top in zip(feet, tops, strict=True):
-        _angle(foot, top, found, setting)
+        _angle(foot, top, sketch, setting)
     text = setting.plan.caption(owner)
     middle = sum(corners) / len(corners)
     size = SIZE if text == setting.plan.name(owner) else SMALL
     places = tuple(middle + dx - 0.2j for dx in (0.0, 0.35, -0.35, 0.7, -0.7))
-    found.labels.append(LabelRequest(text, places, owner, size))
+    sketch.labels.append(LabelRequest(text, places, owner, size))
     setting.drawn.add(owner)
 
 
@@ -203,7 +205,7 @@ def _meeting(one: Surface, other: Surface) -> complex:
     return a + u * cross(b - a, v) / cross(u, v)
 
 
-def _curved(setting: DrawingContext, face: SurfaceContact, found: Sketch) -> None:
+def _curved(setting: DrawingContext, face: SurfaceContact, sketch: Sketch) -> None:
     """Draw a circular track about the origin of a body's frame, inside or outside the body on it."""
     center = setting.view.at(vector(setting.frames[face.subject].origin))
     at = setting.at(face.subject)
@@ -212,15 +214,15 @@ def _curved(setting: DrawingContext, face: SurfaceContact, found: Sketch) -> Non
     if not face.guided:
         radius += setting.radius(face.subject) * (-1.0 if outward else 1.0)
     if face.guided:
-        found.shapes.append(Arc(center, radius))
+        sketch.shapes.append(Arc(center, radius))
         return
     start, stop = (0.0, 180.0) if outward else (180.0, 360.0)
-    found.shapes.append(Arc(center, radius, start, stop))
+    sketch.shapes.append(Arc(center, radius, start, stop))
     if outward:
-        found.shapes += hatched(center - radius - 0.6, center + radius + 0.6)
+        sketch.shapes += hatched(center - radius - 0.6, center + radius + 0.6)
 
 
-def _walls(setting: DrawingContext, found: Sketch) -> None:
+def _walls(setting: DrawingContext, sketch: Sketch) -> None:
     """Draw the ground and walls that bodies may hit, and supports of bodies that stand on edges."""
     standing = {
         setting.mechanism.site[site].body
@@ -234,7 +236,7 @@ def _walls(setting: DrawingContext, found: Sketch) -> None:
         around = [setting.at(body.name) for body in setting.members]
         left, _, right, _ = box(around)
         level = setting.view.at((0.0, 0.0, height)).imag
-        found.shapes += hatched(complex(left - 1.2, level), complex(right + 4.2, level))
+        sketch.shapes += hatched(complex(left - 1.2, level), complex(right + 4.2, level))
     for meeting in setting.mechanism.meetings:
         if meeting.a is not None or meeting.normal is None or not setting.owns(meeting.b):
             continue
@@ -244,13 +246,13 @@ def _walls(setting: DrawingContext, found: Sketch) -> None:
             normal, at = unit_vector(setting.view.way(meeting.normal)), setting.at(meeting.b)
             foot = at + (meeting.distance * setting.view.scale - dot(at, normal)) * normal
             half = 0.9 * normal * -1j
-            found.shapes += hatched(foot - half, foot + half)
+            sketch.shapes += hatched(foot - half, foot + half)
     for line in setting.lines:
         if isinstance(line.law, Prop):
-            _stand(setting, line.through, found)
+            _stand(setting, line.through, sketch)
 
 
-def _stand(setting: DrawingContext, ends: tuple[str, ...], found: Sketch) -> None:
+def _stand(setting: DrawingContext, ends: tuple[str, ...], sketch: Sketch) -> None:
     """Draw the ground at an initial contact between a fixed point and a body that may lift off, such as a rocket."""
     for site, other in (ends, ends[::-1]):
         body = setting.mechanism.site[other].body
@@ -259,16 +261,16 @@ def _stand(setting: DrawingContext, ends: tuple[str, ...], found: Sketch) -> Non
             foot, half = setting.at(body) - 0.65 * up, 2.2 * up * -1j
             if any(isinstance(b.look, Globe) for b in setting.bodies.values()):
                 turn = degrees(phase(up))
-                found.shapes.append(Arc(foot - GLOBE * up, GLOBE, turn - 16.0, turn + 16.0))
+                sketch.shapes.append(Arc(foot - GLOBE * up, GLOBE, turn - 16.0, turn + 16.0))
             else:
-                found.shapes += hatched(foot - half, foot + half)
+                sketch.shapes += hatched(foot - half, foot + half)
 
 
-def _note(setting: DrawingContext, address: str, tilt: float, found: Sketch) -> None:
+def _note(setting: DrawingContext, address: str, tilt: float, sketch: Sketch) -> None:
     """Add a label that states the tilt of a table, because a view from above cannot show the tilt."""
     setting.drawn.add(address)
     if tilt:
         text = f"tilted at {setting.stated(owner_of(address), 'deg', tilt)}; y points up the slope"
         left, low, right, _ = spread(setting)
         spot = complex(0.5 * (left + right), low - 0.45)
-        found.labels.append(LabelRequest(text, (spot,), address, SMALL, name=False))
+        sketch.labels.append(LabelRequest(text, (spot,), address, SMALL, name=False))

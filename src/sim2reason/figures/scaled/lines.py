@@ -43,50 +43,50 @@ def look_of(setting: DrawingContext, line: Line) -> str:
 
 def lines(setting: DrawingContext, front: Sketch) -> Sketch:
     """Return the sketch of all lines with supports and arms; axles and joints go to the sketch `front`."""
-    found = Sketch()
+    sketch = Sketch()
     for line in setting.lines:
         look = look_of(setting, line)
         points = [setting.site(name) for name in line.through]
         if line.circle is not None:
-            _around(setting, line, line.circle, found)
+            _around(setting, line, line.circle, sketch)
             continue
         if look == "prop":
             continue
         wound = line.name in setting.plan.scene.builder.wound
-        (front if wound else found).shapes += strokes(setting, line, look, points)
-        found.labels += _named(setting, line.whole, points)
+        (front if wound else sketch).shapes += strokes(setting, line, look, points)
+        sketch.labels += _named(setting, line.whole, points)
         setting.drawn.add(line.whole)
         for end, inward in () if wound else ((0, 1), (-1, -2)):
-            _draw_support(setting, line.through[end], unit_vector(points[inward] - points[end] or RIGHT), found)
+            _draw_support(setting, line.through[end], unit_vector(points[inward] - points[end] or RIGHT), sketch)
     for body in setting.members:
-        _arm(setting, body, found, front)
+        _arm(setting, body, sketch, front)
     for joint in setting.plan.scene.joints.values():
         if setting.owns(joint.name) and joint.connection.carries:
             at = setting.site(joint.stops[0].sites[0])
             stiff = joint.connection.look == "weld"
             front.shapes.append(Area(rectangle(at, 0.2, 0.2), "ink") if stiff else Arc(at, PIVOT))
-    return found
+    return sketch
 
 
-def _around(setting: DrawingContext, line: Line, ends: tuple[str, str], found: Sketch) -> None:
+def _around(setting: DrawingContext, line: Line, ends: tuple[str, str], sketch: Sketch) -> None:
     """Draw a spring bent along the circle on which its two bodies move, and the circle if it is not yet drawn."""
     middle = setting.view.at(vector(setting.frames[ends[0]].origin))
     a, b = (setting.at(end) - middle for end in ends)
-    whole = Arc(middle, round(abs(a), 6), weight="thin")  # rounded, since all bodies are on the same one
-    if whole not in found.shapes:
-        found.shapes.append(whole)
-        _radius(setting, ends, middle, found)
+    circle = Arc(middle, round(abs(a), 6), weight="thin")  # rounded, since all bodies are on the same one
+    if circle not in sketch.shapes:
+        sketch.shapes.append(circle)
+        _radius(setting, ends, middle, sketch)
     turn = phase(b / a) % (2.0 * pi)
     clear = min(setting.radius(ends[0]) / abs(a), 0.3 * turn)
     for straight in spring(0j, complex(abs(a) * (turn - 2.0 * clear)), line):
         along = (p + share * (q - p) for p, q in pairwise(straight) for share in (*_shares(abs(q - p)), 1.0))
         bent = (middle + (abs(a) + p.imag) * unit_vector(a) * rect(1.0, clear + p.real / abs(a)) for p in along)
-        found.shapes.append(Stroke(tuple(bent), "thin"))
+        sketch.shapes.append(Stroke(tuple(bent), "thin"))
     body = setting.bodies.get(line.whole)
     if body is not None and body.letters:
         half, text = unit_vector(a) * rect(1.0, 0.5 * turn), setting.plan.name(line.whole)
         places = (middle + (abs(a) + far) * half for far in (0.5, -0.5, 0.8, -0.8))
-        found.labels.append(LabelRequest(text, tuple(places), line.whole))
+        sketch.labels.append(LabelRequest(text, tuple(places), line.whole))
     setting.drawn.add(line.whole)
 
 
@@ -96,15 +96,15 @@ def _shares(long: float) -> Iterator[float]:
     return (n / count for n in range(count))
 
 
-def _radius(setting: DrawingContext, ends: tuple[str, str], middle: complex, found: Sketch) -> None:
+def _radius(setting: DrawingContext, ends: tuple[str, str], middle: complex, sketch: Sketch) -> None:
     """Draw the stated radius of the circle on which bodies move, half way between two of them."""
     a, b = (setting.at(end) - middle for end in ends)
     owner = ends[0].split(".", maxsplit=1)[0]
     text = setting.stated(owner, setting.mechanism.units.length, abs(a) / setting.view.scale)
     if text:
         rim = middle + a * rect(1.0, 0.5 * (phase(b / a) % (2.0 * pi)))
-        found.shapes.append(Stroke((middle, rim), "hair", arrow=True))
-        found.labels.append(LabelRequest(text, tuple(beside(middle, rim, text, SMALL)), owner, SMALL, name=False))
+        sketch.shapes.append(Stroke((middle, rim), "hair", arrow=True))
+        sketch.labels.append(LabelRequest(text, tuple(beside(middle, rim, text, SMALL)), owner, SMALL, name=False))
 
 
 def strokes(setting: DrawingContext, line: Line, look: str, points: list[complex]) -> Iterator[Shape]:
@@ -112,8 +112,8 @@ def strokes(setting: DrawingContext, line: Line, look: str, points: list[complex
     for number, (a, b) in enumerate(pairwise(points)):
         if abs(b - a) < COINCIDENCE_TOLERANCE:
             continue
-        way, (first, last) = unit_vector(b - a), line.through[number : number + 2]
-        start, stop = setting.edge(first, way), setting.edge(last, -way)
+        direction, (first, last) = unit_vector(b - a), line.through[number : number + 2]
+        start, stop = setting.edge(first, direction), setting.edge(last, -direction)
         if look == "spring":
             yield from (Stroke(part, "thin") for part in spring(start, stop, line))
         else:
@@ -123,58 +123,58 @@ def strokes(setting: DrawingContext, line: Line, look: str, points: list[complex
 def _named(setting: DrawingContext, address: str, points: list[complex]) -> list[LabelRequest]:
     """Return the labels of a line that is a body: its name and stated length, beside its middle."""
     a, b = max(pairwise(points), key=lambda pair: abs(pair[1] - pair[0]))
-    found: list[LabelRequest] = []
+    labels: list[LabelRequest] = []
     body = setting.bodies.get(address)
     if body is not None and body.letters:
         text = setting.plan.name(address)
-        found.append(LabelRequest(text, tuple(beside(a, b, text, SIZE)), address))
+        labels.append(LabelRequest(text, tuple(beside(a, b, text, SIZE)), address))
     owners = (address, address.split(".", maxsplit=1)[0])
     unit_of_length, long = setting.mechanism.units.length, abs(b - a) / setting.view.scale
     length = next((text for owner in owners if (text := setting.stated(owner, unit_of_length, long))), "")
     if length:
-        found.append(LabelRequest(length, tuple(beside(a, b, length, SMALL)), address, SMALL, name=False))
-    return found
+        labels.append(LabelRequest(length, tuple(beside(a, b, length, SMALL)), address, SMALL, name=False))
+    return labels
 
 
 def beside(a: complex, b: complex, text: str, size: float, far: float = 0.2) -> Iterator[complex]:
     """Yield candidate positions of a label beside a stroke, from its middle outwards."""
-    way, wide = unit_vector(b - a), 0.5 * width(text, size)
+    direction, wide = unit_vector(b - a), 0.5 * width(text, size)
     for more in (0.0, 0.5):
         for along in (0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2):
-            for out in (way * 1j, way * -1j):
+            for out in (direction * 1j, direction * -1j):
                 away = far + more + abs(out.real) * wide + abs(out.imag) * 0.5 * size
                 yield a + along * (b - a) + out * away
 
 
-def _draw_support(setting: DrawingContext, site: str, inward: complex, found: Sketch) -> None:
+def _draw_support(setting: DrawingContext, site: str, inward: complex, sketch: Sketch) -> None:
     """Draw the support of a fixed end: a wall or ceiling, a nail, or a winch."""
     if setting.mechanism.site[site].body is not None:
         return
     at, builder = setting.site(site), setting.plan.scene.builder
     if site in builder.drawing:
         text = pull_text(setting.plan, site)
-        found.shapes += [Stroke((at, at - ARROW * inward), "string", arrow=True)]
+        sketch.shapes += [Stroke((at, at - ARROW * inward), "string", arrow=True)]
         places = around(at - ARROW * inward, 0.15, width(text, SMALL), start=-inward)
-        found.labels.append(LabelRequest(text, places, site, SMALL, name=False))
+        sketch.labels.append(LabelRequest(text, places, site, SMALL, name=False))
     elif setting.view.level:
-        found.shapes.append(dot_at(at, NAIL))
+        sketch.shapes.append(dot_at(at, NAIL))
     else:
         slanting = any(
             abs(cross(setting.along(body.name), inward)) < COINCIDENCE_TOLERANCE
             for body in setting.members
             if rides(setting, body) or body.name in setting.mechanism.contacts
         )
-        found.shapes += [*plate(-inward if slanting else behind(inward), at, PLATE, 0.9), dot_at(at, NAIL)]
+        sketch.shapes += [*plate(-inward if slanting else behind(inward), at, PLATE, 0.9), dot_at(at, NAIL)]
 
 
 def behind(inward: complex) -> complex:
     """Return the direction of the support (up, sideways or down) of a fixed end whose line lies `inward`."""
     if inward.imag < -0.35:
         return UP
-    return max((RIGHT, -RIGHT, -UP), key=lambda way: -dot(way, inward))
+    return max((RIGHT, -RIGHT, -UP), key=lambda direction: -dot(direction, inward))
 
 
-def _arm(setting: DrawingContext, body: RigidBody, found: Sketch, front: Sketch) -> None:
+def _arm(setting: DrawingContext, body: RigidBody, sketch: Sketch, front: Sketch) -> None:
     """Draw a body that swings about an axle: the axle, and bars from it to all that the body carries."""
     sized = isinstance(setting.look(body.name), Spherical | Axial | Capped | Rectangular | Silhouette)
     if body.name in setting.mechanism.contacts or isinstance(setting.look(body.name), PulleyWheel):
@@ -187,7 +187,7 @@ def _arm(setting: DrawingContext, body: RigidBody, found: Sketch, front: Sketch)
     pivot = setting.view.at(vector(setting.frames[body.name].origin))
     ends = [] if sized else [end for end in _ends(setting, body) if abs(end - pivot) > COINCIDENCE_TOLERANCE]
     for end in ends:
-        found.shapes.append(Stroke((pivot, end), "rod"))
+        sketch.shapes.append(Stroke((pivot, end), "rod"))
     if ends:
         far = max(ends, key=lambda end: abs(end - pivot))
         owner = body.name.split(".", maxsplit=1)[0]
@@ -196,11 +196,11 @@ def _arm(setting: DrawingContext, body: RigidBody, found: Sketch, front: Sketch)
         if text and not (
             len(pieces) > 1 and any(abs(setting.at(piece) - far) < COINCIDENCE_TOLERANCE for piece in pieces)
         ):
-            found.labels.append(LabelRequest(text, tuple(beside(pivot, far, text, SMALL)), owner, SMALL, name=False))
-        _lettered(setting, body.name, pivot, far, found)
+            sketch.labels.append(LabelRequest(text, tuple(beside(pivot, far, text, SMALL)), owner, SMALL, name=False))
+        _lettered(setting, body.name, pivot, far, sketch)
     if body.parent is None and not setting.view.level:
         mean = sum(ends) / len(ends) - pivot if ends else -UP
-        found.shapes += plate(
+        sketch.shapes += plate(
             behind(unit_vector(mean) if abs(mean) > COINCIDENCE_TOLERANCE else -UP), pivot, PLATE + 0.1, 0.9
         )
     if not stiff:
@@ -215,12 +215,12 @@ def pieces_on(setting: DrawingContext, arm: RigidBody) -> list[str]:
     ]
 
 
-def _lettered(setting: DrawingContext, address: str, pivot: complex, far: complex, found: Sketch) -> None:
+def _lettered(setting: DrawingContext, address: str, pivot: complex, far: complex, sketch: Sketch) -> None:
     """Draw the name of an arm that is itself a body."""
     body = setting.bodies.get(address)
     if body is not None and isinstance(body.look, Slender) and body.letters:
         text = setting.plan.name(address)
-        found.labels.append(LabelRequest(text, tuple(beside(pivot, far, text, SIZE)), address))
+        sketch.labels.append(LabelRequest(text, tuple(beside(pivot, far, text, SIZE)), address))
         setting.drawn.add(address)
 
 

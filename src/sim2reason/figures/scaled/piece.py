@@ -26,19 +26,19 @@ ARC = 0.35  # units beyond the body at which an angle is marked
 
 def stated(setting: DrawingContext) -> Sketch:
     """Return the sketch of all stated distances, angles and friction coefficients."""
-    found = Sketch()
+    sketch = Sketch()
     if not setting.view.level:
         for body in setting.members:
-            _pieces(setting, body, found)
-            _bearing(setting, body, found)
+            _pieces(setting, body, sketch)
+            _bearing(setting, body, sketch)
         for site, wheel in _turned(setting):
-            _leaving(setting, site, wheel, found)
+            _leaving(setting, site, wheel, sketch)
         for upper, lower in setting.stacked.items():
-            _rubbing(setting, upper, lower, found)
-    return found
+            _rubbing(setting, upper, lower, sketch)
+    return sketch
 
 
-def _pieces(setting: DrawingContext, arm: RigidBody, found: Sketch) -> None:
+def _pieces(setting: DrawingContext, arm: RigidBody, sketch: Sketch) -> None:
     """Draw the distances of several bodies on an arm from its axle, the shortest dimension line innermost."""
     pieces = pieces_on(setting, arm)
     if len(pieces) < 2:
@@ -51,43 +51,43 @@ def _pieces(setting: DrawingContext, arm: RigidBody, found: Sketch) -> None:
         end, far = setting.at(piece), dist(setting.place(piece), vector(setting.frames[arm.name].origin))
         text = setting.stated(owner_of(piece), setting.mechanism.units.length, far)
         if text:
-            _dimension(pivot, end, aside * out, text, piece, found)
+            _dimension(pivot, end, aside * out, text, piece, sketch)
             aside += DIMENSION_SPACING
 
 
-def _dimension(start: complex, end: complex, by: complex, text: str, subject: str, found: Sketch) -> None:
+def _dimension(start: complex, end: complex, by: complex, text: str, subject: str, sketch: Sketch) -> None:
     """Draw a double arrow beside a distance, with thin lines to both ends."""
     middle = 0.5 * (start + end) + by
-    found.shapes += [LineShape((middle, tip + by), "hair", arrow=True) for tip in (start, end)]
-    found.shapes += [LineShape((tip, tip + 1.05 * by), "hair") for tip in (start, end)]
+    sketch.shapes += [LineShape((middle, tip + by), "hair", arrow=True) for tip in (start, end)]
+    sketch.shapes += [LineShape((tip, tip + 1.05 * by), "hair") for tip in (start, end)]
     places = beside(start + by, end + by, text, SMALL, far=0.08)
-    found.labels.append(LabelRequest(text, tuple(places), subject, SMALL, name=False))
+    sketch.labels.append(LabelRequest(text, tuple(places), subject, SMALL, name=False))
 
 
-def _bearing(setting: DrawingContext, body: RigidBody, found: Sketch) -> None:
+def _bearing(setting: DrawingContext, body: RigidBody, sketch: Sketch) -> None:
     """Draw the angle between the vertical and the line from a body's centre to its hole, if the text states it."""
     look = setting.look(body.name)
     if not isinstance(look, Axial | Spherical) or not look.hole or not look.offset:
         return
     at = setting.view.at(vector(setting.frames[body.name].origin))
-    way = setting.view.way(setting.axes(body.name)[2 if isinstance(look, Spherical) else 0])
-    if abs(way) < 0.5:
+    direction = setting.view.way(setting.axes(body.name)[2 if isinstance(look, Spherical) else 0])
+    if abs(direction) < 0.5:
         return
-    turn = degrees(phase(unit_vector(way))) % 360.0
+    turn = degrees(phase(unit_vector(direction))) % 360.0
     value = min((turn - 90.0) % 360.0, (90.0 - turn) % 360.0)
     text = setting.state_once(owner_of(body.name), "deg", value) if value > NONE else ""
     if not text:
         return
     radius, low = setting.radius(body.name), min(turn, 90.0) if turn <= 270.0 else turn - 360.0
     arc, middle = 0.35 * radius, 1j ** ((low + 0.5 * value) / 90.0)
-    found.shapes += [
+    sketch.shapes += [
         LineShape((at, at + 1.25 * radius * 1j), "hair", dashed=True),
-        LineShape((at, at + radius * unit_vector(way)), "hair", dashed=True),
+        LineShape((at, at + radius * unit_vector(direction)), "hair", dashed=True),
         Arc(at, arc, low, low + value, weight="thin"),
     ]
     wide = 0.5 * width(text, SMALL) * abs(middle.real) + 0.5 * SMALL * abs(middle.imag)
     places = tuple(at + (far + wide) * middle for far in (arc + 0.1, arc + 0.4, radius + 0.15, radius + 0.5))
-    found.labels.append(LabelRequest(text, places, body.name, SMALL, name=False))
+    sketch.labels.append(LabelRequest(text, places, body.name, SMALL, name=False))
 
 
 def _turned(setting: DrawingContext) -> Iterator[tuple[str, str]]:
@@ -100,29 +100,29 @@ def _turned(setting: DrawingContext) -> Iterator[tuple[str, str]]:
                 yield one, other
 
 
-def _leaving(setting: DrawingContext, site: str, wheel: str, found: Sketch) -> None:
+def _leaving(setting: DrawingContext, site: str, wheel: str, sketch: Sketch) -> None:
     """Draw the stated distance of the pulley that a string leads to, and the string's angle to the horizontal."""
     start, end = setting.site(site), setting.site(wheel)
-    way, owner = unit_vector(end - start), owner_of(site)
+    direction, owner = unit_vector(end - start), owner_of(site)
     text = setting.stated(owner, setting.mechanism.units.length, abs(end - start) / setting.view.scale)
-    rim = setting.edge(site, way)
+    rim = setting.edge(site, direction)
     if text:
-        found.labels.append(LabelRequest(text, tuple(beside(rim, end, text, SMALL)), wheel, SMALL, name=False))
-    raised = degrees(phase(way if way.real >= 0.0 else complex(-way.real, way.imag)))
+        sketch.labels.append(LabelRequest(text, tuple(beside(rim, end, text, SMALL)), wheel, SMALL, name=False))
+    raised = degrees(phase(direction if direction.real >= 0.0 else complex(-direction.real, direction.imag)))
     angle = setting.stated(owner, "deg", abs(raised))
     if not angle:
         return
-    level = 0.0 if way.real >= 0.0 else 180.0
-    turn = sorted((level, raised if way.real >= 0.0 else 180.0 - raised))
+    level = 0.0 if direction.real >= 0.0 else 180.0
+    turn = sorted((level, raised if direction.real >= 0.0 else 180.0 - raised))
     radius = max(abs(rim - start), 0.5 * setting.sizes(setting.mechanism.site[site].body or "")[0]) + ARC
     middle = 1j ** (0.5 * sum(turn) / 90.0)
     beyond = radius + 0.1 + 0.5 * width(angle, SMALL) * abs(middle.real) + 0.5 * SMALL * abs(middle.imag)
-    found.shapes.append(Arc(start, radius, *turn, weight="thin"))
+    sketch.shapes.append(Arc(start, radius, *turn, weight="thin"))
     places = tuple(start + (beyond + 0.12 * n) * middle for n in range(5))
-    found.labels.append(LabelRequest(angle, places, wheel, SMALL, name=False))
+    sketch.labels.append(LabelRequest(angle, places, wheel, SMALL, name=False))
 
 
-def _rubbing(setting: DrawingContext, upper: str, lower: str, found: Sketch) -> None:
+def _rubbing(setting: DrawingContext, upper: str, lower: str, sketch: Sketch) -> None:
     """Draw the stated friction coefficients between two slabs, at one end of their contact face."""
     names = sorted(setting.plan.name(address) for address in (upper, lower))
     letter = rf"$\mu_{{{names[0]}{names[1]}}}$" if max(map(len, names)) == 1 else "µ"
@@ -133,7 +133,7 @@ def _rubbing(setting: DrawingContext, upper: str, lower: str, found: Sketch) -> 
     normal = along * 1j if dot(at - setting.at(lower), along * 1j) >= 0.0 else along * -1j
     foot, half = at - 0.5 * SLAB * normal, 0.5 * setting.sizes(upper)[0]
     ends = tuple(foot + side * half * along for side in (-1.0, 1.0))
-    found.labels.append(LabelRequest(text, (), upper, SMALL, name=False, anchors=ends))
+    sketch.labels.append(LabelRequest(text, (), upper, SMALL, name=False, anchors=ends))
 
 
 WHEEL = 0.16  # units, the least radius of a pulley
@@ -142,26 +142,26 @@ ELSEWHERE = (Slender, Unseen, Globe, Tabletop)  # looks drawn by other modules, 
 
 def scaled(setting: DrawingContext) -> Sketch:
     """Return the sketch of some entities and connections, drawn to scale."""
-    found, front = Sketch(), Sketch()
-    found.extend(fields(setting))
-    found.extend(axes(setting))
-    found.extend(grounds(setting))
-    found.extend(lines(setting, front))
+    sketch, front = Sketch(), Sketch()
+    sketch.extend(fields(setting))
+    sketch.extend(axes(setting))
+    sketch.extend(grounds(setting))
+    sketch.extend(lines(setting, front))
     for address, body in setting.bodies.items():
         if isinstance(body.look, PulleyWheel):
-            found.extend(_pulley(setting, address))
+            sketch.extend(_pulley(setting, address))
         elif address not in setting.drawn and not isinstance(body.look, ELSEWHERE) and setting.stands(address):
-            found.extend(bodies.body(setting, address, setting.along(address)))
-    found.extend(front)
-    found.extend(deflections(setting))
-    found.extend(stated(setting))
-    found.extend(pushes(setting))
-    found.extend(speeds(setting))
-    found.extend(spins(setting))
-    found.extend(heights(setting))
-    _strangers(setting, found)
-    _legend(setting, found)
-    return found
+            sketch.extend(bodies.body(setting, address, setting.along(address)))
+    sketch.extend(front)
+    sketch.extend(deflections(setting))
+    sketch.extend(stated(setting))
+    sketch.extend(pushes(setting))
+    sketch.extend(speeds(setting))
+    sketch.extend(spins(setting))
+    sketch.extend(heights(setting))
+    _strangers(setting, sketch)
+    _legend(setting, sketch)
+    return sketch
 
 
 def _pulley(setting: DrawingContext, address: str) -> Sketch:
@@ -182,26 +182,26 @@ def _pulley(setting: DrawingContext, address: str) -> Sketch:
     )
 
 
-def _strangers(setting: DrawingContext, found: Sketch) -> None:
+def _strangers(setting: DrawingContext, sketch: Sketch) -> None:
     """Draw the bodies of the text that nothing above has drawn, below everything else."""
-    left, low, _, _ = box([point for shape in found.shapes for point in outline(shape)] or [0j])
-    named = {wanted.subject for wanted in found.labels if wanted.name}
+    left, low, _, _ = box([point for shape in sketch.shapes for point in outline(shape)] or [0j])
+    named = {wanted.subject for wanted in sketch.labels if wanted.name}
     missing = [a for a, body in setting.bodies.items() if body.letters and a not in named]
     missing += [a for a, body in setting.bodies.items() if body.look is None and a not in named and a not in missing]
     for number, address in enumerate(missing):
-        found.extend(bodies.undeclared_body(setting, address, complex(left + 1.0 + 2.4 * number, low - 0.9)))
+        sketch.extend(bodies.undeclared_body(setting, address, complex(left + 1.0 + 2.4 * number, low - 0.9)))
 
 
-def _legend(setting: DrawingContext, found: Sketch) -> None:
+def _legend(setting: DrawingContext, sketch: Sketch) -> None:
     """Draw the scale of the velocities, below the right end of the drawing."""
     if setting.legend is None:
         return
     long, text = setting.legend
-    left, low, right, _ = box(point for shape in found.shapes for point in outline(shape))
-    low = min([low, *(wanted.places[0].imag for wanted in found.labels)])
+    left, low, right, _ = box(point for shape in sketch.shapes for point in outline(shape))
+    low = min([low, *(wanted.places[0].imag for wanted in sketch.labels)])
     start = complex(max(left, right - long - 0.3 - width(text, SMALL)), low - 0.55)
-    found.shapes.append(LineShape((start, start + long), "thin", arrow=True))
-    found.labels.append(LabelRequest(text, (start + long + 0.2 + 0.5 * width(text, SMALL),), "", SMALL, name=False))
+    sketch.shapes.append(LineShape((start, start + long), "thin", arrow=True))
+    sketch.labels.append(LabelRequest(text, (start + long + 0.2 + 0.5 * width(text, SMALL),), "", SMALL, name=False))
 
 
 class ScaledPiece(Piece):
@@ -213,7 +213,7 @@ class ScaledPiece(Piece):
         self.setting = DrawingContext(plan, group)
         self.picture = scaled(self.setting)
         solid = (s for s in self.picture.shapes if not isinstance(s, LineShape) or s.weight != "hair")
-        self.outlines = [found for shape in solid if len(found := hull(outline(shape))) > 1]
+        self.outlines = [polygon for shape in solid if len(polygon := hull(outline(shape))) > 1]
 
     def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
         """Return the point where a string leaves the group: at the port, or at the outline of the body there."""

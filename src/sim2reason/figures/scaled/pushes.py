@@ -42,28 +42,28 @@ def is_push(setting: DrawingContext, force: Force) -> bool:
 
 def pushes(setting: DrawingContext) -> Sketch:
     """Draw an arrow for each constant force at the body's rim, with its stated magnitude and angle."""
-    found = Sketch()
+    sketch = Sketch()
     for force in setting.mechanism.forces:
         if setting.owns(force.body) and is_push(setting, force):
-            _draw(setting, force, found)
-    return found
+            _draw(setting, force, sketch)
+    return sketch
 
 
-def _draw(setting: DrawingContext, force: Force, found: Sketch) -> None:
+def _draw(setting: DrawingContext, force: Force, sketch: Sketch) -> None:
     law = force.law
     assert isinstance(law, Push)
     strength = vector(scale(law.profile.value, law.direction))
-    way = setting.view.way(strength)
-    if abs(way) <= FLAT * hypot(*strength):
+    projected = setting.view.way(strength)
+    if abs(projected) <= FLAT * hypot(*strength):
         return
-    out, name = unit_vector(way), force.body
+    out, name = unit_vector(projected), force.body
     start = setting.at(name) + setting.radius(name) * out
-    found.shapes.append(LineShape((start, start + LONG * out), arrow=True))
+    sketch.shapes.append(LineShape((start, start + LONG * out), arrow=True))
     text = setting.stated(owner_of(name), setting.mechanism.units.spell("N"), hypot(*strength))
     if text:
         tip = start + (LONG + 0.15 + 0.5 * width(text, SMALL) * abs(out.real) + 0.2 * abs(out.imag)) * out
         places = (tip, *beside(start, start + LONG * out, text, SMALL))
-        found.labels.append(LabelRequest(text, places, name, SMALL, name=False))
+        sketch.labels.append(LabelRequest(text, places, name, SMALL, name=False))
     for base in _bases(setting, name):
         turn = phase(out / base)
         angle = (
@@ -71,16 +71,16 @@ def _draw(setting: DrawingContext, force: Force, found: Sketch) -> None:
         )
         if angle:
             begin = degrees(phase(base))
-            found.shapes.append(LineShape((start, start + BASE * base), "hair", dashed=True))
-            found.extend(corner_angle(start, (begin, begin + degrees(turn)), angle, name))
+            sketch.shapes.append(LineShape((start, start + BASE * base), "hair", dashed=True))
+            sketch.extend(corner_angle(start, (begin, begin + degrees(turn)), angle, name))
             return
 
 
 def _bases(setting: DrawingContext, name: str) -> list[complex]:
     """Return the directions from which a force's angle is measured: of the body's slides, then horizontal."""
     slides = [c.axis for c in setting.mechanism.body[name].coordinates if c.kind == "slide"]
-    ways = [unit_vector(way) for axis in slides if abs(way := setting.view.way(axis)) > FLAT]
-    return [sign * way for way in (*ways, RIGHT) for sign in (1.0, -1.0)]
+    ways = [unit_vector(direction) for axis in slides if abs(direction := setting.view.way(axis)) > FLAT]
+    return [sign * direction for direction in (*ways, RIGHT) for sign in (1.0, -1.0)]
 
 
 PITCH, MARK, ARROW = 1.15, 0.09, 0.55  # units between marks, half the size of a cross, the length of an arrow
@@ -92,30 +92,30 @@ SOON, FAINT = 1e-3, 1e-12  # s after the start at which a field is evaluated; sm
 
 def fields(setting: DrawingContext) -> Sketch:
     """Draw the regions, and the marks of every field with a direction."""
-    found = Sketch()
+    sketch = Sketch()
     for region, _ in setting.regions():
         outline = border(setting, region)
         if outline:
-            found.shapes.append(Area(outline, "field", weight="thin", dashed=True))
+            sketch.shapes.append(Area(outline, "field", weight="thin", dashed=True))
     letters: set[str] = set()
     number = 0
     for force in (f for f in setting.mechanism.forces if setting.owns(f.body) and not is_push(setting, f)):
         shift = complex(0.5, 0.5) * PITCH * (number % 2)
-        number += _marks(setting, force, shift, found, letters)
-    return found
+        number += _marks(setting, force, shift, sketch, letters)
+    return sketch
 
 
-def _marks(setting: DrawingContext, force: Force, shift: complex, found: Sketch, letters: set[str]) -> bool:
+def _marks(setting: DrawingContext, force: Force, shift: complex, sketch: Sketch, letters: set[str]) -> bool:
     """Draw the marks of a field on a grid, one with its letter; return whether there are any."""
     places = _grid(spread(setting), shift)
     inside = [at for at in places if force.region is None or _inside(setting, force.region, at)]
     shown = [mark for at in inside if (mark := mark_at(setting, force, at)) is not None]
-    found.shapes += [shape for _, shapes in shown for shape in shapes]
+    sketch.shapes += [shape for _, shapes in shown for shape in shapes]
     letter = shown[0][0] if shown else ""
     if shown and letter not in letters:
         letters.add(letter)
         spots = tuple(at + complex(0.34, 0.3) for at in sorted(inside, key=lambda p: (-p.imag, -p.real)))
-        found.labels.append(LabelRequest(f"{letter} field", spots, "", SIZE, name=False))  # no body has such a name
+        sketch.labels.append(LabelRequest(f"{letter} field", spots, "", SIZE, name=False))  # no body has such a name
     return bool(shown)
 
 
@@ -159,9 +159,9 @@ def parts(setting: DrawingContext, law: Law, where: Vector, time: float) -> tupl
 
 def _symbol(setting: DrawingContext, strength: Vector, at: complex) -> list[Shape]:
     """Return a cross for a vector into the page, a dot for one out of it, else an arrow."""
-    out, way = inner(setting.view.towards, strength), setting.view.way(strength)
-    if abs(way) > abs(out):
-        half = 0.5 * ARROW * unit_vector(way)
+    out, projected = inner(setting.view.towards, strength), setting.view.way(strength)
+    if abs(projected) > abs(out):
+        half = 0.5 * ARROW * unit_vector(projected)
         return [LineShape((at - half, at + half), "hair", arrow=True)]
     if out > 0.0:
         return [Arc(at, MARK, weight="hair"), dot_at(at, 0.035)]
@@ -197,21 +197,21 @@ def border(setting: DrawingContext, region: Region) -> Polygon:
     if isinstance(region, HalfSpace):
         return _cut(page, view.way(region.normal), view.scale * region.offset)
     if isinstance(region, Slab):
-        for axis, least, most in region.sides:
-            way = view.way(axis)
-            page = _cut(page, way, view.scale * least)
-            page = _cut(page, -way, -view.scale * most)
+        for axis, lower, most in region.sides:
+            direction = view.way(axis)
+            page = _cut(page, direction, view.scale * lower)
+            page = _cut(page, -direction, -view.scale * most)
         return page
     return ()
 
 
 def _cut(polygon: Polygon, normal: complex, offset: float) -> Polygon:
     """Return the part of a convex polygon where normal·r ≥ offset."""
-    found: list[complex] = []
+    vertices: list[complex] = []
     for a, b in zip(polygon, (*polygon[1:], *polygon[:1]), strict=True):
         one, other = dot(normal, a) - offset, dot(normal, b) - offset
         if one >= 0.0:
-            found.append(a)
+            vertices.append(a)
         if (one > 0.0 > other) or (one < 0.0 < other):
-            found.append(a + (b - a) * one / (one - other))
-    return tuple(found)
+            vertices.append(a + (b - a) * one / (one - other))
+    return tuple(vertices)

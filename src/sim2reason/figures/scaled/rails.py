@@ -40,108 +40,110 @@ def rides(setting: DrawingContext, body: RigidBody) -> bool:
     return led and abs(setting.view.way(slides[0].axis).real) > STEEP
 
 
-def walls(setting: DrawingContext, point: complex, way: complex, on: str | None = None) -> Iterator[complex]:
+def walls(setting: DrawingContext, point: complex, direction: complex, on: str | None = None) -> Iterator[complex]:
     """Yield the ends on a rail's line of springs and strings that are tied to the ground, or to the body `on`."""
     for line in setting.lines:
         for site in (line.through[0], line.through[-1]):
             at = setting.site(site)
-            if setting.mechanism.site[site].body == on and abs(cross(at - point, way)) < FLAT:
+            if setting.mechanism.site[site].body == on and abs(cross(at - point, direction)) < FLAT:
                 yield at
 
 
 def rails(setting: DrawingContext) -> Sketch:
     """Return the sketch of all rails, guides, boxes and unnamed pulleys, behind the bodies."""
-    found = Sketch()
+    sketch = Sketch()
     riding: dict[tuple[float, float], list[RigidBody]] = {}
     for body in setting.members:
         if rides(setting, body):
-            way, at = setting.along(body.name), setting.at(body.name)
-            riding.setdefault((round(cross(way, at), 3), round(way.imag, 6)), []).append(body)
+            direction, at = setting.along(body.name), setting.at(body.name)
+            riding.setdefault((round(cross(direction, at), 3), round(direction.imag, 6)), []).append(body)
     for group in riding.values():
-        _rail(setting, group, found)
+        _rail(setting, group, sketch)
     for body in setting.members:
         if isinstance(setting.look(body.name), BigBox):
-            _box(setting, body.name, found)
+            _box(setting, body.name, sketch)
     if not setting.view.level:
         for site, before, after in _bends(setting):
-            _wheel(setting, site, before, after, found)
-    return found
+            _wheel(setting, site, before, after, sketch)
+    return sketch
 
 
-def _rail(setting: DrawingContext, group: list[RigidBody], found: Sketch) -> None:
+def _rail(setting: DrawingContext, group: list[RigidBody], sketch: Sketch) -> None:
     """Draw a rail: below carts and below bodies with strings or neighbours along it, else through the body's middle."""
     body = group[0]
-    way, at, look = setting.along(body.name), setting.at(body.name), setting.look(body.name)
+    direction, at, look = setting.along(body.name), setting.at(body.name), setting.look(body.name)
     faces = setting.plan.scene.builder.faces
     own = (faces.get(site.name) for site in setting.mechanism.sites if site.body == body.name)
-    along = any(to is not None and abs(cross(setting.view.way(to), way)) < FLAT for to in own)
+    along = any(to is not None and abs(cross(setting.view.way(to), direction)) < FLAT for to in own)
     cart = isinstance(look, Small) and look.kind == "cart"
-    others = [((setting.at(b.name) - at) / way).real for b in group]
+    others = [((setting.at(b.name) - at) / direction).real for b in group]
     ends = [
         min(others) - RAIL,
         max(others) + RAIL,
-        *_stops(setting, group, way, at),
-        *(((end - at) / way).real for end in walls(setting, at, way)),
+        *_stops(setting, group, direction, at),
+        *(((end - at) / direction).real for end in walls(setting, at, direction)),
     ]
-    down = setting.radius(body.name) * way * 1j if cart or along or len(group) > 1 or _carries(setting, body) else 0j
-    found.shapes.append(LineShape((at + min(ends) * way - down, at + max(ends) * way - down), "rod"))
-    _tilt(setting, body, at + min(ends) * way - down, way, found)
+    down = (
+        setting.radius(body.name) * direction * 1j if cart or along or len(group) > 1 or _carries(setting, body) else 0j
+    )
+    sketch.shapes.append(LineShape((at + min(ends) * direction - down, at + max(ends) * direction - down), "rod"))
+    _tilt(setting, body, at + min(ends) * direction - down, direction, sketch)
 
 
-def _tilt(setting: DrawingContext, body: RigidBody, low: complex, way: complex, found: Sketch) -> None:
+def _tilt(setting: DrawingContext, body: RigidBody, low: complex, direction: complex, sketch: Sketch) -> None:
     """Draw the angle between a rail and the horizontal at its left end, if the text states it."""
-    turn = degrees(phase(way))
+    turn = degrees(phase(direction))
     text = setting.state_once(owner_of(body.name), "deg", abs(turn)) if abs(turn) > FLAT else ""
     if text:
-        found.shapes.append(LineShape((low, low + TILTED), "hair", dashed=True))
-        found.extend(corner_angle(low, (0.0, turn), text, body.name))
+        sketch.shapes.append(LineShape((low, low + TILTED), "hair", dashed=True))
+        sketch.extend(corner_angle(low, (0.0, turn), text, body.name))
 
 
-def _stops(setting: DrawingContext, group: list[RigidBody], way: complex, at: complex) -> Iterator[float]:
+def _stops(setting: DrawingContext, group: list[RigidBody], direction: complex, at: complex) -> Iterator[float]:
     """Yield the positions of walls that bodies on a rail may hit, relative to `at`."""
     names = {body.name for body in group}
     for meeting in setting.mechanism.meetings:
         if meeting.a is None and meeting.normal is not None and meeting.b in names:
             normal = setting.view.way(meeting.normal)
-            if abs(cross(normal, way)) < FLAT:
-                yield ((meeting.distance * setting.view.scale * normal - at) / way).real
+            if abs(cross(normal, direction)) < FLAT:
+                yield ((meeting.distance * setting.view.scale * normal - at) / direction).real
 
 
 def _carries(setting: DrawingContext, body: RigidBody) -> bool:
     return any(other.parent == body.name for other in setting.members)
 
 
-def _box(setting: DrawingContext, address: str, found: Sketch) -> None:
+def _box(setting: DrawingContext, address: str, sketch: Sketch) -> None:
     """Draw the outline of a box, the guides at its sides, and the floor."""
-    held = [body for body in setting.members if body.parent == address]
-    lying = [body for body in held if body.name in setting.mechanism.contacts]
-    sliding = [body for body in held if body not in lying]
+    children = [body for body in setting.members if body.parent == address]
+    lying = [body for body in children if body.name in setting.mechanism.contacts]
+    sliding = [body for body in children if body not in lying]
     sites = [setting.site(site.name) for site in setting.mechanism.sites if site.body == address]
     tops = [setting.at(body.name) - setting.radius(body.name) * UP for body in lying] or [setting.at(address)]
-    top = min(place.imag for place in tops)
-    low = min([place.imag for place in (*sites, *(setting.at(body.name) for body in sliding))]) - FOOT
+    top = min(position.imag for position in tops)
+    low = min([position.imag for position in (*sites, *(setting.at(body.name) for body in sliding))]) - FOOT
     sides: dict[float, float] = {}
     for side in (-1.0, 1.0):
         beside = [body for body in sliding if (setting.at(body.name) - tops[0]).real * side > 0.0]
         if beside:
             inner = min(setting.at(b.name).real * side - 0.5 * setting.sizes(b.name)[0] for b in beside) - GAP
             guide = complex(side * (inner + 0.5 * GAP), low + 0.1), complex(side * (inner + 0.5 * GAP), top - ROOM)
-            found.shapes.append(LineShape(guide, "rod"))
+            sketch.shapes.append(LineShape(guide, "rod"))
         else:
-            inner = max(place.real * side for place in (*tops, *sites))
-            inner = max(inner, max(place.real * side for place in tops) + ROOM + 0.5)
+            inner = max(position.real * side for position in (*tops, *sites))
+            inner = max(inner, max(position.real * side for position in tops) + ROOM + 0.5)
         sides[side] = side * inner
     left, right = sides[-1.0], sides[1.0]
     corners = (complex(left, low), complex(right, low), complex(right, top), complex(left, top))
-    found.shapes[:0] = [Area(corners, "wedge"), *hatched(complex(left - 1.4, low), complex(right + 1.4, low))]
-    _eyes(setting, address, sides, found)
+    sketch.shapes[:0] = [Area(corners, "wedge"), *hatched(complex(left - 1.4, low), complex(right + 1.4, low))]
+    _eyes(setting, address, sides, sketch)
     text = setting.plan.caption(address)
     size = SIZE if text == setting.plan.name(address) else SMALL
-    found.labels.append(LabelRequest(text, (0.5 * (corners[0] + corners[2]),), address, size))
+    sketch.labels.append(LabelRequest(text, (0.5 * (corners[0] + corners[2]),), address, size))
     setting.drawn.add(address)
 
 
-def _eyes(setting: DrawingContext, address: str, sides: dict[float, float], found: Sketch) -> None:
+def _eyes(setting: DrawingContext, address: str, sides: dict[float, float], sketch: Sketch) -> None:
     """Draw the short arms that attach string ends, and pulleys at the edges, to a box."""
     ends = {site for line in setting.mechanism.lines for site in (line.through[0], line.through[-1])}
     for site in setting.mechanism.sites:
@@ -151,9 +153,9 @@ def _eyes(setting: DrawingContext, address: str, sides: dict[float, float], foun
         wall = sides[1.0 if at.real > 0.5 * sum(sides.values()) else -1.0]
         if site.name in bends:
             to = _axle(at, *bends[site.name])
-            found.shapes.append(LineShape((complex(wall, at.imag - 0.5 * setting.plan.sizes.height), to), "edge"))
+            sketch.shapes.append(LineShape((complex(wall, at.imag - 0.5 * setting.plan.sizes.height), to), "edge"))
         elif abs(wall - at.real) > FLAT:
-            found.shapes.append(LineShape((complex(wall, at.imag), at), "edge"))
+            sketch.shapes.append(LineShape((complex(wall, at.imag), at), "edge"))
 
 
 def _bends(setting: DrawingContext) -> Iterator[tuple[str, complex, complex]]:
@@ -180,9 +182,9 @@ def _axle(at: complex, before: complex, after: complex) -> complex:
     return at + WHEEL / abs(cross(middle, after)) * middle
 
 
-def _wheel(setting: DrawingContext, site: str, before: complex, after: complex, found: Sketch) -> None:
+def _wheel(setting: DrawingContext, site: str, before: complex, after: complex, sketch: Sketch) -> None:
     """Draw a small pulley inside the bend of a string, supported from outside."""
     at = _axle(setting.site(site), before, after)
     if setting.mechanism.site[site].body is None:
-        found.shapes += plate(-UP if (before + after).imag > 0.0 else UP, at, 0.45, 0.6)
-    found.shapes += [Arc(at, WHEEL), dot_at(at, 0.05)]
+        sketch.shapes += plate(-UP if (before + after).imag > 0.0 else UP, at, 0.45, 0.6)
+    sketch.shapes += [Arc(at, WHEEL), dot_at(at, 0.05)]

@@ -46,9 +46,9 @@ class DrawingContext:
         right, up = sides(self.mechanism, self.members)
         plain = View(right, up, 1.0)
         small = [plain.at(self.place(a)) for a in self.bodies if isinstance(self.look(a), Small) and self.stands(a)]
-        small += [plain.at(place) for place in self._turns()]
+        small += [plain.at(position) for position in self._turns()]
         largest = max((2.0 * self._bulk(a) for a in self.bodies), default=0.0)
-        seen = [plain.at(place) for place in self._places()]
+        seen = [plain.at(position) for position in self._places()]
         wanted = FROM_ABOVE if plain.level else SPAN
         coils = any(isinstance(line.law, Elastic) for line in self.lines)
         size = fitting(seen or [0j], small, largest, wanted, apart=COILED if coils else NEIGHBOUR_GAP)
@@ -127,8 +127,8 @@ class DrawingContext:
             case Axial(radius, height):
                 return max(radius, THIN_BULK * height)
             case Rectangular(x, y, z):
-                least, middle, most = sorted((x, y, z))
-                del least
+                smallest, middle, most = sorted((x, y, z))
+                del smallest
                 return max(0.5 * middle, THIN_BULK * most)
             case _:
                 return self.extent(address)
@@ -136,8 +136,10 @@ class DrawingContext:
     @cached_property
     def stacked(self) -> dict[str, str]:
         """Return, for each body that lies on another small body, the address of the lower one."""
-        held = {f.subject: self.mechanism.body[f.subject].parent for f in self.mechanism.faces if self.owns(f.subject)}
-        return {a: b for a, b in held.items() if b is not None and isinstance(self.look(b), Small)}
+        parents = {
+            f.subject: self.mechanism.body[f.subject].parent for f in self.mechanism.faces if self.owns(f.subject)
+        }
+        return {a: b for a, b in parents.items() if b is not None and isinstance(self.look(b), Small)}
 
     def sizes(self, address: str) -> tuple[float, float]:
         """Return the width and height of a block, in units; of stacked slabs the lower one is longer."""
@@ -145,8 +147,8 @@ class DrawingContext:
         if not isinstance(look, Small) or look.kind != "slab":
             return min(usual.width, self._near(address)), usual.height
         above, top = 0, address
-        while (found := next((a for a, b in self.stacked.items() if b == top), None)) is not None:
-            above, top = above + 1, found
+        while (upper := next((a for a, b in self.stacked.items() if b == top), None)) is not None:
+            above, top = above + 1, upper
         return SLAB_LENGTH + SLAB_STEP * above, SLAB
 
     def _near(self, address: str) -> float:
@@ -156,7 +158,9 @@ class DrawingContext:
         if not isinstance(look, Small):
             return math.inf
         ways = (self.at(a) - self.at(address) for a in oblong if a != address and self.stands(a))
-        return max(NARROW, 0.9 * min((abs(way) for way in ways if abs(way.imag) < abs(way.real)), default=math.inf))
+        return max(
+            NARROW, 0.9 * min((abs(offset) for offset in ways if abs(offset.imag) < abs(offset.real)), default=math.inf)
+        )
 
     def radius(self, address: str) -> float:
         """Return the drawn radius of a body, in units; of a block, half its height."""
@@ -171,10 +175,10 @@ class DrawingContext:
         slides = [c for c in self.mechanism.body[address].coordinates if c.kind == "slide"]
         if (face is None or face.turning) and len(slides) != 1:
             return RIGHT
-        way = self.view.way(slides[0].axis) if slides else RIGHT
-        if face is None and abs(way.real) < STEEP:
+        direction = self.view.way(slides[0].axis) if slides else RIGHT
+        if face is None and abs(direction.real) < STEEP:
             return RIGHT
-        return (way if way.real >= 0.0 else -way) / (abs(way) or 1.0)
+        return (direction if direction.real >= 0.0 else -direction) / (abs(direction) or 1.0)
 
     def edge(self, site: str, way: complex) -> complex:
         """Return the point where a line from a site along a unit vector leaves the drawn body."""
@@ -194,10 +198,10 @@ class DrawingContext:
 
     def regions(self) -> Iterator[tuple[Region, str]]:
         """Yield the regions of space to which forces are limited, each once, with a body on which the force acts."""
-        found: list[Region] = []
+        seen: list[Region] = []
         for force in self.mechanism.forces:
-            if force.region is not None and self.owns(force.body) and force.region not in found:
-                found.append(force.region)
+            if force.region is not None and self.owns(force.body) and force.region not in seen:
+                seen.append(force.region)
                 yield force.region, force.body
 
     def stated(self, owner: str, unit: str, value: float) -> str:
@@ -224,8 +228,10 @@ class DrawingContext:
         yield from self._turns()
         for meeting in self.mechanism.meetings:
             if meeting.a is None and meeting.normal is not None and self.owns(meeting.b):
-                place = self.place(meeting.b)
-                yield add(place, scale(meeting.distance - inner(meeting.normal, place), meeting.normal))  # of a wall
+                position = self.place(meeting.b)
+                yield add(
+                    position, scale(meeting.distance - inner(meeting.normal, position), meeting.normal)
+                )  # of a wall
         for region, _ in self.regions():
             yield from corners(region)
         for face in self.mechanism.faces:
@@ -245,7 +251,7 @@ class DrawingContext:
         """Return the ends of the horizontal and vertical diameters of the circular track under a body."""
         middle = vector(self.frames[address].origin)
         radius = math.dist(middle, vector(self.frames.center(address).place))
-        return [add(middle, scale(side * radius, way)) for way in (X, Z) for side in (-1.0, 1.0)]
+        return [add(middle, scale(side * radius, axis)) for axis in (X, Z) for side in (-1.0, 1.0)]
 
     def _below(self, body: RigidBody) -> list[Vector]:
         """Return the point of the ground below a body that can fall to it, as a list."""

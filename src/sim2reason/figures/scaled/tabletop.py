@@ -21,7 +21,7 @@ def sheet(setting: DrawingContext, area: Box) -> Polygon:
 def spread(setting: DrawingContext, margin: float = 2.1) -> Box:
     """Return the rectangle around all bodies, origins and field regions with a margin, cut off at a table's walls."""
     origins = [setting.view.at(setting.origin(owner)) for owner in setting.owners]
-    borders = [setting.view.at(place) for region, _ in setting.regions() for place in corners(region)]
+    borders = [setting.view.at(corner) for region, _ in setting.regions() for corner in corners(region)]
     left, low, right, high = box([*(setting.at(body.name) for body in setting.members), *origins, *borders])
     area = left - margin, low - margin, right + margin, high + margin
     return _within(area, cushions(setting)) if setting.view.level else area
@@ -29,14 +29,14 @@ def spread(setting: DrawingContext, margin: float = 2.1) -> Box:
 
 def cushions(setting: DrawingContext) -> dict[complex, float]:
     """Return the offset n·r, in units, of each wall of a table seen from above, by the direction n towards the wall."""
-    found: dict[complex, float] = {}
+    offsets: dict[complex, float] = {}
     for meeting in setting.mechanism.meetings:
         if meeting.a is None and meeting.normal is not None and setting.owns(meeting.b):
-            way = -unit_vector(setting.view.way(meeting.normal))
-            found[complex(round(way.real), round(way.imag))] = setting.radius(meeting.b) - (
+            direction = -unit_vector(setting.view.way(meeting.normal))
+            offsets[complex(round(direction.real), round(direction.imag))] = setting.radius(meeting.b) - (
                 meeting.distance * setting.view.scale
             )
-    return found
+    return offsets
 
 
 def _within(area: Box, bounds: Mapping[complex, float]) -> Box:
@@ -46,15 +46,15 @@ def _within(area: Box, bounds: Mapping[complex, float]) -> Box:
 
 def bounding_walls(setting: DrawingContext, area: Box) -> list[Shape]:
     """Return the walls that bound a table of the given area, hatched on their far side."""
-    found: list[Shape] = []
-    for way in cushions(setting):
+    shapes: list[Shape] = []
+    for direction in cushions(setting):
         left, low, right, high = area
         middle = complex(0.5 * (left + right), 0.5 * (low + high))
         size = complex(0.5 * (right - left), 0.5 * (high - low))
-        foot = middle + complex(way.real * size.real, way.imag * size.imag)
-        half = way * 1j * (abs(size.imag) if way.real else abs(size.real))
-        found += hatched(foot - half, foot + half)
-    return found
+        foot = middle + complex(direction.real * size.real, direction.imag * size.imag)
+        half = direction * 1j * (abs(size.imag) if direction.real else abs(size.real))
+        shapes += hatched(foot - half, foot + half)
+    return shapes
 
 
 TICK, PITCH = 0.08, 1.3  # length of a tick, least distance of two
@@ -65,58 +65,58 @@ CROSS = 1.0  # length of an axis without numbers
 
 def axes(setting: DrawingContext) -> Sketch:
     """Return the coordinate axes; an empty sketch if the text names no x or y."""
-    found = Sketch()
+    sketch = Sketch()
     labels = {c.label: setting.view.way(c.axis) for body in setting.members for c in body.coordinates}
     if not {"x", "y"} & labels.keys():
         if _placed(setting):
-            _beside_track(setting, found)
-        return found
+            _beside_track(setting, sketch)
+        return sketch
     origin = setting.view.at(setting.origin(next(o for o in sorted(setting.owners) if "." not in o)))
     if _placed(setting):
         area = spread(setting)
         if any(isinstance(body.look, Tabletop) for body in setting.bodies.values()):
-            found.shapes.append(Area(sheet(setting, area), "table", weight="thin"))
-            found.shapes += bounding_walls(setting, area)
-        _full(setting, found, area, origin)
-        return found
+            sketch.shapes.append(Area(sheet(setting, area), "table", weight="thin"))
+            sketch.shapes += bounding_walls(setting, area)
+        _full(setting, sketch, area, origin)
+        return sketch
     left, low, _, _ = box(setting.at(body.name) for body in setting.members)
     corner = complex(left - 2.9, min(low, origin.imag) + 0.3)
     for name in ("x", "y"):
-        way = labels.get(name)
-        if way is not None and abs(way) > 0.5:
-            found.shapes.append(LineShape((corner, corner + CROSS * way), "thin", arrow=True))
-            found.labels.append(LabelRequest(name, (corner + (CROSS + 0.25) * way,), "", SMALL, name=False))
-    return found
+        direction = labels.get(name)
+        if direction is not None and abs(direction) > 0.5:
+            sketch.shapes.append(LineShape((corner, corner + CROSS * direction), "thin", arrow=True))
+            sketch.labels.append(LabelRequest(name, (corner + (CROSS + 0.25) * direction,), "", SMALL, name=False))
+    return sketch
 
 
-def _beside_track(setting: DrawingContext, found: Sketch) -> None:
+def _beside_track(setting: DrawingContext, sketch: Sketch) -> None:
     """Draw an x axis below the bodies if all of them move along one straight track."""
     slides = [c for body in setting.members for c in body.coordinates if c.kind == "slide"]
     ways = {complex(round(w.real, 9), round(w.imag, 9)) for c in slides if abs(w := setting.view.way(c.axis)) > 0.5}
     if len(ways) != 1:
         return
-    way = unit_vector(ways.pop())
-    down = (0.5 * setting.plan.sizes.height + BELOW) * (way * -1j if way.real > 0.0 else way * 1j)
+    direction = unit_vector(ways.pop())
+    down = (0.5 * setting.plan.sizes.height + BELOW) * (direction * -1j if direction.real > 0.0 else direction * 1j)
     owner = next(o for o in sorted(setting.owners) if "." not in o)
     origin = setting.view.at(setting.origin(owner)) + down
-    ends = [((setting.at(body.name) + down - origin) / way).real for body in setting.members]
-    ends += [((end + down - origin) / way).real for end in _walls(setting, way)]
+    ends = [((setting.at(body.name) + down - origin) / direction).real for body in setting.members]
+    ends += [((end + down - origin) / direction).real for end in _walls(setting, direction)]
     start, stop = min([0.0, *ends]) - 0.4, max([0.0, *ends]) + 0.6
     scaled = not any(setting.plan.leaves_open(o, setting.mechanism.units.length) for o in setting.owners)
-    found.shapes.append(LineShape((origin + start * way, origin + stop * way), "thin", arrow=True))
+    sketch.shapes.append(LineShape((origin + start * direction, origin + stop * direction), "thin", arrow=True))
     text = f"x ({show_unit(setting.mechanism.units.length)})" if scaled else "x"
-    place = origin + (stop + 0.15) * way + 0.5 * width(text, SMALL) * RIGHT
-    found.labels.append(LabelRequest(text, (place,), "", SMALL, name=False))
+    position = origin + (stop + 0.15) * direction + 0.5 * width(text, SMALL) * RIGHT
+    sketch.labels.append(LabelRequest(text, (position,), "", SMALL, name=False))
     if scaled:
-        _ticks(setting, found, (origin, way, start, stop), [], zero=True)
+        _ticks(setting, sketch, (origin, direction, start, stop), [], zero=True)
 
 
-def _walls(setting: DrawingContext, way: complex) -> Iterator[complex]:
+def _walls(setting: DrawingContext, direction: complex) -> Iterator[complex]:
     """Yield the points where walls cross the line through the bodies of a track."""
     for meeting in setting.mechanism.meetings:
         if meeting.a is None and meeting.normal is not None and setting.owns(meeting.b):
             normal = setting.view.way(meeting.normal)
-            if abs(cross(normal, way)) < LINED:
+            if abs(cross(normal, direction)) < LINED:
                 at = setting.at(meeting.b)
                 yield at + (meeting.distance * setting.view.scale - dot(at, normal)) * normal
 
@@ -127,7 +127,7 @@ def _placed(setting: DrawingContext) -> bool:
     return "position" in names
 
 
-def _full(setting: DrawingContext, found: Sketch, area: Box, origin: complex) -> None:
+def _full(setting: DrawingContext, sketch: Sketch, area: Box, origin: complex) -> None:
     """Draw both axes through the origin, with numbers if the text gives all lengths."""
     scaled = not any(setting.plan.leaves_open(owner, setting.mechanism.units.length) for owner in setting.owners)
     left, low, right, high = area
@@ -137,19 +137,21 @@ def _full(setting: DrawingContext, found: Sketch, area: Box, origin: complex) ->
         ("x", RIGHT, left - origin.real, right - origin.real),
         ("y", UP, low - origin.imag, high - origin.imag),
     )
-    for name, way, start, stop in ends:
-        found.shapes.append(LineShape((origin + (start + 0.15) * way, origin + (stop + 0.5) * way), "thin", arrow=True))
+    for name, direction, start, stop in ends:
+        sketch.shapes.append(
+            LineShape((origin + (start + 0.15) * direction, origin + (stop + 0.5) * direction), "thin", arrow=True)
+        )
         text = f"{name} ({metre})" if scaled else name
-        beyond = 0.12 + 0.5 * width(text, SMALL) if way == RIGHT else 0.3
-        place = origin + (stop + 0.5 + beyond) * way
-        found.labels.append(LabelRequest(text, (place,), "", SMALL, name=False))
+        beyond = 0.12 + 0.5 * width(text, SMALL) if direction == RIGHT else 0.3
+        position = origin + (stop + 0.5 + beyond) * direction
+        sketch.labels.append(LabelRequest(text, (position,), "", SMALL, name=False))
         if scaled:
-            _ticks(setting, found, (origin, way, start, stop), covered)
+            _ticks(setting, sketch, (origin, direction, start, stop), covered)
 
 
 def _ticks(
     setting: DrawingContext,
-    found: Sketch,
+    sketch: Sketch,
     axis: tuple[complex, complex, float, float],
     covered: list[tuple[complex, float]],
     *,
@@ -159,25 +161,25 @@ def _ticks(
 
     The origin gets a tick only on request, because two axes cross there.
     """
-    origin, way, start, stop = axis
+    origin, direction, start, stop = axis
     scale = setting.view.scale
     arrows = [
         shape.points for shape in speeds(setting, headings=False).shapes if isinstance(shape, LineShape) and shape.arrow
     ]
     step = next(m * 10.0**k for k in range(-6, 7) for m in (1.0, 2.0, 5.0) if m * 10.0**k * scale >= PITCH)
     for number in range(ceil(start / (scale * step)), int(stop / (scale * step)) + 1):
-        at, across = origin + number * step * scale * way, way * 1j
+        at, across = origin + number * step * scale * direction, direction * 1j
         if (not number and not zero) or any(abs(at - spot) < reach for spot, reach in covered):
             continue
         text = f"{number * step:g}".replace("-", "\N{MINUS SIGN}")
-        half = 0.5 * (width(text, TINY) if abs(way.real) > abs(way.imag) else TINY) + MARGIN
+        half = 0.5 * (width(text, TINY) if abs(direction.real) > abs(direction.imag) else TINY) + MARGIN
         if not start + half < number * step * scale < stop - half or any(_is_near(at, arrow) for arrow in arrows):
             continue
-        found.shapes.append(LineShape((at - TICK * across, at + TICK * across), "thin"))
-        level = abs(way.real) > abs(way.imag)
+        sketch.shapes.append(LineShape((at - TICK * across, at + TICK * across), "thin"))
+        level = abs(direction.real) > abs(direction.imag)
         aside = 0.3 if level else 0.17 + 0.5 * width(text, TINY)
         sides = (-1.0, 1.0) if level else (1.0, -1.0)
-        found.labels.append(
+        sketch.labels.append(
             LabelRequest(text, tuple(at + side * aside * across for side in sides), "", TINY, name=False)
         )
 

@@ -71,12 +71,12 @@ class Candidate:
     @property
     def checked(self) -> Self:
         """Return the candidate, with another worked solution if the independent checker rejects the first one."""
-        question, found = self.question, self.solution
-        if self.words is None or question.formula is not None or found is None or found.answer is None:
+        question, solution = self.question, self.solution
+        if self.words is None or question.formula is not None or solution is None or solution.answer is None:
             return self
-        asked = question.query, self.study, self.words, question.unknown, question.given, max(self.needs)
-        other = shortest_verified_solution(*asked)
-        return self if other is found else replace(self)
+        arguments = question.query, self.study, self.words, question.unknown, question.given, max(self.needs)
+        other = shortest_verified_solution(*arguments)
+        return self if other is solution else replace(self)
 
     @property
     def is_solved(self) -> bool:
@@ -89,8 +89,12 @@ class Candidate:
     @cached_property
     def measured(self) -> SolutionDifficulty | None:
         """Return the difficulty of the shortest solution with those of earlier parts; None without a solution."""
-        held = self.solved
-        return measure_difficulty(*held, *(part for each in self.beside for part in each.solved)) if held else None
+        solutions = self.solved
+        return (
+            measure_difficulty(*solutions, *(part for each in self.beside for part in each.solved))
+            if solutions
+            else None
+        )
 
     @property
     def solved(self) -> tuple[tuple[Solution, int], ...]:
@@ -107,8 +111,8 @@ class Candidate:
     @cached_property
     def _responses(self) -> dict[SimulatedScene, float | None]:
         """Return the cache of answers to the question in changed scenes; filters and the symbolic mode share it."""
-        asked = replace(self.question, text="", formula=None, assumed=())
-        return self.study.memoize(("responses", asked), dict[SimulatedScene, float | None])
+        question = replace(self.question, text="", formula=None, assumed=())
+        return self.study.memoize(("responses", question), dict[SimulatedScene, float | None])
 
     def response(self, other: SimulatedScene | None) -> float | None:
         """Return the answer to the same question in a changed scene; None if it has none."""
@@ -124,8 +128,8 @@ class Candidate:
         time = self.kind.time(self.question.query, other)
         if time is None or time > other.trace.stable_until:
             return None
-        found = MODES[self.question.mode].response(self.question, self.study, other)
-        return found if found is not None and isfinite(found) else None
+        answer = MODES[self.question.mode].response(self.question, self.study, other)
+        return answer if answer is not None and isfinite(answer) else None
 
     def far_response(self, other: SimulatedScene | None) -> float | None:
         """Return the answer in a changed scene whose motion may last longer; as `response` for a given result."""
@@ -134,8 +138,8 @@ class Candidate:
         time = self.kind.time(self.question.query, other)
         if time is None or time > other.trace.stable_until:
             return None
-        found = self.kind.far_answer(self.question.query, other)
-        return found if found is not None and isfinite(found) else None
+        answer = self.kind.far_answer(self.question.query, other)
+        return answer if answer is not None and isfinite(answer) else None
 
     def change(self, other: SimulatedScene | None) -> float:
         """Return the relative difference of the answer in a changed scene; infinite if there is no answer."""
@@ -217,17 +221,17 @@ FILTERS: Registry[Filter] = Registry("filters", package="sim2reason.generation.f
 
 def filter_scene(study: SimulatedScene) -> Verdict:
     """Return the verdict on a scene: the first rejection, if there is one."""
-    for name, found in in_order():
-        if isinstance(found, SceneFilter) and (reason := found.scene_reason(study)):
+    for name, filter_ in in_order():
+        if isinstance(filter_, SceneFilter) and (reason := filter_.scene_reason(study)):
             return Verdict(keep=False, filter=name, reason=reason)
     return Verdict(keep=True, filter="")
 
 
 def apply_filters(candidate: Candidate, *, witnessed: bool) -> Verdict:
     """Return the verdict of all filters that need both engines (`witnessed`), or of all others: the first rejection."""
-    filters = [(name, found) for name, found in in_order() if found.needs_witness == witnessed]
-    for name, found in sorted(filters, key=lambda each: not each[1].ready(candidate)):
-        if reason := found.reason(candidate):
+    filters = [(name, filter_) for name, filter_ in in_order() if filter_.needs_witness == witnessed]
+    for name, filter_ in sorted(filters, key=lambda each: not each[1].ready(candidate)):
+        if reason := filter_.reason(candidate):
             return Verdict(keep=False, filter=name, reason=reason)
     return Verdict(keep=True, filter="")
 

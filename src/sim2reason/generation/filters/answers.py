@@ -30,14 +30,14 @@ class Agreement(Filter):
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield report lines: the largest difference between the engines, and the end time of the comparison."""
-        held = candidate.certificate
-        if held is not None and held.agreement:
-            worst = max(held.agreement, key=lambda channel: held.agreement[channel])
+        certificate = candidate.certificate
+        if certificate is not None and certificate.agreement:
+            worst = max(certificate.agreement, key=lambda channel: certificate.agreement[channel])
             yield (
-                f"the worst difference of the engines is {held.agreement[worst]:.2g} of the largest value, on the "
-                f"{worst.quantity} of {worst.subject}; up to {held.tolerance:g} is allowed"
+                f"the worst difference of the engines is {certificate.agreement[worst]:.2g} of the largest value, on the "
+                f"{worst.quantity} of {worst.subject}; up to {certificate.tolerance:g} is allowed"
             )
-            yield f"they agree until {held.stable_until:.4g} s; events that both saw: {len(held.matched)}"
+            yield f"they agree until {certificate.stable_until:.4g} s; events that both saw: {len(certificate.matched)}"
 
 
 FILTERS.add("agreement", Agreement())
@@ -76,8 +76,8 @@ class Degenerate(Filter):
         yield f"the result is {question.result:.4g}; what is not beyond {floor:.2g} can't be told from zero"
         if nearest is not None:
             away, paid = candidate.change_to(nearest), candidate.tolerance
-            said = f"the nearest number of scene and question is {nearest:g}"
-            yield f"{said}, {away:.2g} of the answer away; {paid:g} would be paid"
+            phrase = f"the nearest number of scene and question is {nearest:g}"
+            yield f"{phrase}, {away:.2g} of the answer away; {paid:g} would be paid"
         start = _start(candidate)
         if start is not None:
             yield f"just after the start it is {start:.4g}"
@@ -108,7 +108,7 @@ def _stated(candidate: Candidate, unit: str) -> Iterator[float]:
 def _nearest(candidate: Candidate) -> float | None:
     """Return the magnitude of the stated number, in the answer's unit, that is nearest to the answer."""
     answer = candidate.question.answer
-    sizes = (abs(said) for said in _stated(candidate, candidate.question.unit))
+    sizes = (abs(number) for number in _stated(candidate, candidate.question.unit))
     return min(sizes, key=lambda size: abs(answer - size), default=None)
 
 
@@ -181,7 +181,7 @@ class Identifiable(Filter):
 
 def _speaks_of(path: str, words: Words, text: str) -> bool:
     """Return whether a text uses the symbol of a number other than as its own value, as in *R = $R$*."""
-    alone = next(found.symbol for found in words.unknowns if found.path == path).strip("$")
+    alone = next(unknown.symbol for unknown in words.unknowns if unknown.path == path).strip("$")
     for symbol in (alone, words.symbols.get(path, alone)):
         own = rf"(?<!\w){re.escape(_plain(symbol))} = \${re.escape(symbol)}\$"
         if f"${symbol}$" in text and re.search(own, text) is None:
@@ -211,10 +211,10 @@ class Precision(Filter):
     def reason(self, candidate: Candidate) -> str:
         """Return a reason if a shift of the stated numbers by a thousandth changes the answer or event order a lot."""
         squares = 0.0
-        for found in elasticities(candidate):
-            if found.reordered:
-                return f"a small shift of {', '.join(found.given.paths)} changes the order of events"
-            squares += found.size**2
+        for elasticity in elasticities(candidate):
+            if elasticity.reordered:
+                return f"a small shift of {', '.join(elasticity.given.paths)} changes the order of events"
+            squares += elasticity.size**2
             if squares > WORST**2:
                 return f"the condition number is at least {sqrt(squares):.1f}"
         changed = next(_miscounted(candidate), "") if candidate.kind.measured(candidate.question.query).whole else ""
@@ -222,7 +222,7 @@ class Precision(Filter):
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield a report line with the condition number: the sensitivity of the answer to the stated numbers."""
-        total = sqrt(sum(found.size**2 for found in elasticities(candidate)))
+        total = sqrt(sum(elasticity.size**2 for elasticity in elasticities(candidate)))
         yield f"the condition number is {total:.2f}; up to {WORST:g} is allowed"
 
 

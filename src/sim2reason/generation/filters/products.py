@@ -99,10 +99,10 @@ def _goes_with(candidate: Candidate, view: View, angle: Factor, function: View) 
     """Return whether the answer changes in proportion to a function of an angle if the angle is changed by 5°."""
     if not angle.path:
         return True
-    found = turned(candidate, angle)
-    if found is None:
+    rotation = turned(candidate, angle)
+    if rotation is None:
         return False
-    turn, there = found
+    turn, there = rotation
     ratio = function(angle.value + turn) / function(angle.value)
     return isclose(view(there) / view(candidate.question.answer), ratio, rel_tol=POWER_TOLERANCE)
 
@@ -120,15 +120,17 @@ def turned(candidate: Candidate, angle: Factor) -> tuple[float, float] | None:
 
 def _halves(power: float) -> int | None:
     """Return the number of halves in a measured power, 3 for 1.5; None unless it is a small multiple of ½."""
-    found = round(2.0 * power)
+    halves = round(2.0 * power)
     return (
-        found if abs(2.0 * power - found) <= 2.0 * POWER_TOLERANCE and abs(power) <= HIGHEST + POWER_TOLERANCE else None
+        halves
+        if abs(2.0 * power - halves) <= 2.0 * POWER_TOLERANCE and abs(power) <= HIGHEST + POWER_TOLERANCE
+        else None
     )
 
 
 def factors_of(candidate: Candidate, view: View) -> list[Factor] | None:
     """Return the numbers on which the answer depends, with powers; None for a vector or a missing answer."""
-    study, question, found = candidate.study, candidate.question, list[Factor]()
+    study, question, factors = candidate.study, candidate.question, list[Factor]()
     for given in givens(study.scene, question.left_open):
         other = shifted(study, given, candidate.until)
         there = candidate.response(other)
@@ -139,23 +141,23 @@ def factors_of(candidate: Candidate, view: View) -> list[Factor] | None:
         power = _power(view(question.answer), view(there), new / here)
         if power is None or (power and len(given.paths) > 1):
             return None
-        found.append(Factor(first, given.unit, _in_si(here, given.unit), power))
+        factors.append(Factor(first, given.unit, _in_si(here, given.unit), power))
     own = _of_question(candidate, view)
-    return [factor for factor in (*found, *own) if factor.power] if own is not None else None
+    return [factor for factor in (*factors, *own) if factor.power] if own is not None else None
 
 
 def _of_question(candidate: Candidate, view: View) -> list[Factor] | None:
     """Return the question's own numbers, each with the answer's power in it; None if an answer is missing."""
-    question, found = candidate.question, list[Factor]()
+    question, factors = candidate.question, list[Factor]()
     rate = _rate(question, view)
     if question.unknown and question.given is not None:
         own = question.given
-        found.append(Factor("", own.unit, _in_si(own.value, own.unit), rate))
+        factors.append(Factor("", own.unit, _in_si(own.value, own.unit), rate))
     moment = question.query.moment
     if moment is None:
-        return found
-    for place, (number, unit) in enumerate(moment.stated):
-        numbers = [value * (1.0 + SHIFT * (n == place)) for n, (value, _) in enumerate(moment.stated)]
+        return factors
+    for index, (number, unit) in enumerate(moment.stated):
+        numbers = [value * (1.0 + SHIFT * (n == index)) for n, (value, _) in enumerate(moment.stated)]
         there = candidate.kind.answer(replace(question.query, moment=moment.having(numbers)), candidate.study)
         if there is None:
             return None
@@ -164,8 +166,8 @@ def _of_question(candidate: Candidate, view: View) -> list[Factor] | None:
         if power is None:
             return None
         power = -power * rate if question.unknown else power
-        found.append(Factor("", unit, _in_si(number, unit), power))
-    return found
+        factors.append(Factor("", unit, _in_si(number, unit), power))
+    return factors
 
 
 def _rate(question: Question, view: View) -> float:

@@ -141,13 +141,13 @@ class Collision(Filter):
 
 def _all_bear(trace: Trace, time: float) -> bool:
     """Return whether, for each stated coefficient of restitution, some pair has collided up to a time."""
-    told = {frozenset(meeting.names): meeting.restitution for meeting in trace.mechanism.meetings}
-    if len(set(told.values())) == 1:
+    restitutions = {frozenset(meeting.names): meeting.restitution for meeting in trace.mechanism.meetings}
+    if len(set(restitutions.values())) == 1:
         return True
     hits = (
         event for event in trace.events if event.kind == "collision" and event.time <= time * (1.0 + EVENT_TIME_RTOL)
     )
-    return {told.get(frozenset(hit.subjects)) for hit in hits} >= {*told.values()}
+    return {restitutions.get(frozenset(hit.subjects)) for hit in hits} >= {*restitutions.values()}
 
 
 FILTERS.add("collision", Collision())
@@ -164,9 +164,9 @@ class Jerk(Filter):
 
     def reason(self, candidate: Candidate) -> str:
         """Return a reason if a string becomes taut again before the moment asked about or the end of the motion."""
-        told = {named.name for named in candidate.study.scene.entities if named.entity.slackens}
+        slackening = {named.name for named in candidate.study.scene.entities if named.entity.slackens}
         lines = (line for _, line in _again(candidate))
-        return next((f"{line} becomes taut again" for line in lines if line.partition(".")[0] not in told), "")
+        return next((f"{line} becomes taut again" for line in lines if line.partition(".")[0] not in slackening), "")
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield report lines: the times when strings become taut again, or the end of the search."""
@@ -223,8 +223,8 @@ def _lengths(candidate: Candidate, names: tuple[str, ...]) -> dict[str, Span]:
     trace, time = candidate.study.trace, candidate.time
     state = trace.scan if time is None else trace.sample(_instants(trace.scan, time))
     lines = (line for line in state.mechanism.lines if line.name in names and line.circle is None)
-    found = ((line.name, np.asarray(state.frames.length(line))) for line in lines)
-    return {name: (float(lengths.min()), float(lengths.max())) for name, lengths in found}
+    pairs = ((line.name, np.asarray(state.frames.length(line))) for line in lines)
+    return {name: (float(lengths.min()), float(lengths.max())) for name, lengths in pairs}
 
 
 def _instants(state: State, time: float) -> np.ndarray:
@@ -248,12 +248,17 @@ class Slide(Filter):
 
     def reason(self, candidate: Candidate) -> str:
         """Return a reason if a body slides too far along another one before the moment asked about."""
-        far = {name: way for name, way in _slides(candidate).items() if way > MAX_SLIDE}
-        return next((f"{name} slides {way:.2g} m on what carries it" for name, way in far.items()), "")
+        far = {name: displacement for name, displacement in _slides(candidate).items() if displacement > MAX_SLIDE}
+        return next(
+            (f"{name} slides {displacement:.2g} m on what carries it" for name, displacement in far.items()), ""
+        )
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield report lines: the sliding distance of each body that slides on another one."""
-        yield from (f"{name} slides {way:.3g} m on what carries it" for name, way in _slides(candidate).items())
+        yield from (
+            f"{name} slides {displacement:.3g} m on what carries it"
+            for name, displacement in _slides(candidate).items()
+        )
 
 
 def _slides(candidate: Candidate) -> dict[str, float]:
@@ -265,13 +270,13 @@ def _slides(candidate: Candidate) -> dict[str, float]:
     riding = [mechanism.body[face.subject] for face in mechanism.faces if not face.turning]
     scan = trace.scan
     within = np.append(np.flatnonzero(scan.times <= until), np.argmin(np.abs(scan.times - until)))
-    found: dict[str, float] = {}
+    displacements: dict[str, float] = {}
     for body in riding:
         slides = [mechanism.number[c.name] for c in body.coordinates if c.kind == "slide"]
         if body.parent in moving and slides:
             ways = scan.q[:, slides] - scan.q[:1, slides]
-            found[body.name] = float(np.abs(ways[within]).max(initial=0.0))
-    return found
+            displacements[body.name] = float(np.abs(ways[within]).max(initial=0.0))
+    return displacements
 
 
 FILTERS.add("slide", Slide())

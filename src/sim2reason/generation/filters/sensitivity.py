@@ -58,13 +58,13 @@ class Elasticity:
 
 def givens(scene: Scene, left_open: Collection[str] = ()) -> list[Given]:
     """Return the stated numbers of a scene, without zeros, numbers stated by words, and unknown ones."""
-    found: dict[tuple[str, str], list[Parameter]] = {}
+    groups: dict[tuple[str, str], list[Parameter]] = {}
     for parameter in scene.parameters:
         if parameter.path not in left_open and _is_said(scene, parameter):
             name = parameter.measure.name
             owner = parameter.path.rpartition(".")[0]
-            found.setdefault((owner, name) if name in VECTORS else (parameter.path, ""), []).append(parameter)
-    return [Given(tuple(parameters)) for parameters in found.values()]
+            groups.setdefault((owner, name) if name in VECTORS else (parameter.path, ""), []).append(parameter)
+    return [Given(tuple(parameters)) for parameters in groups.values()]
 
 
 def _is_said(scene: Scene, parameter: Parameter) -> bool:
@@ -99,19 +99,19 @@ def _used(candidate: Candidate) -> set[str]:
     if candidate.words is None or candidate.solution is None:
         return set()
     relations = (relation for step in candidate.solution.steps for relation in step.relations)
-    said = {relation.left for relation in relations if relation.role == "given"}
-    return {path for path, symbol in candidate.words.symbols.items() if Symbol(symbol) in said}
+    given_symbols = {relation.left for relation in relations if relation.role == "given"}
+    return {path for path, symbol in candidate.words.symbols.items() if Symbol(symbol) in given_symbols}
 
 
-def matters(candidate: Candidate, found: Elasticity) -> bool:
+def matters(candidate: Candidate, elasticity: Elasticity) -> bool:
     """Return whether halving or doubling a number (or rotating an angle) changes the answer beyond the tolerance.
 
     If the motion becomes slower, it is simulated for longer; if the answer is still not reached, the test is
     inconclusive.
     """
-    if found.reordered or found.size >= CERTAIN_FACTOR * candidate.tolerance:
+    if elasticity.reordered or elasticity.size >= CERTAIN_FACTOR * candidate.tolerance:
         return True
-    study, given, time = candidate.study, found.given, candidate.time or 0.0
+    study, given, time = candidate.study, elasticity.given, candidate.time or 0.0
     until = None if candidate.time is None else SLOWER * time
     for factor, turn in ((2.0, TURN), (0.5, -TURN)):
         other = study.with_values(given.at(study.scene, (factor, factor), turn), until)
@@ -197,12 +197,12 @@ class Sensitivity(Filter):
         own = {path for name in query.subjects for path in _cancelling(candidate.study.mechanism, name)}
         excused = [g for g in given if own & {*g.paths} or any(_belongs(g, name) for name in aside)]
         counted = candidate.kind.measured(query).whole  # which changes with some of the numbers only
-        told = len(given) + question_number_count(candidate)
+        total = len(given) + question_number_count(candidate)
         moving, idle = list[Given](), list[Given]()
-        for found in elasticities(candidate):
-            if found.given in given:
-                (moving if matters(candidate, found) else idle).append(found.given)
-            if len(idle) > EVER * told:
+        for elasticity in elasticities(candidate):
+            if elasticity.given in given:
+                (moving if matters(candidate, elasticity) else idle).append(elasticity.given)
+            if len(idle) > EVER * total:
                 return f"idle numbers: {_paths(idle)}"
             unmarked = [g for g in idle if g not in excused and not _is_indifferent(candidate, g)]
             if not counted and len(unmarked) > MAX_IDLE_FRACTION[candidate.difficulty] * len(given):
@@ -214,13 +214,13 @@ class Sensitivity(Filter):
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield report lines: the sensitivity of the answer to each stated number."""
-        for found in elasticities(candidate):
-            moved = "matters" if matters(candidate, found) else "does not matter"
-            yield f"{', '.join(found.given.paths)}: |d ln answer / d ln number| = {found.size:.3g}; it {moved}"
+        for elasticity in elasticities(candidate):
+            moved = "matters" if matters(candidate, elasticity) else "does not matter"
+            yield f"{', '.join(elasticity.given.paths)}: |d ln answer / d ln number| = {elasticity.size:.3g}; it {moved}"
 
 
-def _paths(found: list[Given]) -> str:
-    return ", ".join(path for given in found for path in given.paths)
+def _paths(numbers: list[Given]) -> str:
+    return ", ".join(path for given in numbers for path in given.paths)
 
 
 def _is_indifferent(candidate: Candidate, given: Given) -> bool:
@@ -239,8 +239,8 @@ def _cancelling(mechanism: Mechanism, subject: str) -> set[str]:
 def _lone(mechanism: Mechanism, subject: str) -> str:
     """Return the only body with mass that moves rigidly with the subject, such as a pendulum bob; else the subject."""
     frame = _carrier(mechanism, subject)
-    found = [body.name for body in mechanism.bodies if body.mass and _carrier(mechanism, body.name) == frame]
-    return found[0] if frame and len(found) == 1 else subject
+    names = [body.name for body in mechanism.bodies if body.mass and _carrier(mechanism, body.name) == frame]
+    return names[0] if frame and len(names) == 1 else subject
 
 
 def _carrier(mechanism: Mechanism, name: str | None) -> str:

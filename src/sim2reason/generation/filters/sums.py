@@ -63,7 +63,7 @@ def sum_of(candidate: Candidate) -> str:
 
 def _fronts(value: float, share: float, terms: Terms) -> Iterator[tuple[float, float]]:
     """Yield simple factors, such as ±½, of two products whose sum is a value; `share` is the first one's part of it."""
-    first, second = _multiplied(place.value for place in terms)
+    first, second = _multiplied(term.value for term in terms)
     ones = _simple(first, share * value)
     if not ones:  # as nearly always
         return
@@ -80,13 +80,13 @@ def _simple(term: float, part: float) -> list[float]:
 
 def _holds_turned(candidate: Candidate, root: float, terms: Terms, front: tuple[float, float]) -> bool:
     """Return whether the sum still equals the answer when an angle changes, since 60° alone is ambiguous."""
-    for angle in (place.factor for place in terms if place.factor.unit == ANGLE and place.factor.path):
-        found = turned(candidate, angle)
-        if found is None:
+    for angle in (term.factor for term in terms if term.factor.unit == ANGLE and term.factor.path):
+        rotation = turned(candidate, angle)
+        if rotation is None:
             return False
-        turn, there = found
-        here = _added((place.value for place in terms), front)
-        ratio = _added((place.at(turn) for place in terms), front) / here
+        turn, there = rotation
+        here = _added((term.value for term in terms), front)
+        ratio = _added((term.at(turn) for term in terms), front) / here
         if not isclose((there / candidate.question.answer) ** root, ratio, rel_tol=TURNED):
             return False
     return True
@@ -129,18 +129,18 @@ def _places(factor: Factor, ways: Sequence[_Way], share: float) -> list[_Place]:
 
     A number may occur in one term, in both, or with a higher power in one, as k does in √(k² d² + k m v²).
     """
-    found: list[tuple[View, tuple[float, float]]] = []
+    exponents: list[tuple[View, tuple[float, float]]] = []
     for function, power, both in ways:
         if both:
-            found.append((function, (both, both)))
+            exponents.append((function, (both, both)))
         for shared in (0.0, 1.0):
             one = _half((power - shared) / share, SHARE_TOLERANCE) if share else None
             other = _half((power - shared) / (1.0 - share), SHARE_TOLERANCE) if share != 1.0 else None
             if one:
-                found.append((function, (one + shared, shared)))
+                exponents.append((function, (one + shared, shared)))
             if other:
-                found.append((function, (shared, other + shared)))
-    return [_Place(factor, function, powers, _raised(function(factor.value), powers)) for function, powers in found]
+                exponents.append((function, (shared, other + shared)))
+    return [_Place(factor, function, powers, _raised(function(factor.value), powers)) for function, powers in exponents]
 
 
 def _raised(value: float, powers: tuple[float, float]) -> tuple[float, float]:
@@ -157,6 +157,6 @@ def _shapes(factor: Factor) -> Iterator[tuple[View, float]]:
 
 def _half(power: float, near: float) -> float | None:
     """Return the multiple of one half near a power; None if there is none or it is zero."""
-    found = round(2.0 * power) / 2.0
-    size = abs(found)
-    return found if 0.0 < size <= HIGHEST and abs(power - found) <= (near * size if size > 1.0 else near) else None
+    half = round(2.0 * power) / 2.0
+    size = abs(half)
+    return half if 0.0 < size <= HIGHEST and abs(power - half) <= (near * size if size > 1.0 else near) else None

@@ -61,9 +61,9 @@ def with_minimum_lengths(scene: Scene) -> Scene:
     for parameter in scene.parameters:
         if parameter.hidden and parameter.value is not None:
             owner, _, name = parameter.path.rpartition(".")
-            held = field_types(cast("type[Model]", type(scene.value(owner))))[name]
-            if held.drawn is not None and parameter.value != held.drawn.low:
-                scene = scene.having(parameter.path, held.drawn.low)
+            field = field_types(cast("type[Model]", type(scene.value(owner))))[name]
+            if field.drawn is not None and parameter.value != field.drawn.low:
+                scene = scene.having(parameter.path, field.drawn.low)
     return scene
 
 
@@ -110,8 +110,8 @@ class Derivable(Filter):
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield a report line with the strategy that derives the answer."""
-        if candidate.kind.derivable and (found := _derived(candidate)):
-            yield f"it is derived by: {found}"
+        if candidate.kind.derivable and (strategy := _derived(candidate)):
+            yield f"it is derived by: {strategy}"
 
 
 def _derived(candidate: Candidate) -> str:
@@ -127,9 +127,9 @@ def _found(candidate: Candidate) -> str:
     setting = forward(ProblemContext(study.scene, words, words.symbols, study, query))
     if not query.hides:
         setting = replace(setting, unknown="", stated=None, sought=None)
-    offered = (held for held in STRATEGIES.values() if query.kind in held.kinds and not held.integrates)
-    tried = sorted(offered, key=lambda held: held.cost)
-    return next((held.name for held in tried if solve_with(held, setting).answer is not None), "")
+    offered = (strategy for strategy in STRATEGIES.values() if query.kind in strategy.kinds and not strategy.integrates)
+    strategies = sorted(offered, key=lambda strategy: strategy.cost)
+    return next((strategy.name for strategy in strategies if solve_with(strategy, setting).answer is not None), "")
 
 
 FILTERS.add("derivable", Derivable())
@@ -163,9 +163,9 @@ class FitsLabel(Filter):
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield a report line with the laws, phases, unknowns and difficulty score of the worked solution."""
-        found = candidate.measured
-        if found is not None:
-            yield f"laws {found.laws}, phases {found.phases}, unknowns together {found.unknowns}, score {found.score}"
+        difficulty = candidate.measured
+        if difficulty is not None:
+            yield f"laws {difficulty.laws}, phases {difficulty.phases}, unknowns together {difficulty.unknowns}, score {difficulty.score}"
 
 
 FILTERS.add("difficulty", FitsLabel())

@@ -20,35 +20,35 @@ SQUARE = 2
 LENGTH = Symbol("length")
 
 
-def size(whole: Expression) -> int:
+def size(expression: Expression) -> int:
     """Return the number of symbols in a formula, with repetitions; a given initial vector counts as one symbol.
 
     The magnitude of a given vector counts as one symbol, and so does a repeated root, such as √(k/m) in A ω sin ωt.
     """
-    shortest = parted(factor_terms(_with_lengths(whole), symbols_in))
+    shortest = parted(factor_terms(_with_lengths(expression), symbols_in))
     return symbols_in(shortest) - sum(symbols_in(root) - 1 for root in _again(shortest, set()))
 
 
-def has_logarithm(held: Expression) -> bool:
+def has_logarithm(expression: Expression) -> bool:
     """Return whether a formula contains a logarithm, as from an integral."""
-    return (isinstance(held, Call) and held.function == "ln") or any(map(has_logarithm, held.parts))
+    return (isinstance(expression, Call) and expression.function == "ln") or any(map(has_logarithm, expression.parts))
 
 
-def _again(held: Expression, seen: set[Expression]) -> Iterator[Expression]:
+def _again(expression: Expression, seen: set[Expression]) -> Iterator[Expression]:
     """Yield each root, such as √(k/m), that occurs in the formula a second time; roots inside these are omitted."""
-    if isinstance(held, Root) and held in seen:
-        yield held
+    if isinstance(expression, Root) and expression in seen:
+        yield expression
         return
-    for part in held.parts:
+    for part in expression.parts:
         yield from _again(part, seen)
-    if isinstance(held, Root):
-        seen.add(held)
+    if isinstance(expression, Root):
+        seen.add(expression)
 
 
-def _with_lengths(held: Expression) -> Expression:
-    if is_vector(held) and all(_is_given(part) for term in held.parts[0].parts for part in term.parts):
+def _with_lengths(expression: Expression) -> Expression:
+    if is_vector(expression) and all(_is_given(part) for term in expression.parts[0].parts for part in term.parts):
         return LENGTH
-    return held.built_of([_with_lengths(part) for part in held.parts]) if held.parts else held
+    return expression.built_of([_with_lengths(part) for part in expression.parts]) if expression.parts else expression
 
 
 def _is_given(component: Expression) -> bool:
@@ -99,37 +99,37 @@ class FewLaws(Filter):
 
     def reason(self, candidate: Candidate) -> str:
         """Return a reason if the worked solution needs few laws and its formula contains few symbols."""
-        found = None if candidate.easy else _derivation(candidate)
-        if found is None:
+        solution = None if candidate.easy else _derivation(candidate)
+        if solution is None:
             return ""
-        laws = count_laws(found)
+        laws = count_laws(solution)
         most = (MOST if changing(candidate.study.mechanism) else STEADY).get(laws, -1)
         most -= TEXTBOOK[candidate.difficulty] if laws > 1 else 0
-        symbols = _symbols(found) if most > 0 else None
+        symbols = _symbols(solution) if most > 0 else None
         if symbols is None or symbols > most or (symbols > MAX_KNOWN_SYMBOLS and turns_by_weight(candidate)):
             return ""
         return f"{_counted(laws)}, a formula of {symbols} symbols"
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield report lines: the number of laws and the strategy of the worked solution, and its formula's size."""
-        found = _derivation(candidate)
-        if found is not None:
-            yield f"{_counted(count_laws(found))}, by {found.strategy}"
-            yield f"symbols in the formula: {_symbols(found) or 'too many, or an integral'}"
+        solution = _derivation(candidate)
+        if solution is not None:
+            yield f"{_counted(count_laws(solution))}, by {solution.strategy}"
+            yield f"symbols in the formula: {_symbols(solution) or 'too many, or an integral'}"
             if turns_by_weight(candidate):
                 yield TURNS
 
 
-def _symbols(found: Solution) -> int | None:
+def _symbols(solution: Solution) -> int | None:
     """Return the number of symbols in the formula of the answer; None if the formula is too long.
 
     None also for integrals, except where the integral is the only law, as in u ln(m_0/m_1).
     """
     try:
-        whole = combined_formula(found)
+        expression = combined_formula(solution)
     except ClosedFormError:
         return None
-    return None if count_laws(found) > 1 and has_logarithm(whole) else size(whole)
+    return None if count_laws(solution) > 1 and has_logarithm(expression) else size(expression)
 
 
 def _counted(laws: int) -> str:
@@ -143,8 +143,8 @@ def _derivation(candidate: Candidate) -> Solution | None:
         return None
     if len(study.mechanism.coordinates) > LARGEST or study.trace.story(candidate.time):
         return None
-    found = derivation(candidate.question.query, study, words)
-    return found if found.derived else None
+    solution = derivation(candidate.question.query, study, words)
+    return solution if solution.derived else None
 
 
 FILTERS.add(FEW_LAWS, FewLaws())
@@ -164,10 +164,10 @@ class FewSymbols(Filter):
         formula = candidate.question.formula
         if formula is None:
             return ""
-        wanted, told = minimum_relevant(candidate), len(formula.symbols)
+        wanted, total = minimum_relevant(candidate), len(formula.symbols)
         if len(formula.within) < wanted:
             return f"{len(formula.within)} symbols of {wanted}"
-        return f"idle symbols: {len(formula.without)} of {told}" if len(formula.without) > EVER * told else ""
+        return f"idle symbols: {len(formula.without)} of {total}" if len(formula.without) > EVER * total else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield report lines: how many of the text's symbols occur in the formula, and how many do not."""

@@ -36,49 +36,53 @@ def find_corner(
     here = [each(own) for each in (margin, *others)] if own is not None else [None]
     if own is None or here[0] is None:
         return None
-    told = [each for each, found in zip((margin, *others), here, strict=True) if found is not None]
-    factors, changes = _alone(variations, told, known, own)
+    conditions = [each for each, value in zip((margin, *others), here, strict=True) if value is not None]
+    factors, changes = _alone(variations, conditions, known, own)
     ends = np.random.default_rng(CORNER_SEED).integers(0, factors.shape[1], (GUESSES, len(factors)))
-    for n, held in enumerate(variations.symbols):  # what is asked about comes sooner, where that is all the same
-        if not held.path and np.abs(changes[0, n]).max() <= UNCHANGED_MARGIN:
+    for n, symbol in enumerate(variations.symbols):  # what is asked about comes sooner, where that is all the same
+        if not symbol.path and np.abs(changes[0, n]).max() <= UNCHANGED_MARGIN:
             ends[:, n] = np.argmin(factors[n])
-    start = np.array([found for found in here if found is not None])
+    start = np.array([value for value in here if value is not None])
     guessed = start[:, None] + changes[:, np.arange(len(factors)), ends].sum(2)
     fitting = np.flatnonzero((guessed[1:] > 0.0).all(0))
-    starts = _least(told, known, own)
+    starts = _least(conditions, known, own)
     if fitting.size:
         starts.append(factors[np.arange(len(factors)), ends[fitting[np.argmin(guessed[0, fitting])]]].tolist())
     best: tuple[Variation | None, float] = None, inf
     for times in starts:
-        best = min(best, _descended(variations, told, factors, times), key=lambda found: found[1])
+        best = min(best, _descended(variations, conditions, factors, times), key=lambda value: value[1])
         if best[1] <= 0.0 or CLOSE < best[1] < inf:
             break
     return best[0]
 
 
-def _least(told: Sequence[Margin], known: Sequence[Variation], own: Variation) -> list[list[float]]:
+def _least(conditions: Sequence[Margin], known: Sequence[Variation], own: Variation) -> list[list[float]]:
     """Return the factors on all numbers for the known scenes that come closest to violating a condition."""
-    within = [other for other in known if all((each(other) or 0.0) > 0.0 for each in told[1:])]
-    margins = {n: found for n, other in enumerate(within) if (found := told[0](other)) is not None}
-    least = sorted(margins, key=lambda n: margins[n])[:STARTS]
-    return [[by / own.values[symbol] for symbol, by in within[n].values.items()] for n in least]
+    within = [other for other in known if all((each(other) or 0.0) > 0.0 for each in conditions[1:])]
+    margins = {n: margin for n, other in enumerate(within) if (margin := conditions[0](other)) is not None}
+    closest = sorted(margins, key=lambda n: margins[n])[:STARTS]
+    return [[by / own.values[symbol] for symbol, by in within[n].values.items()] for n in closest]
 
 
 def _alone(
-    variations: Variations, told: Sequence[Margin], known: Sequence[Variation], own: Variation
+    variations: Variations, conditions: Sequence[Margin], known: Sequence[Variation], own: Variation
 ) -> tuple[Array, Array]:
     """Return the factors tried on each number, (n, s), and the change of each margin by each alone, (m, n, s).
 
     The first factor is 1; shorter lists are padded with 1.
     """
-    here, single = np.array([each(own) or 0.0 for each in told]), list[dict[float, Array]]()
-    for held in variations.symbols:
-        others = [other for other in known if _moved(other, own) == [held.symbol]]
-        gained = {o.values[held.symbol] / own.values[held.symbol]: [each(o) or 0.0 for each in told] for o in others}
-        single.append({1.0: 0.0 * here, **{by: np.array(found) - here for by, found in gained.items() if by > 0.0}})
+    here, single = np.array([each(own) or 0.0 for each in conditions]), list[dict[float, Array]]()
+    for symbol in variations.symbols:
+        others = [other for other in known if _moved(other, own) == [symbol.symbol]]
+        gained = {
+            o.values[symbol.symbol] / own.values[symbol.symbol]: [each(o) or 0.0 for each in conditions] for o in others
+        }
+        single.append({1.0: 0.0 * here, **{by: np.array(effects) - here for by, effects in gained.items() if by > 0.0}})
     most = max(map(len, single))
-    factors = np.array([[*found, *([1.0] * (most - len(found)))] for found in single])
-    changes = np.array([[found.get(by, 0.0 * here) for by in row] for found, row in zip(single, factors, strict=True)])
+    factors = np.array([[*effects, *([1.0] * (most - len(effects)))] for effects in single])
+    changes = np.array(
+        [[effects.get(by, 0.0 * here) for by in row] for effects, row in zip(single, factors, strict=True)]
+    )
     return factors, changes.transpose(2, 0, 1)
 
 
@@ -87,7 +91,7 @@ def _moved(other: Variation, own: Variation) -> list[str]:
 
 
 def _descended(
-    variations: Variations, told: Sequence[Margin], factors: Array, times: list[float]
+    variations: Variations, conditions: Sequence[Margin], factors: Array, times: list[float]
 ) -> tuple[Variation | None, float]:
     """Return the scene after a change of one number at a time towards violation, and its distance from it.
 
@@ -96,27 +100,29 @@ def _descended(
     """
 
     def at(times: Sequence[float]) -> tuple[Variation | None, float]:
-        found = variations.having([held.value * by for held, by in zip(variations.symbols, times, strict=True)], [])
-        if found is None or any((each(found) or 0.0) < 0.0 for each in told[1:]):
-            return found, inf
-        least = told[0](found)
-        return found, inf if least is None else least
+        outcome = variations.having(
+            [symbol.value * by for symbol, by in zip(variations.symbols, times, strict=True)], []
+        )
+        if outcome is None or any((each(outcome) or 0.0) < 0.0 for each in conditions[1:]):
+            return outcome, inf
+        margin = conditions[0](outcome)
+        return outcome, inf if margin is None else margin
 
-    found = at(times)
-    for n, held in enumerate(variations.symbols):
-        for factor in _steps(factors[n], fine=not held.path):
-            if found[1] <= 0.0:
-                return found
+    outcome = at(times)
+    for n, symbol in enumerate(variations.symbols):
+        for factor in _steps(factors[n], fine=not symbol.path):
+            if outcome[1] <= 0.0:
+                return outcome
             other = [*times[:n], factor, *times[n + 1 :]]
-            if other != times and (better := at(other))[1] < found[1]:
-                times, found = other, better
-    return found
+            if other != times and (better := at(other))[1] < outcome[1]:
+                times, outcome = other, better
+    return outcome
 
 
 def _steps(factors: Array, *, fine: bool) -> list[float]:
-    least, most = float(factors.min()), float(factors.max())
-    between: list[float] = np.geomspace(least, most, FINE).tolist()
-    return between if fine else [least, 1.0, most]
+    smallest, most = float(factors.min()), float(factors.max())
+    between: list[float] = np.geomspace(smallest, most, FINE).tolist()
+    return between if fine else [smallest, 1.0, most]
 
 
 DRAWN, COUNTEREXAMPLE_SEED = 2000, 0  # sets of numbers for which the formula is evaluated
@@ -147,19 +153,19 @@ def counterexample(
     if own is None:
         return None
     drawn = _drawn(variations, width)
-    found = array_values(formula, variations.columns(drawn))
-    negative = drawn[:0] if signed else drawn[found < -TINY * abs(own.answer)]
-    each = (_tried(variations, unfit, is_counterexample) for unfit in (negative, drawn[np.isnan(found)]))
+    values = array_values(formula, variations.columns(drawn))
+    negative = drawn[:0] if signed else drawn[values < -TINY * abs(own.answer)]
+    each = (_tried(variations, unfit, is_counterexample) for unfit in (negative, drawn[np.isnan(values)]))
     return next((other for other in each if other is not None), None)
 
 
 def _tried(variations: Variations, unfit: Array, is_counterexample: Callable[[Variation], bool]) -> Variation | None:
     """Return the first scene, among sets of numbers (n, s), in which the formula fails; None if none does."""
-    here, answered = np.array([held.value for held in variations.symbols]), False
+    here, answered = np.array([symbol.value for symbol in variations.symbols]), False
     distance = (np.abs(np.log(np.abs(unfit / here))) + OTHER_SIGN * (unfit * here < 0.0)).sum(1)
     most = SIMULATED[bool(changing(variations.study.mechanism))]
-    for tried, number in enumerate(_in_turn(np.argsort(distance, kind="stable").tolist(), most)):
-        if tried == CLOSEST + SCATTERED and not answered:
+    for attempt, number in enumerate(_in_turn(np.argsort(distance, kind="stable").tolist(), most)):
+        if attempt == CLOSEST + SCATTERED and not answered:
             return None
         other = variations.having(unfit[number].tolist(), [])
         if other is not None and is_counterexample(other):
@@ -178,10 +184,10 @@ def _in_turn(closest: list[int], most: int) -> Iterator[int]:
 
 def _drawn(variations: Variations, width: float) -> Array:
     """Return random sets of the numbers of a problem, (n, s), around the stated ones, without repetitions."""
-    rng, here = np.random.default_rng(COUNTEREXAMPLE_SEED), np.array([held.value for held in variations.symbols])
+    rng, here = np.random.default_rng(COUNTEREXAMPLE_SEED), np.array([symbol.value for symbol in variations.symbols])
     changed = rng.random((DRAWN, len(here))) < np.where(np.arange(DRAWN) % 2, CHANGED, 1.0)[:, None]
     drawn = here * np.exp(np.where(changed, rng.uniform(-width, width, changed.shape), 0.0))
-    may = np.array([held.signed for held in variations.symbols])
+    may = np.array([symbol.signed for symbol in variations.symbols])
     drawn[DRAWN // 2 :] *= np.where(may, rng.choice((-1.0, 1.0), (DRAWN - DRAWN // 2, len(here))), 1.0)
-    found: Array = np.unique(drawn, axis=0)
-    return found
+    unique: Array = np.unique(drawn, axis=0)
+    return unique

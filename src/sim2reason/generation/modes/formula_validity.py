@@ -54,52 +54,52 @@ class FormulaValidity:
         if not self.near(whole, rng):
             return None
         try:
-            found = simplified_form(whole)
+            closed_form = simplified_form(whole)
         except ClosedFormError:
             return None
-        assumed = self.assumed(found, rng, words)
+        assumed = self.assumed(closed_form, rng, words)
         if assumed is None and self._wide and not signed:
-            found, assumed = self._sized(found, rng, words)
+            closed_form, assumed = self._sized(closed_form, rng, words)
         if assumed is None:
             return None
-        found = self._plainer(found, assumed, rng, words)
-        found = found.with_positive_factors([other.values for other in self._near])
-        fits = all(self._agrees(found.expression, other) for other in self._near)
-        return (found, assumed) if fits and len(found.latex) <= MAX_LATEX_LENGTH else None
+        closed_form = self._plainer(closed_form, assumed, rng, words)
+        closed_form = closed_form.with_positive_factors([other.values for other in self._near])
+        fits = all(self._agrees(closed_form.expression, other) for other in self._near)
+        return (closed_form, assumed) if fits and len(closed_form.latex) <= MAX_LATEX_LENGTH else None
 
     def _sized(
         self, formula: ClosedForm, rng: np.random.Generator, words: Words
     ) -> tuple[ClosedForm, tuple[Regime, ...] | None]:
         """Return a formula for the magnitude, with bars only where the sign varies, and the assumptions it needs."""
-        found = formula.of_sizes([other.values for other in (*self._near, *self._wide)])
-        assumed = self.assumed(found, rng, words)
+        magnitude = formula.of_sizes([other.values for other in (*self._near, *self._wide)])
+        assumed = self.assumed(magnitude, rng, words)
         if not assumed:
-            return found, assumed
+            return magnitude, assumed
         among = [other.values for other in (*self._near, *self._wide) if not self._leaving_out(other, assumed)]
         plainer = formula.of_sizes(among)
-        return (plainer if self.assumed(plainer, rng, words) == assumed else found), assumed
+        return (plainer if self.assumed(plainer, rng, words) == assumed else magnitude), assumed
 
     def near(self, formula: Expression, rng: np.random.Generator) -> bool:
         """Return whether a formula agrees with the exact engine in several scenes with slightly different numbers."""
         own = self._near[0]
         for width in NEAR_WIDTHS:
-            found = [own]
+            nearby = [own]
             for other in self._variations.drawn(rng, width, TRIES):
                 if other.story == own.story and self._agrees(formula, other):
-                    found.append(other)
-                if len(found) > POINTS:
-                    self._near = found
+                    nearby.append(other)
+                if len(nearby) > POINTS:
+                    self._near = nearby
                     return True
         return False
 
     def formula(self, found: ClosedForm, symbols: Sequence[ProblemSymbol]) -> Formula:
         """Return the formula with its symbols, units and tested values, as a question stores it."""
-        own = [held.symbol for held in symbols if not held.of_world]
+        own = [problem_symbol.symbol for problem_symbol in symbols if not problem_symbol.of_world]
         return Formula(
             found.latex,
-            tuple(held.symbol for held in symbols),
-            tuple(held.unit for held in symbols),
-            tuple(tuple(each.values[held.symbol] for held in symbols) for each in self._near),
+            tuple(problem_symbol.symbol for problem_symbol in symbols),
+            tuple(problem_symbol.unit for problem_symbol in symbols),
+            tuple(tuple(each.values[problem_symbol.symbol] for problem_symbol in symbols) for each in self._near),
             tuple(each.answer * self._factor for each in self._near),
             tuple(symbol for symbol in own if symbol in found.symbols),
             tuple(symbol for symbol in own if symbol not in found.symbols),
@@ -111,13 +111,13 @@ class FormulaValidity:
         Regimes that are always stated come first. After each choice a counterexample is sought.
         """
         for _ in range(COUNTEREXAMPLES):
-            found = self._chosen(formula, rng, words)
-            if found is None:
+            assumptions = self._chosen(formula, rng, words)
+            if assumptions is None:
                 return None
-            missed = partial(self._missed, formula.expression, found)
+            missed = partial(self._missed, formula.expression, assumptions)
             other = counterexample(self._variations, formula.expression, missed, WIDE, signed=self._signed)
             if other is None:
-                return found
+                return assumptions
             self._wide.append(other)
         return None
 
@@ -135,9 +135,9 @@ class FormulaValidity:
                 if not excluding[-1]:
                     return None
         chosen = self._fewest(kept, excluding)
-        for held in kept:  # that may be what matters
-            matters = chosen is not None and (held.unseen or any(held in left for left in excluding))
-            other = self._leaving(held, chosen) if chosen is not None and matters else None
+        for regime in kept:  # that may be what matters
+            matters = chosen is not None and (regime.unseen or any(regime in left for left in excluding))
+            other = self._leaving(regime, chosen) if chosen is not None and matters else None
             if other is not None and not self._agrees(formula.expression, other):
                 excluding.append(self._leaving_out(other, kept))
                 chosen = self._fewest(kept, excluding)
@@ -149,13 +149,13 @@ class FormulaValidity:
         Among equally few regimes, those are preferred that also exclude scenes without an answer that begin differently
         or leave a regime, because the text would otherwise seem to include them.
         """
-        told = {held for held in kept if held.must_be_stated(self._near[0].study)}
+        required = {each for each in kept if each.must_be_stated(self._near[0].study)}
         begun = [*excluding, *self._begun_otherwise(kept)]
-        fitting = [some for some in _some(kept, max(MAX_ASSUMPTIONS, len(told) + 1)) if told.issubset(some)]
+        fitting = [some for some in _some(kept, max(MAX_ASSUMPTIONS, len(required) + 1)) if required.issubset(some)]
         for left in (begun, excluding):
-            if not left and not told:
+            if not left and not required:
                 return ()
-            chosen = next((some for some in fitting if all(not held.isdisjoint(some) for held in left)), None)
+            chosen = next((some for some in fitting if all(not each.isdisjoint(some) for each in left)), None)
             if chosen is not None:
                 return chosen
         return None
@@ -163,7 +163,7 @@ class FormulaValidity:
     @staticmethod
     def _leaving_out(other: Variation, kept: Sequence[Regime]) -> set[Regime]:
         """Return the assumptions that a scene does not satisfy."""
-        return {held for held in kept if not held.holds(other.study, other.until)}
+        return {regime for regime in kept if not regime.holds(other.study, other.until)}
 
     def _missed(self, formula: Expression, told: Sequence[Regime], other: Variation) -> bool:
         """Return whether a formula fails in a scene although the scene satisfies all stated assumptions."""
@@ -180,9 +180,9 @@ class FormulaValidity:
         among = [other for other in self._wide if not self._leaving_out(other, told)]
         if not all(held.holds(other.study, other.until) for other in among):
             return None
-        found = find_corner(self._variations, _margin(held), [_kept(each) for each in told], self._wide)
-        self._wide += [found] if found is not None else []
-        return found
+        corner = find_corner(self._variations, _margin(held), [_kept(each) for each in told], self._wide)
+        self._wide += [corner] if corner is not None else []
+        return corner
 
     def _plainer(
         self, formula: ClosedForm, assumed: tuple[Regime, ...], rng: np.random.Generator, words: Words
@@ -212,47 +212,47 @@ class FormulaValidity:
     def _shared(self, words: Words) -> list[Regime]:
         """Return the assumptions that hold in the problem's own scene and in those with slightly different numbers."""
         own, *others = self._near
-        found = regimes(own.study, words, own.until)
+        own_regimes = regimes(own.study, words, own.until)
         if own.query.hides:  # the text does not tell the motion
-            found = [held for held in found if held.regardless_of(own.study, own.query.hides)]
-        return [held for held in found if all(held.holds(other.study, other.until) for other in others)]
+            own_regimes = [regime for regime in own_regimes if regime.regardless_of(own.study, own.query.hides)]
+        return [regime for regime in own_regimes if all(regime.holds(other.study, other.until) for other in others)]
 
     def _begun_otherwise(self, kept: Sequence[Regime]) -> Iterator[set[Regime]]:
         """Yield a set of assumptions for each scene without an answer: those whose violation may be the reason."""
         own = self._near[0].study
-        first = [held for held in kept if held.holds(own, 0.0)]
-        found = (
+        first = [regime for regime in kept if regime.holds(own, 0.0)]
+        violated = (
             {h for h in first if not h.holds(other, 0.0) or h.may_remove_answer(other)} for other in self._unanswered
         )
-        yield from filter(None, found)
+        yield from filter(None, violated)
 
     def _agrees(self, formula: Expression, other: Variation) -> bool:
         try:
-            found = formula.value(other.values)
+            value = formula.value(other.values)
         except (ValueError, ZeroDivisionError, OverflowError):
             return False
-        missed, size = abs(found - other.answer * self._factor), abs(other.answer * self._factor)
+        missed, size = abs(value - other.answer * self._factor), abs(other.answer * self._factor)
         if not ENGINE_RTOL * size < missed <= STEP_ERROR_RTOL * size:
             return missed <= ENGINE_RTOL * size
         finer = other.finer  # since what steps err by may grow on the way
         return finer is not None and self._agrees(formula, finer)
 
 
-def _margin(held: Regime) -> Margin:
-    return lambda other: held.margin(other.study, other.until)
+def _margin(regime: Regime) -> Margin:
+    return lambda other: regime.margin(other.study, other.until)
 
 
-def _kept(held: Regime) -> Margin:
+def _kept(regime: Regime) -> Margin:
     """Return a function of a scene: its distance from violating an assumption, negative if it violates it."""
 
     def margin(other: Variation) -> float:
-        found = held.margin(other.study, other.until) if held.holds(other.study, other.until) else -1.0
-        return 1.0 if found is None else found
+        distance = regime.margin(other.study, other.until) if regime.holds(other.study, other.until) else -1.0
+        return 1.0 if distance is None else distance
 
     return margin
 
 
-def _some(found: Sequence[Regime], few: int) -> Iterator[tuple[Regime, ...]]:
+def _some(assumptions: Sequence[Regime], few: int) -> Iterator[tuple[Regime, ...]]:
     """Yield single assumptions, then combinations of two and more, up to a few."""
     for count in range(1, few + 1):
-        yield from combinations(found, count)
+        yield from combinations(assumptions, count)

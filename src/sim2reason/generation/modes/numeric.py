@@ -38,30 +38,31 @@ class Numeric(QuestionMode):
         self, study: SimulatedScene, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
     ) -> Question | None:
         """Return a random suitable question of a kind with a finite answer, or None."""
-        found = (
-            self._asked(asked, study, words, rng, suits) for asked in ([KINDS[kind]] if kind else kinds_by_share(rng))
+        questions = (
+            self._asked(question_kind, study, words, rng, suits)
+            for question_kind in ([KINDS[kind]] if kind else kinds_by_share(rng))
         )
-        return next((question for question in found if question is not None), None)
+        return next((question for question in questions if question is not None), None)
 
     def _asked(
         self, asked: Kind, study: SimulatedScene, words: Words, rng: np.random.Generator, suits: Suits
     ) -> Question | None:
         offered = targets(words)
         drawn = (asked.draw(study, words, offered, rng) for _ in range(1 if asked.costly else DRAWS))
-        found = takewhile(lambda query: query is not None, drawn)
-        query = next((query for query in found if query is not None and suits(query, "", None)), None)
+        queries = takewhile(lambda query: query is not None, drawn)
+        query = next((query for query in queries if query is not None and suits(query, "", None)), None)
         return self.asking(query, study, words, rng) if query is not None else None
 
     def asking(self, query: Query, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Question | None:
         """Return the question for a query, with its answer; None if the answer is not finite."""
-        asked, offered = KINDS[query.kind], targets(words)
-        answer = asked.answer(query, study)
+        kind, offered = KINDS[query.kind], targets(words)
+        answer = kind.answer(query, study)
         if answer is None or not np.isfinite(answer):
             return None
         target = query.target
-        shapes = asked.shapes(query, words, offered[target] if target is not None else None)
+        shapes = kind.shapes(query, words, offered[target] if target is not None else None)
         sign = target.sense.positive if target is not None and target.sense is not None else ""
-        unit = words.units.spell(asked.measured(query).unit)
+        unit = words.units.spell(kind.measured(query).unit)
         return Question(self.name, query, sentence(chosen(shapes, rng)), answer, unit, sign, query.hides)
 
     def parsed(self, text: str, study: SimulatedScene, words: Words) -> ParsedQuestion | None:
@@ -81,8 +82,8 @@ class Choice(Numeric):
     def parsed(self, text: str, study: SimulatedScene, words: Words) -> ParsedQuestion | None:
         """Parse a question that asks which of two candidates is first or greater; return None for any other."""
         own = [name for name, kind in KINDS.items() if kind.names_one]
-        found = parse_question(text, study, words, own) if not words.symbolic else None
-        return ParsedQuestion(self.name, found) if found is not None else None
+        query = parse_question(text, study, words, own) if not words.symbolic else None
+        return ParsedQuestion(self.name, query) if query is not None else None
 
 
 @mode

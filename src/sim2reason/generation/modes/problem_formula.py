@@ -68,10 +68,10 @@ class Variation:
         if not trace.tolerance:
             return None
         try:
-            found = answered(self.query, SimulatedScene(scene, ENGINES[RECORDED](scene.mechanism, trace.state.times)))
+            outcome = answered(self.query, SimulatedScene(scene, ENGINES[RECORDED](scene.mechanism, trace.state.times)))
         except SimulationError:
             return None
-        return None if found is None else Variation(self.values, *found)
+        return None if outcome is None else Variation(self.values, *outcome)
 
 
 def answered(query: Query, study: SimulatedScene) -> tuple[SimulatedScene, Query, float] | None:
@@ -83,26 +83,26 @@ def answered(query: Query, study: SimulatedScene) -> tuple[SimulatedScene, Query
     return study, query, answer
 
 
-def sums_in(held: Expression) -> Iterator[Sum]:
+def sums_in(expression: Expression) -> Iterator[Sum]:
     """Yield all sums in a formula."""
-    if isinstance(held, Sum):
-        yield held
-    for part in held.parts:
+    if isinstance(expression, Sum):
+        yield expression
+    for part in expression.parts:
         yield from sums_in(part)
 
 
-def sign_of(held: Expression, at: Mapping[str, float]) -> float | None:
+def sign_of(expression: Expression, at: Mapping[str, float]) -> float | None:
     """Return the sign of a formula's value, 1 or -1; None where it has no value."""
     try:
-        return copysign(1.0, held.value(at).real)
+        return copysign(1.0, expression.value(at).real)
     except (ValueError, ArithmeticError):
         return None
 
 
-def turns(held: Expression, sign: float | None, at: Mapping[str, Array]) -> list[bool]:
+def turns(expression: Expression, sign: float | None, at: Mapping[str, Array]) -> list[bool]:
     """Return, for each set of numbers (m,), whether a formula's value differs in sign from `sign`, or is undefined."""
-    found = array_values(held, at)
-    other = np.isfinite(found) if sign is None else np.isnan(found) | (np.copysign(1.0, found) != sign)
+    values = array_values(expression, at)
+    other = np.isfinite(values) if sign is None else np.isnan(values) | (np.copysign(1.0, values) != sign)
     return other.tolist()
 
 
@@ -115,12 +115,12 @@ def likely_answers(query: Query, study: SimulatedScene, words: Words, path: str)
         return None
     solution = derivation(query, study, words)
     try:
-        whole = combined_formula(solution) if solution.derived else None
+        expression = combined_formula(solution) if solution.derived else None
     except ClosedFormError:
         return None
-    if whole is None:
+    if expression is None:
         return None
-    symbol, formula = words.symbols[path], whole
+    symbol, formula = words.symbols[path], expression
     given = factor(next(p.measure.unit for p in study.scene.parameters if p.path == path))
     wanted = factor(KINDS[query.kind].measured(query).unit)
 

@@ -64,10 +64,11 @@ class Reverse(QuestionMode):
         """Return a question with a result of this motion and an unknown number, or time, that it determines."""
         if kind in TIMES and rng.random() < TIMES[kind]:
             return _asking_when(study, words, rng, suits)
-        found = (
-            self._asked(asked, study, words, rng, suits) for asked in ([KINDS[kind]] if kind else kinds_by_share(rng))
+        questions = (
+            self._asked(question_kind, study, words, rng, suits)
+            for question_kind in ([KINDS[kind]] if kind else kinds_by_share(rng))
         )
-        return next((question for question in found if question is not None), None)
+        return next((question for question in questions if question is not None), None)
 
     def _asked(
         self, asked: Kind, study: SimulatedScene, words: Words, rng: np.random.Generator, suits: Suits
@@ -81,15 +82,15 @@ class Reverse(QuestionMode):
                 return None
             unit = words.units.spell(asked.measured(query).unit)
             exact = StatedResult.rounded(result, unit, EXACT)
-            tried = False
+            attempted = False
             for unknown in draw_unknowns(_besides(query, words), study.scene, rng):
                 if exact is None or not suits(query, unknown.path, exact):
                     continue
-                tried = True
-                found = self._with_unknown(query, unknown, result, study, words, rng)
-                if found is not None:
-                    return found
-            if tried:
+                attempted = True
+                question = self._with_unknown(query, unknown, result, study, words, rng)
+                if question is not None:
+                    return question
+            if attempted:
                 return None
         return None
 
@@ -103,17 +104,17 @@ class Reverse(QuestionMode):
         rng: np.random.Generator,
     ) -> Question | None:
         """Return the question for an unknown number that the given result determines; None if it does not."""
-        asked = KINDS[query.kind]
+        kind = KINDS[query.kind]
         likely = likely_answers(query, study, words, unknown.path)
         dependence = AnswerFunction(query, study, unknown.path, likely=likely)
         drawn = float(study.scene.value(unknown.path))
         dependence.record_answer(drawn, result)
-        found = _fixed(dependence, drawn, result, words.units.spell(asked.measured(query).unit))
+        fixed = _fixed(dependence, drawn, result, words.units.spell(kind.measured(query).unit))
         values = range_of(study.scene, unknown.path)
-        if found is None or not values[0] <= found[1] <= values[-1]:
+        if fixed is None or not values[0] <= fixed[1] <= values[-1]:
             return None
-        given, answer, elasticity = found
-        query = asked.with_likely_answer(query, given.value)
+        given, answer, elasticity = fixed
+        query = kind.with_likely_answer(query, given.value)
         text = sentence(chosen(asking_for(unknown, query, given, words, _noun(query, words)), rng))
         return Question(self.name, query, text, answer, unknown.unit, "", unknown.path, given, elasticity)
 
@@ -136,13 +137,15 @@ class Reverse(QuestionMode):
     def parsed(self, text: str, study: SimulatedScene, words: Words) -> ParsedQuestion | None:
         """Parse a sentence that asks for which number, or when, a result occurs; None if it is no such sentence."""
         readings = dict.fromkeys((text, plainly(text, words.units)))  # digits tell how close a result is
-        return next((found for said in readings if (found := self._read(said, study, words)) is not None), None)
+        return next(
+            (question for reading in readings if (question := self._read(reading, study, words)) is not None), None
+        )
 
     def _read(self, text: str, study: SimulatedScene, words: Words) -> ParsedQuestion | None:
         """Return the reverse question that a sentence asks, with its numbers as written; None if it asks none."""
-        heard = f"{text}\n{text[0].lower()}{text[1:]}"  # a name may stand at the beginning
+        variants = f"{text}\n{text[0].lower()}{text[1:]}"  # a name may stand at the beginning
         for unknown in words.unknowns:
-            for query, unit in _stated(heard, study, words):
+            for query, unit in _stated(variants, study, words):
                 if any(other.path not in (unknown.path, query.hides) for other in words.unknowns):
                     continue
                 noun = _noun(query, words)
@@ -160,8 +163,8 @@ class Reverse(QuestionMode):
         if asked.given is None or isinstance(asked.query.moment, Reached):
             return super().solution(asked, study, words)
         for unknown in _besides(asked.query, words):
-            found = values_giving(asked.query, asked.given.value, unknown, study)
-            return found[0] if len(found) == 1 else None
+            values = values_giving(asked.query, asked.given.value, unknown, study)
+            return values[0] if len(values) == 1 else None
         return None
 
     def lacking(self, asked: ParsedQuestion, study: SimulatedScene, words: Words) -> str:
@@ -208,8 +211,8 @@ def _besides(query: Query, words: Words) -> list[Unknown]:
 
     Numbers with the same symbol as that one are excluded too.
     """
-    symbols = {found.symbol for found in words.unknowns if found.path == query.hides}
-    return [found for found in words.unknowns if found.path != query.hides and found.symbol not in symbols]
+    symbols = {unknown.symbol for unknown in words.unknowns if unknown.path == query.hides}
+    return [unknown for unknown in words.unknowns if unknown.path != query.hides and unknown.symbol not in symbols]
 
 
 def _noun(query: Query, words: Words) -> Noun | None:
@@ -232,11 +235,11 @@ def _fixed(
     return given, answer, rate * drawn / result
 
 
-def _stated(heard: str, study: SimulatedScene, words: Words) -> Iterator[tuple[Query, str]]:
+def _stated(text: str, study: SimulatedScene, words: Words) -> Iterator[tuple[Query, str]]:
     """Yield all queries whose result a sentence could state, each with the unit of its answer."""
-    named = {target: noun for target, noun in targets(words).items() if noun.heard(heard)}
+    named = {target: noun for target, noun in targets(words).items() if noun.heard(text)}
     for kind in KINDS.values():
-        for query in dict.fromkeys(kind.parsed(heard, study, words, named)):
+        for query in dict.fromkeys(kind.parsed(text, study, words, named)):
             yield query, words.units.spell(kind.measured(query).unit)
 
 

@@ -52,8 +52,8 @@ def assuming(assumed: Sequence[Regime], words: Words) -> str:
     of time: the start, the whole motion, the moment. If two consecutive clauses concern one body, the second one calls
     it *it*.
     """
-    ordered = sorted(assumed, key=lambda held: (held.stage, held.clause(words)))
-    clauses = [_clause(held, ordered[:number], assumed, words) for number, held in enumerate(ordered)]
+    ordered = sorted(assumed, key=lambda regime: (regime.stage, regime.clause(words)))
+    clauses = [_clause(regime, ordered[:number], assumed, words) for number, regime in enumerate(ordered)]
     if len(clauses) < 3:
         return f"{ASSUME}{' and that '.join(clauses)}."
     return f"{ASSUME}{', that '.join(clauses[:-1])}, and that {clauses[-1]}."
@@ -61,10 +61,10 @@ def assuming(assumed: Sequence[Regime], words: Words) -> str:
 
 def assumed_in(sentence: str, study: SimulatedScene, words: Words) -> tuple[Regime, ...] | None:
     """Return the assumptions that a sentence states about a scene; None if it is not such a sentence."""
-    said = _JOINTS.split(sentence.removeprefix(ASSUME).removesuffix("."))
+    clauses = _JOINTS.split(sentence.removeprefix(ASSUME).removesuffix("."))
     regimes = possible(study, words)
-    meant = [[held for held in regimes if clause in _forms(held, words)] for clause in said]
-    readings = product(*meant)
+    candidates = [[regime for regime in regimes if clause in _forms(regime, words)] for clause in clauses]
+    readings = product(*candidates)
     for _, reading in zip(range(MAX_PARSES), readings, strict=False):
         if assuming(reading, words) == sentence:
             return reading
@@ -73,26 +73,26 @@ def assumed_in(sentence: str, study: SimulatedScene, words: Words) -> tuple[Regi
 
 def split_assumptions(text: str) -> tuple[str, str]:
     """Split a question into its assumptions (may be empty) and the rest."""
-    asked, stop, assumed = text.partition(f" {ASSUME}")
-    return f"{ASSUME}{assumed}" if stop else "", asked
+    question, stop, assumed = text.partition(f" {ASSUME}")
+    return f"{ASSUME}{assumed}" if stop else "", question
 
 
-def _clause(held: Regime, before: Sequence[Regime], beside: Sequence[Regime], words: Words) -> str:
-    clause, subject = held.clause_beside(words, beside), _subject(held, words)
+def _clause(regime: Regime, before: Sequence[Regime], beside: Sequence[Regime], words: Words) -> str:
+    clause, subject = regime.clause_beside(words, beside), _subject(regime, words)
     same = bool(before) and subject and subject == _subject(before[-1], words)
     return _with_it(clause, subject) if same else clause
 
 
-def _forms(held: Regime, words: Words) -> Iterator[str]:
-    for clause in (held.clause(words), held.short_clause(words)):
+def _forms(regime: Regime, words: Words) -> Iterator[str]:
+    for clause in (regime.clause(words), regime.short_clause(words)):
         yield clause
-        yield _with_it(clause, _subject(held, words))
+        yield _with_it(clause, _subject(regime, words))
 
 
-def _subject(held: Regime, words: Words) -> str:
+def _subject(regime: Regime, words: Words) -> str:
     """Return the name of the body with which a clause begins; empty without a single body."""
-    called = words.called(held.of).get(held.name, "")
-    return called if called and held.clause(words).startswith(f"{called} ") else ""
+    called = words.called(regime.of).get(regime.name, "")
+    return called if called and regime.clause(words).startswith(f"{called} ") else ""
 
 
 def _with_it(clause: str, subject: str) -> str:
@@ -128,7 +128,7 @@ class Symbolic(QuestionMode):
         """
         if study.mechanism is not study.scene.mechanism:
             return None
-        names = [kind] if kind else [found.name for found in kinds_by_share(rng)]
+        names = [kind] if kind else [question_kind.name for question_kind in kinds_by_share(rng)]
         formulas = study.memoize("formulas", lambda: self.kinds & _formulas(study.mechanism))
         kinds = [name for name in names if name in formulas]
         refused = study.memoize("refused", set[Query])
@@ -149,25 +149,25 @@ class Symbolic(QuestionMode):
         """Return the question with its formula and assumptions; None if no formula agrees with the engine."""
         moment = question.query.moment
         query = replace(question.query, moment=moment.in_symbols(study.trace) if moment is not None else None)
-        spoken = _spoken(words, query)
-        whole = _derived(query, study, words)
-        if spoken is None or whole is None:
+        symbolic_words = _spoken(words, query)
+        expression = _derived(query, study, words)
+        if symbolic_words is None or expression is None:
             return None
-        symbols = _symbols(study, spoken, query.hides)
-        if not {held.symbol for held in symbols}.issuperset(whole.symbols()):
+        symbols = _symbols(study, symbolic_words, query.hides)
+        if not {stated.symbol for stated in symbols}.issuperset(expression.symbols()):
             return None  # it goes by where the motion starts, which the text does not tell
         times = factor(question.unit)
-        varied = FormulaValidity(Variations(study, query, symbols, whole, times), times)
-        if not varied.of_scene(whole):
+        varied = FormulaValidity(Variations(study, query, symbols, expression, times), times)
+        if not varied.of_scene(expression):
             return None
-        held = varied.stated_formula(whole, rng, spoken, signed=bool(question.sign))
-        if held is None:
+        stated = varied.stated_formula(expression, rng, symbolic_words, signed=bool(question.sign))
+        if stated is None:
             return None
-        found, assumed = held
+        closed_form, assumed = stated
         noun = targets(words)[query.target] if query.target is not None else None
-        asked = sentence(chosen(KINDS[query.kind].shapes(query, spoken, noun), rng))
-        text = f"{asked} {assuming(assumed, spoken)}" if assumed else asked
-        return replace(question, query=query, text=text, formula=varied.formula(found, symbols), assumed=assumed)
+        question_text = sentence(chosen(KINDS[query.kind].shapes(query, symbolic_words, noun), rng))
+        text = f"{question_text} {assuming(assumed, symbolic_words)}" if assumed else question_text
+        return replace(question, query=query, text=text, formula=varied.formula(closed_form, symbols), assumed=assumed)
 
     def described(self, question: Question, description: Description) -> Description:
         """Return the description with a named symbol for every number but zero."""
@@ -178,19 +178,19 @@ class Symbolic(QuestionMode):
         """Parse a query in the words of its kind, after removal of its assumptions."""
         if not words.symbolic:
             return None
-        assumed, asked = split_assumptions(text)
-        query = parse_question(asked, study, words)
+        assumed, question = split_assumptions(text)
+        query = parse_question(question, study, words)
         if query is None:
             return None
         if not assumed:
             return ParsedQuestion(self.name, query)
-        held = assumed_in(assumed, study, words)
-        return ParsedQuestion(self.name, query, assumed=held) if held is not None else None
+        assumptions = assumed_in(assumed, study, words)
+        return ParsedQuestion(self.name, query, assumed=assumptions) if assumptions is not None else None
 
     def solution(self, asked: ParsedQuestion, study: SimulatedScene, words: Words) -> float | None:
         """Return the numeric answer for the values of the symbols; None if they violate a stated assumption."""
         until = KINDS[asked.query.kind].time(asked.query, study) or 0.0
-        if not all(held.holds(study, until) for held in asked.assumed):
+        if not all(regime.holds(study, until) for regime in asked.assumed):
             return None
         return super().solution(asked, study, words)
 
@@ -206,16 +206,24 @@ def _derived(query: Query, study: SimulatedScene, words: Words) -> Expression | 
 
 
 def _worked_out(query: Query, study: SimulatedScene, words: Words) -> Expression | None:
-    spoken = _spoken(words, query)
-    if spoken is None:
+    symbolic_words = _spoken(words, query)
+    if symbolic_words is None:
         return None
     setting = forward(ProblemContext(study.scene, words, words.symbols, study, query))
-    tried = [held for held in applicable_strategies(study.mechanism) if query.kind in held.formulas(study.mechanism)]
-    if all(strategy.why_not_applicable(setting) for strategy in tried):
+    strategies = [
+        candidate
+        for candidate in applicable_strategies(study.mechanism)
+        if query.kind in candidate.formulas(study.mechanism)
+    ]
+    if all(strategy.why_not_applicable(setting) for strategy in strategies):
         return None
     solution = derivation(query, study, words)
     try:
-        return combined_formula(solution, [own.symbol for own in spoken.own.values()]) if solution.derived else None
+        return (
+            combined_formula(solution, [own.symbol for own in symbolic_words.own.values()])
+            if solution.derived
+            else None
+        )
     except ClosedFormError:
         return None
 
@@ -225,16 +233,19 @@ def _spoken(words: Words, query: Query) -> Words | None:
     clock = set[str]() if words.released else {"t"}  # of a text that speaks of t = 0
     own, taken = dict[str, OwnSymbol](), clock.union(words.symbols.values())
     for value, unit in query.moment.stated if query.moment is not None else ():
-        found = symbol_for(value, unit, taken)
-        if found is None or unit in own:
+        symbol = symbol_for(value, unit, taken)
+        if symbol is None or unit in own:
             return None
-        own[unit] = found
+        own[unit] = symbol
     return words.in_symbols(own)
 
 
 def _symbols(study: SimulatedScene, words: Words, hidden: str) -> list[ProblemSymbol]:
     """Return all symbols of a problem in the order of its text, except the unknown."""
     parameters = {p.path: p for p in study.scene.parameters if p.path != hidden}
-    found = [(symbol, parameters[path]) for path, symbol in words.symbols.items() if path in parameters]
-    said = [ProblemSymbol(symbol, p.measure.unit, p.value, p.path, p.signed) for symbol, p in found if p.value]
-    return [*said, *(ProblemSymbol(own.symbol, words.units.spell(unit), own.value) for unit, own in words.own.items())]
+    pairs = [(symbol, parameters[path]) for path, symbol in words.symbols.items() if path in parameters]
+    stated = [ProblemSymbol(symbol, p.measure.unit, p.value, p.path, p.signed) for symbol, p in pairs if p.value]
+    return [
+        *stated,
+        *(ProblemSymbol(own.symbol, words.units.spell(unit), own.value) for unit, own in words.own.items()),
+    ]

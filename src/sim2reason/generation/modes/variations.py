@@ -51,8 +51,10 @@ class Variations:
 
     def own(self) -> Variation | None:
         """Return the problem with its own numbers; None if it has no answer."""
-        found = answered(self.query, self.study)
-        return None if found is None else Variation(self._counted([held.value for held in self.symbols]), *found)
+        outcome = answered(self.query, self.study)
+        return (
+            None if outcome is None else Variation(self._counted([symbol.value for symbol in self.symbols]), *outcome)
+        )
 
     def drawn(
         self, rng: np.random.Generator, width: float, tries: int, unanswered: list[SimulatedScene] | None = None
@@ -61,10 +63,10 @@ class Variations:
 
         Motions without an answer are added to `unanswered`.
         """
-        for values in self._around([held.value for held in self.symbols], rng, width, tries):
-            found = self._at(values, unanswered)
-            if found is not None:
-                yield found
+        for values in self._around([symbol.value for symbol in self.symbols], rng, width, tries):
+            variation = self._at(values, unanswered)
+            if variation is not None:
+                yield variation
 
     def widely(self, rng: np.random.Generator, width: float, unanswered: list[SimulatedScene]) -> Iterator[Variation]:
         """Yield many problems with random numbers; fewer if the motion must be integrated, which is far slower."""
@@ -81,11 +83,11 @@ class Variations:
         if other is None:
             return
         numbers = iter(other)
-        mirrored = [held.value if held.path else next(numbers) for held in self.symbols]
+        mirrored = [symbol.value if symbol.path else next(numbers) for symbol in self.symbols]
         for values in self._around(mirrored, rng, width, tries):
-            found = self._at(values, None, (self.study.scene.horizon,))
-            if found is not None:
-                yield found
+            variation = self._at(values, None, (self.study.scene.horizon,))
+            if variation is not None:
+                yield variation
 
     def turned(
         self, rng: np.random.Generator, formulas: Sequence[Expression], width: float, unanswered: list[SimulatedScene]
@@ -95,18 +97,20 @@ class Variations:
         Formulas likely fail there, and random numbers may miss such a small region. Numbers just beyond the change of
         sign are included; a sum that random numbers never change is changed deliberately.
         """
-        here = [held.value for held in self.symbols]
-        sums = [*dict.fromkeys(held for formula in formulas for held in (formula, *sums_in(formula)))]
+        here = [entry.value for entry in self.symbols]
+        sums = [*dict.fromkeys(entry for formula in formulas for entry in (formula, *sums_in(formula)))]
         signs, tries = [sign_of(each, self._counted(here)) for each in sums], [0] * len(sums)
         drawn = [*self._around(here, rng, width, LOOKED)]
         turning = [self._turns(each, sign, drawn) for each, sign in zip(sums, signs, strict=True)]
         for number, values in enumerate(drawn):
             other = [n for n, at in enumerate(turning) if tries[n] < TRIES and at[number]]
             closer = [self._just_beyond(values, sums[n], signs[n]) for n in other]
-            found = [self.having(numbers, unanswered) for numbers in dict.fromkeys((tuple(values), *closer)) if other]
+            variations = [
+                self.having(numbers, unanswered) for numbers in dict.fromkeys((tuple(values), *closer)) if other
+            ]
             for n in other:
-                tries[n] += TRIES // EACH if any(found) else 1
-            yield from (each for each in found if each is not None)
+                tries[n] += TRIES // EACH if any(variations) else 1
+            yield from (each for each in variations if each is not None)
         corners = (self._corner(sums[n], width) for n, count in enumerate(tries) if not count)
         for values in dict.fromkeys(corner for corner in corners if corner is not None):
             yield from self._moving(values, unanswered)
@@ -117,7 +121,9 @@ class Variations:
 
     def columns(self, drawn: Array) -> dict[str, Array]:
         """Return the values (n,) of each symbol in sets of numbers (n, s), in the units of formulas."""
-        return {held.symbol: held.counted(1.0) * numbers for held, numbers in zip(self.symbols, drawn.T, strict=True)}
+        return {
+            symbol.symbol: symbol.counted(1.0) * numbers for symbol, numbers in zip(self.symbols, drawn.T, strict=True)
+        }
 
     def _just_beyond(self, values: Sequence[float], held: Expression, sign: float | None) -> tuple[float, ...]:
         """Return numbers between the problem's own and `values` at which a sum has just changed its sign."""
@@ -130,18 +136,20 @@ class Variations:
 
     def _towards(self, values: Sequence[float], share: float) -> tuple[float, ...]:
         """Return numbers at a fraction of the way from the problem's own to `values`, on a logarithmic scale."""
-        return tuple(held.value * (to / held.value) ** share for held, to in zip(self.symbols, values, strict=True))
+        return tuple(
+            symbol.value * (to / symbol.value) ** share for symbol, to in zip(self.symbols, values, strict=True)
+        )
 
     def one_by_one(self, width: float, unanswered: list[SimulatedScene]) -> Iterator[Variation]:
         """Yield problems with one number far smaller or larger than all others of the same unit.
 
         Symbols state neither which of several numbers is the largest, nor whether an angle is acute.
         """
-        here = [held.value for held in self.symbols]
-        for n, (least, most) in enumerate(zip(self._sizes(min), self._sizes(max), strict=True)):
+        here = [symbol.value for symbol in self.symbols]
+        for n, (smallest, most) in enumerate(zip(self._sizes(min), self._sizes(max), strict=True)):
             own = abs(here[n])
             ends = [
-                size * exp(side * width) for sizes, side in (((least, own), -1), ((own, most), 1)) for size in sizes
+                size * exp(side * width) for sizes, side in (((smallest, own), -1), ((own, most), 1)) for size in sizes
             ]
             ends += [STRAIGHT - own] if self.symbols[n].unit == "deg" else []
             for end in dict.fromkeys(ends):
@@ -154,7 +162,7 @@ class Variations:
         have no answer.
         """
         unanswered: list[SimulatedScene] = []
-        here, may = [held.value for held in self.symbols], np.array([held.signed for held in self.symbols])
+        here, may = [symbol.value for symbol in self.symbols], np.array([symbol.signed for symbol in self.symbols])
         for n in np.flatnonzero(may).tolist():
             yield from self._moving([*here[:n], -here[n], *here[n + 1 :]], unanswered)
         tries = (EACH if changing(self.study.mechanism) else LOOKED) // 2  # of either
@@ -168,16 +176,18 @@ class Variations:
 
     def _sizes(self, extreme: Callable[[Iterable[float]], float]) -> list[float]:
         """Return, for each number, the largest (or smallest) magnitude among all numbers of its unit."""
-        return [extreme(abs(each.value) for each in self.symbols if each.unit == held.unit) for held in self.symbols]
+        return [
+            extreme(abs(each.value) for each in self.symbols if each.unit == symbol.unit) for symbol in self.symbols
+        ]
 
     def having(self, values: Sequence[float], unanswered: list[SimulatedScene] | None = None) -> Variation | None:
         """Return the problem with given numbers; None if it has no answer, or an angle is nearly a right angle."""
         return None if self._is_steep(values) else self._at(values, unanswered)
 
     def _moving(self, values: Sequence[float], unanswered: list[SimulatedScene]) -> Iterator[Variation]:
-        found = self.having(values, unanswered)
-        if found is not None:
-            yield found
+        variation = self.having(values, unanswered)
+        if variation is not None:
+            yield variation
 
     def _corner(self, held: Expression, width: float) -> tuple[float, ...] | None:
         """Return numbers, each at an end of its range, for which a sum changes its sign; None if there are none."""
@@ -198,8 +208,8 @@ class Variations:
     def _is_steep(self, values: Sequence[float]) -> bool:
         """Return whether an angle is nearly a right angle although the text's is not."""
         return any(
-            held.unit == "deg" and abs(held.value) <= STEEPEST < abs(value) < STRAIGHT - STEEPEST
-            for held, value in zip(self.symbols, values, strict=True)
+            symbol.unit == "deg" and abs(symbol.value) <= STEEPEST < abs(value) < STRAIGHT - STEEPEST
+            for symbol, value in zip(self.symbols, values, strict=True)
         )
 
     def _around(
@@ -213,21 +223,21 @@ class Variations:
         self, values: Sequence[float], unanswered: list[SimulatedScene] | None, ends: tuple[float, ...] = ()
     ) -> Variation | None:
         """Return the problem with given numbers, simulated to each of the times `ends` (s) until there is an answer."""
-        said = dict(zip(self.symbols, values, strict=True))
+        assignments = dict(zip(self.symbols, values, strict=True))
         query, seen = self._asking(values), None
         error = (
             FINEST if unanswered is None else EXACT_STEP_ERROR
         )  # far away nothing is recorded: a formula holds or does not
         try:
-            scene = self._roomy.having_all({held.path: value for held, value in said.items() if held.path})
+            scene = self._roomy.having_all({symbol.path: value for symbol, value in assignments.items() if symbol.path})
             if scene.mechanism.routes != self.study.mechanism.routes:
                 return None  # the text tells another course of a string
             ends = ends or self._ends(query)
             for end in ends if unanswered is None or not self._waits(query) else (*ends, LATEST * ends[-1]):
                 seen = SimulatedScene(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, end]), error))
-                found = answered(query, seen)
-                if found is not None:
-                    return Variation(self._counted(values), *found)
+                outcome = answered(query, seen)
+                if outcome is not None:
+                    return Variation(self._counted(values), *outcome)
         except (SceneError, SimulationError, UnsupportedError, ValueError):
             return None
         if unanswered is not None and seen is not None:
@@ -240,12 +250,12 @@ class Variations:
         return with_long_strings(self.study.scene)
 
     def _counted(self, values: Sequence[float]) -> dict[str, float]:
-        return {held.symbol: held.counted(value) for held, value in zip(self.symbols, values, strict=True)}
+        return {symbol.symbol: symbol.counted(value) for symbol, value in zip(self.symbols, values, strict=True)}
 
     def _asking(self, values: Sequence[float]) -> Query:
         """Return the query with the question's numbers replaced, and with the answer that the formula predicts."""
         moment = self.query.moment
-        numbers = [value for held, value in zip(self.symbols, values, strict=True) if not held.path]
+        numbers = [value for symbol, value in zip(self.symbols, values, strict=True) if not symbol.path]
         query = replace(self.query, moment=moment.having(numbers)) if moment is not None else self.query
         if self.formula is None:
             return query
@@ -259,13 +269,13 @@ class Variations:
 
     def _ends(self, query: Query) -> tuple[float, ...]:
         """Return the times to which the motion is simulated, s: a stated one, else multiples of the original time."""
-        here, least = KINDS[self.query.kind].time(self.query, self.study) or 0.0, SHORTEST * self.study.scene.horizon
+        here, minimum = KINDS[self.query.kind].time(self.query, self.study) or 0.0, SHORTEST * self.study.scene.horizon
         moment = query.moment
         times = [number for number, unit in moment.stated if unit == "s"] if moment is not None else []
         if times and not self._waits(query):
-            return (max(TIME_MARGIN * times[0], least),)
+            return (max(TIME_MARGIN * times[0], minimum),)
         comes = self._waits(query) or KINDS[query.kind].awaited
         mechanism = self.study.mechanism
         sooner = SOONER if mechanism.attractions else SOONER[-1:] if changing(mechanism) else ()
-        tried = sooner if comes and LATER * here > least else ()
-        return tuple(max(factor * here, least) for factor in (*tried, LATER))
+        factors = sooner if comes and LATER * here > minimum else ()
+        return tuple(max(factor * here, minimum) for factor in (*factors, LATER))

@@ -120,21 +120,21 @@ def _meets(track: ComplexCollisionPlane) -> bool:
 
 def _drawn(kind: type, name: str, rng: np.random.Generator, drawn: Range | None = None) -> float:
     """Return a random value of a field of a class, from its own range or a narrower one."""
-    held = field_types(kind)[name]
-    found = drawn or held.drawn
-    assert held.measure is not None
-    assert found is not None
-    return held.measure.draw(rng, found.low, found.high)
+    field = field_types(kind)[name]
+    interval = drawn or field.drawn
+    assert field.measure is not None
+    assert interval is not None
+    return field.measure.draw(rng, interval.low, interval.high)
 
 
-def _puck(tier: CollisionTier, rng: np.random.Generator, place: PlaneVector, velocity: PlaneVector = ORIGIN) -> Puck:
+def _puck(tier: CollisionTier, rng: np.random.Generator, position: PlaneVector, velocity: PlaneVector = ORIGIN) -> Puck:
     """Return a puck of random mass."""
-    x, y, vx, vy = (round_as_stated(Puck, name, part) for name, part in zip(PARTS, (*place, *velocity), strict=True))
+    x, y, vx, vy = (round_as_stated(Puck, name, part) for name, part in zip(PARTS, (*position, *velocity), strict=True))
     return Puck(mass=_drawn(Puck, "mass", rng, tier.mass), x=x, y=y, vx=vx, vy=vy)
 
 
-def _any(held: Range, rng: np.random.Generator) -> float:
-    return float(rng.uniform(held.low, held.high))
+def _any(interval: Range, rng: np.random.Generator) -> float:
+    return float(rng.uniform(interval.low, interval.high))
 
 
 def _beside(radius: float, rng: np.random.Generator) -> float:
@@ -144,14 +144,14 @@ def _beside(radius: float, rng: np.random.Generator) -> float:
 
 def _at_rest(radius: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
     """Return a puck that moves along the x axis, and one at rest that it hits off centre."""
-    place = (-2.0 * radius - _any(APART, rng), _beside(radius, rng))
-    return _puck(tier, rng, place, (_any(tier.speed, rng), 0.0)), _puck(tier, rng, ORIGIN)
+    position = (-2.0 * radius - _any(APART, rng), _beside(radius, rng))
+    return _puck(tier, rng, position, (_any(tier.speed, rng), 0.0)), _puck(tier, rng, ORIGIN)
 
 
 def _head_on(radius: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
     """Return two pucks that move towards each other on parallel paths."""
-    place, toward = (2.0 * radius + _any(APART, rng), _beside(radius, rng)), (-_any(tier.speed, rng), 0.0)
-    return _puck(tier, rng, ORIGIN, (_any(tier.speed, rng), 0.0)), _puck(tier, rng, place, toward)
+    position, toward = (2.0 * radius + _any(APART, rng), _beside(radius, rng)), (-_any(tier.speed, rng), 0.0)
+    return _puck(tier, rng, ORIGIN, (_any(tier.speed, rng), 0.0)), _puck(tier, rng, position, toward)
 
 
 def _crossing(radius: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
@@ -169,9 +169,9 @@ def _in_turn(radius: float, tier: CollisionTier, rng: np.random.Generator) -> tu
     first, second = _at_rest(radius, tier, rng)
     across = -first.y / (2.0 * radius)
     along = sqrt(1.0 - across**2)
-    way, beside = 2.0 * radius + _any(APART, rng), float(rng.uniform(-GRAZING, GRAZING)) * radius
-    place = (along * way - across * beside, across * way + along * beside)
-    return first, second, _puck(tier, rng, place)
+    distance, beside = 2.0 * radius + _any(APART, rng), float(rng.uniform(-GRAZING, GRAZING)) * radius
+    position = (along * distance - across * beside, across * distance + along * beside)
+    return first, second, _puck(tier, rng, position)
 
 
 PARTS = "x", "y", "vx", "vy"

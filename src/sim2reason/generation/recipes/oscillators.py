@@ -108,18 +108,18 @@ UNLIKE = 0.18  # smallest |tan θ − 1|, so that confusing sine and cosine chan
 CLEARANCE = 0.08  # m, from a spring to the nail of another one
 
 
-def _starts_well(held: SpringMassIncline) -> bool:
+def _starts_well(entity: SpringMassIncline) -> bool:
     """Return whether the spring of a block on a rough plane is strained enough to set it in motion."""
-    strain, angle = held.start - held.spring.length, radians(held.plane.angle)
-    pull = held.spring.stiffness * strain / (GRAVITY * held.block.mass) + sin(angle)  # down the slope
-    moves = abs(pull) - held.plane.friction * cos(angle) >= DRIVEN
-    return moves and abs(strain) >= STRAINED * held.spring.length and abs(tan(angle) - 1.0) >= UNLIKE
+    strain, angle = entity.start - entity.spring.length, radians(entity.plane.angle)
+    pull = entity.spring.stiffness * strain / (GRAVITY * entity.block.mass) + sin(angle)  # down the slope
+    moves = abs(pull) - entity.plane.friction * cos(angle) >= DRIVEN
+    return moves and abs(strain) >= STRAINED * entity.spring.length and abs(tan(angle) - 1.0) >= UNLIKE
 
 
-def _apart(held: SpringBlock) -> bool:
+def _apart(entity: SpringBlock) -> bool:
     """Return whether every spring is clear of the nails of the others."""
-    block = complex(held.x, held.y)
-    nails = [complex(spring.x, spring.y) - block for spring in held.springs]
+    block = complex(entity.x, entity.y)
+    nails = [complex(spring.x, spring.y) - block for spring in entity.springs]
     return all(_distance(other, nail) > CLEARANCE for nail, other in permutations(nails, 2))
 
 

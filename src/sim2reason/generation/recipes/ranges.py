@@ -23,16 +23,16 @@ V = TypeVar("V", bound=Model)
 
 
 def idle_numbers(
-    value: V, response: Callable[[V], Sequence[float]], least: float = MIN_RESPONSE_CHANGE
+    value: V, response: Callable[[V], Sequence[float]], threshold: float = MIN_RESPONSE_CHANGE
 ) -> Iterator[str]:
-    """Yield the addresses of numbers whose halving and doubling changes every response by less than `least`."""
+    """Yield the addresses of numbers whose halving and doubling changes every response by less than `threshold`."""
     before = response(value)
     for number in parameters(value):
         if (
             number.value
             and not number.hidden
             and not any(
-                abs(new - old) > least * abs(old)
+                abs(new - old) > threshold * abs(old)
                 for other in _moved(value, number)
                 for old, new in zip(before, response(other), strict=True)
             )

@@ -88,19 +88,19 @@ def draw_rotation(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
 
 def _pieces(tier: SwingTier, rng: np.random.Generator) -> tuple[WeldedPiece, ...]:
     """Return random pieces on an arm, a large one first and those beyond the axle last."""
-    count, found = 0, list[WeldedPiece]()
+    count, pieces = 0, list[WeldedPiece]()
     kinds, chances = [*SOLID], np.array([*SOLID.values()])
     for attempt in range(DRAWS):
         if attempt % TRIES == 0:  # the first ones may have taken all the room
-            count, found = int(rng.integers(tier.pieces.low, tier.pieces.high + 1)), []
-        kind = BallPiece if found and rng.random() < SMALL else kinds[int(rng.choice(len(kinds), p=chances))]
-        piece = _drawn_near(kind, rng, found)
-        if piece is not None and _fits(piece, found) and _bear([*found, piece], unmoved=count >= MANY):
-            found.append(piece)
-        if len(found) == count and _is_unbalanced(found):
-            return tuple(sorted(found, key=lambda piece: piece.place < 0.0))
-        if len(found) == count:
-            found.pop()
+            count, pieces = int(rng.integers(tier.pieces.low, tier.pieces.high + 1)), []
+        kind = BallPiece if pieces and rng.random() < SMALL else kinds[int(rng.choice(len(kinds), p=chances))]
+        piece = _drawn_near(kind, rng, pieces)
+        if piece is not None and _fits(piece, pieces) and _bear([*pieces, piece], unmoved=count >= MANY):
+            pieces.append(piece)
+        if len(pieces) == count and _is_unbalanced(pieces):
+            return tuple(sorted(pieces, key=lambda piece: piece.place < 0.0))
+        if len(pieces) == count:
+            pieces.pop()
     raise SceneError("arm", f"{DRAWS} draws gave too few pieces that all have a bearing", "draw again")
 
 
@@ -186,8 +186,8 @@ def _total(shares: Iterable[_Share]) -> _Share:
 
 def _responses(others: _Share, piece: WeldedPiece) -> tuple[float]:
     """Return the number that determines an arm's motion: Σ m x over the moment of inertia about the axle, 1/m."""
-    found = _total((others, _share(piece)))
-    return (found.moment / (found.own + found.moved),)
+    total = _total((others, _share(piece)))
+    return (total.moment / (total.own + total.moved),)
 
 
 def _solid(piece: WeldedPiece) -> Solid:
@@ -222,7 +222,7 @@ MIN_INERTIA_RATIO = 1.22  # least ratio of the moments of inertia with and witho
 
 def _hole_counts(entity: RollingEntity) -> bool:
     """Return whether omitting the hole from the moment of inertia changes the answer."""
-    solid, plain = (held.inertia(1.0)[1] for held in (entity.body.solid, entity.body.plainer["hole"]))
+    solid, plain = (shape.inertia(1.0)[1] for shape in (entity.body.solid, entity.body.plainer["hole"]))
     return solid >= MIN_INERTIA_RATIO * plain
 
 

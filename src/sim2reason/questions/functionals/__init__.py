@@ -84,15 +84,15 @@ class Functional(ABC):
     def noun_phrases(self, words: Words) -> dict[str, Noun]:
         """Return the noun phrases of the functional for each subject that has it, by name."""
         mechanism, of = words.mechanism, self.of
-        found: dict[str, Noun] = {}
-        for name, said in words.called(of).items():
+        nouns: dict[str, Noun] = {}
+        for name, subject_phrase in words.called(of).items():
             given = all(of.gives(need, mechanism, name, words.said) for need in self.needs)
             if given and self.present(words, name):
-                called = of.point(mechanism, name, said) if self.center else said
+                called = of.point(mechanism, name, subject_phrase) if self.center else subject_phrase
                 fills = {of.slot: called, "when": "{when}", **words.fills(of, name), **self.placeholders(words, name)}
                 phrase, how, indirect = (part.format(**fills) for part in (self.phrase, self.how, self.indirect))
-                found[name] = Noun(phrase, how, indirect)
-        return found
+                nouns[name] = Noun(phrase, how, indirect)
+        return nouns
 
     def placeholders(self, words: Words, name: str) -> dict[str, str]:
         """Return the functional's own template placeholders and their texts; by default none."""

@@ -104,8 +104,8 @@ class Extreme(Functional):
         if not np.isfinite(heights).all():
             return None
         highest = float(heights.max())
-        apart = np.append(np.diff(times) > TWIN * end, True)
-        times, heights = times[apart], heights[apart]
+        distinct = np.append(np.diff(times) > TWIN * end, True)
+        times, heights = times[distinct], heights[distinct]
         if len(times) < 3:
             return None
         tops, reach = _tops(heights)
@@ -131,9 +131,9 @@ class Extreme(Functional):
         times, heights = times[within], heights[within]
         if not np.isfinite(heights).all():
             return None
-        apart = np.append(np.diff(times) > TWIN * end, True)
-        tops, _ = _tops(heights[apart])
-        top = self._highest(trace, name, times[apart], tops)[1] if len(tops) else -inf
+        distinct = np.append(np.diff(times) > TWIN * end, True)
+        tops, _ = _tops(heights[distinct])
+        top = self._highest(trace, name, times[distinct], tops)[1] if len(tops) else -inf
         return self.sign * max(float(heights.max()), top)
 
     def _unbounded(self, trace: Trace, end: float) -> bool:
@@ -154,10 +154,10 @@ class Extreme(Functional):
         best = np.zeros(len(tops))
         for _ in range(ROUNDS):
             grid = low[:, None] + (high - low)[:, None] * shares
-            found = self.height(trace.sample(grid.ravel()), name).reshape(grid.shape)
-            number = np.clip(found.argmax(axis=1), 1, PIECES - 1)
+            heights = self.height(trace.sample(grid.ravel()), name).reshape(grid.shape)
+            number = np.clip(heights.argmax(axis=1), 1, PIECES - 1)
             rows = np.arange(len(tops))
-            best, low, high = found.max(axis=1), grid[rows, number - 1], grid[rows, number + 1]
+            best, low, high = heights.max(axis=1), grid[rows, number - 1], grid[rows, number + 1]
         first = int(best.argmax())
         return int(tops[first]), float(best[first])
 
@@ -169,13 +169,13 @@ def _tops(heights: Array) -> tuple[NDArray[np.intp], float]:
     """
     before, here, after = heights[:-2], heights[1:-1], heights[2:]
     size = PLATEAU_RTOL * np.abs(here)
-    found = np.flatnonzero((here >= before) & (here >= after) & ((here > before + size) | (here > after + size)))
-    if not len(found):
-        return found, 0.0
-    slope, bend = (after - before)[found] / 2.0, (2.0 * here - before - after)[found]
-    reach = here[found] + slope**2 / (2.0 * bend)
+    peaks = np.flatnonzero((here >= before) & (here >= after) & ((here > before + size) | (here > after + size)))
+    if not len(peaks):
+        return peaks, 0.0
+    slope, bend = (after - before)[peaks] / 2.0, (2.0 * here - before - after)[peaks]
+    reach = here[peaks] + slope**2 / (2.0 * bend)
     highest = float(reach.max())
-    return found[reach >= highest - END_MARGIN * abs(highest)] + 1, highest
+    return peaks[reach >= highest - END_MARGIN * abs(highest)] + 1, highest
 
 
 POINTS = 6  # of Gaussian quadrature per interval: exact up to degree 11, without points at the ends
@@ -185,8 +185,8 @@ _NODES, _WEIGHTS = leggauss(POINTS)
 def borders(trace: Trace, end: float) -> Array:
     """Return times, s, from 0 to `end`, between which the motion is smooth and no coordinate reverses."""
     events = [event.time for event in trace.events]
-    found = in_order(np.concatenate([[0.0, end], trace.knots(), events]))
-    return found[(found >= 0.0) & (found <= end)]
+    times = in_order(np.concatenate([[0.0, end], trace.knots(), events]))
+    return times[(times >= 0.0) & (times <= end)]
 
 
 def integral(trace: Trace, rate: Callable[[State], Array], end: float, corners: Iterable[float] = ()) -> float:

@@ -229,9 +229,9 @@ class StringWork(Integral):
         """Return the power T·v of the tension, W, (n,)."""
         line, own, other = _tied(state.mechanism, name)[0]
         here, there = state.frames.site(own), state.frames.site(other)
-        apart = minus(there.place, here.place)
-        length: Array = np.sqrt(dot(apart, apart)) + 0.0 * state.times
-        along = dot(apart, here.velocity) / np.where(length > 0.0, length, 1.0)  # no way, where it has no length
+        separation = minus(there.place, here.place)
+        length: Array = np.sqrt(dot(separation, separation)) + 0.0 * state.times
+        along = dot(separation, here.velocity) / np.where(length > 0.0, length, 1.0)  # no way, where it has no length
         return Tension.evaluate(state, line) * along
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
@@ -251,10 +251,10 @@ def _called(words: Words) -> Mapping[str, str]:
 
 def _tied(mechanism: Mechanism, name: str) -> list[tuple[str, str, str]]:
     """Return the strings that end at a body, each with its point of attachment there and the next point along it."""
-    found = list[tuple[str, str, str]]()
+    attachments = list[tuple[str, str, str]]()
     for line in mechanism.lines:
         if isinstance(line.law, Inextensible):
             for own, other in ((line.through[0], line.through[1]), (line.through[-1], line.through[-2])):
                 if mechanism.site[own].body == name:
-                    found.append((line.name, own, other))
-    return found
+                    attachments.append((line.name, own, other))
+    return attachments

@@ -57,15 +57,15 @@ class OscillationAmplitude(Extreme):
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """Return half the distance between the ends of the path, m; None unless the body is at rest at both ends."""
-        way = np.array(center_path(trace.mechanism, name).ways[0])
+        direction = np.array(center_path(trace.mechanism, name).ways[0])
         turns = [event.time for event in trace.events if event.kind == "turn" and event.time <= end]
         at_turns, within = trace.sample(np.array([0.0, *turns, end])), trace.scan.times <= end
-        moving, turning = (np.abs(Velocity.evaluate(state, name) @ way) for state in (trace.scan, at_turns))
-        places, ends = (Displacement.evaluate(state, name) @ way for state in (trace.scan, at_turns))
+        moving, turning = (np.abs(Velocity.evaluate(state, name) @ direction) for state in (trace.scan, at_turns))
+        places, ends = (Displacement.evaluate(state, name) @ direction for state in (trace.scan, at_turns))
         rests = ends[turning <= REST_SPEED_RTOL * moving[within].max()]
         places = places[within]
-        found = float(np.ptp(rests)) if len(rests) else 0.0
-        return 0.5 * found if found > 0.0 and found >= (1.0 - REST_SPEED_RTOL) * float(np.ptp(places)) else None
+        span = float(np.ptp(rests)) if len(rests) else 0.0
+        return 0.5 * span if span > 0.0 and span >= (1.0 - REST_SPEED_RTOL) * float(np.ptp(places)) else None
 
     def loose_value(self, trace: Trace, name: str, end: float) -> float | None:
         """Return half the distance between the ends of the path, m, under the same conditions as for a question."""
@@ -241,8 +241,8 @@ class LeastDeflection(Extreme):
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
         """Return the least angle, in degrees; None if the line passes the vertical."""
-        found = Extreme.value(self, trace, name, end)
-        return found if found is not None and found > UPRIGHT else None
+        angle = Extreme.value(self, trace, name, end)
+        return angle if angle is not None and angle > UPRIGHT else None
 
 
 @functional

@@ -126,9 +126,9 @@ class AreaSwept(Integral):
 def _areal_velocity(state: State, name: str) -> Array:
     """Return the areal velocity ½ r × v, (n, 3)."""
     a, b = members(name)
-    apart = state.vector(state.frames.center(b).place) - state.vector(state.frames.center(a).place)
+    separation = state.vector(state.frames.center(b).place) - state.vector(state.frames.center(a).place)
     parting = Velocity.evaluate(state, b) - Velocity.evaluate(state, a)
-    return 0.5 * np.cross(apart, parting)
+    return 0.5 * np.cross(separation, parting)
 
 
 @functional
@@ -151,8 +151,8 @@ class DistanceTravelled(Integral):
         path = center_path(trace.mechanism, name)
         if not path.straight:
             return []
-        way = np.array(path.ways[0])
-        senses = (way, -way)
+        direction = np.array(path.ways[0])
+        senses = (direction, -direction)
         return [
             time for sense in senses for time in crossings(trace, lambda s, x=sense: Velocity.evaluate(s, name) @ x)
         ]
@@ -163,8 +163,8 @@ class DistanceTravelled(Integral):
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
         """Return phrases for the interval; none on a circle where geometry alone gives the arc."""
-        told = circles(words.mechanism, name) and is_given_by_geometry(moment, words)
-        return () if told else super().when(moment, words, name)
+        is_trivial = circles(words.mechanism, name) and is_given_by_geometry(moment, words)
+        return () if is_trivial else super().when(moment, words, name)
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
         """Return the channels of the body's velocity and displacement."""
@@ -200,8 +200,8 @@ class Reversals(EventCount):
 
         Halts without a reversal do not count.
         """
-        way = np.array(center_path(trace.mechanism, name).ways[0])
-        speeds = Velocity.evaluate(trace.scan, name) @ way
+        direction = np.array(center_path(trace.mechanism, name).ways[0])
+        speeds = Velocity.evaluate(trace.scan, name) @ direction
         clear = np.flatnonzero(np.abs(speeds) > rest_speed(trace, speeds))
         times, speeds = trace.scan.times[clear], speeds[clear]
         (before,) = np.nonzero(speeds[1:] * speeds[:-1] < 0.0)

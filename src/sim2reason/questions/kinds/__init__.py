@@ -179,8 +179,8 @@ class Kind(ABC):
     def measured(self, query: Query) -> Measured:
         """Return the quantity, unit and smallest value of the answer; by default those of the target."""
         assert query.target is not None, "a kind that asks for no quantity says what it asks for"
-        found = QUANTITIES[query.target.quantity]
-        return Measured(found.name, found.unit, found.least)
+        quantity = QUANTITIES[query.target.quantity]
+        return Measured(quantity.name, quantity.unit, quantity.least)
 
 
 class ValueKind(Kind):
@@ -287,9 +287,9 @@ def draw_moment(
     order: list[int] = rng.permutation(len(classes)).tolist()
     for number in order:
         offered = classes[number].found(study, words, rng)
-        found = [moment for moment in offered if wanted(moment) and _bears(study, moment)]
-        if found:
-            return found[int(rng.integers(len(found)))]
+        moments = [moment for moment in offered if wanted(moment) and _bears(study, moment)]
+        if moments:
+            return moments[int(rng.integers(len(moments)))]
     return None
 
 

@@ -88,7 +88,9 @@ class ComparisonKind(NestedKind):
         """Return the time, s, by which both answers are determined; None if one never is."""
         assert isinstance(query, ComparisonQuery)
         other, inner = query.changed(study), query.inner
-        times = [KINDS[inner.kind].time(inner, held) if held is not None else None for held in (study, other)]
+        times = [
+            KINDS[inner.kind].time(inner, simulated) if simulated is not None else None for simulated in (study, other)
+        ]
         known = [time for time in times if time is not None]
         return max(known) if len(known) == len(times) else None
 
@@ -107,8 +109,8 @@ class ComparisonKind(NestedKind):
         assert isinstance(query, ComparisonQuery)
         if query.ratio:
             return Measured("ratio", "", least=1e-2)
-        found = KINDS[query.inner.kind].measured(query.inner)
-        return Measured("difference", found.unit, found.least)
+        inner_measure = KINDS[query.inner.kind].measured(query.inner)
+        return Measured("difference", inner_measure.unit, inner_measure.least)
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """Return sentences such as *by what factor would doubling the mass of A multiply the speed of B?*."""
@@ -165,19 +167,19 @@ class ComparisonKind(NestedKind):
                 )
 
 
-def compared(inner: Query, asked: StructuredQuestion, study: SimulatedScene, words: Words) -> ComparisonQuery:
+def compared(inner: Query, question: StructuredQuestion, study: SimulatedScene, words: Words) -> ComparisonQuery:
     """Return the query for an answer's change with a number, as in *ramp.speed = 5 m/s* or *ramp.speed × 2*.
 
     TextError if the change names no number of the scene, or has no value for the number.
     """
-    change = CHANGE.fullmatch(asked.change)
+    change = CHANGE.fullmatch(question.change)
     if change is None:
-        raise TextError("change", f"{asked.change!r} changes nothing", "say how, such as: ramp.speed = 5 m/s")
-    held = {p.path: p for p in study.scene.parameters if p.value}
-    path = resolved("change", change["number"], {path: words.named.get(path, path) for path in held})
-    factor = measured("change", change["value"], held[path].measure.unit if change["sign"] == "=" else "")
-    factor /= float(held[path].value or 0.0) if change["sign"] == "=" else 1.0
-    ratio = one_of("compare", asked.compare or "ratio", ("ratio", "difference")) == "ratio"
+        raise TextError("change", f"{question.change!r} changes nothing", "say how, such as: ramp.speed = 5 m/s")
+    parameters = {p.path: p for p in study.scene.parameters if p.value}
+    path = resolved("change", change["number"], {path: words.named.get(path, path) for path in parameters})
+    factor = measured("change", change["value"], parameters[path].measure.unit if change["sign"] == "=" else "")
+    factor /= float(parameters[path].value or 0.0) if change["sign"] == "=" else 1.0
+    ratio = one_of("compare", question.compare or "ratio", ("ratio", "difference")) == "ratio"
     return ComparisonQuery("comparison", inner.target, inner.moment, stripped(inner), path, factor, ratio)
 
 

@@ -62,8 +62,8 @@ class EquilibriumKind(Kind):
             value, quantity = target.value(there), QUANTITIES[target.quantity]
             if not abs(value) > quantity.least or (quantity.from_start and quantity.unit == "J"):
                 return False
-            told = [target.value(start), *(weights if target.unit == "N" else ())]
-            return all(abs(value - other) > DISTINCT_RTOL * abs(value) for other in told)
+            known = [target.value(start), *(weights if target.unit == "N" else ())]
+            return all(abs(value - other) > DISTINCT_RTOL * abs(value) for other in known)
 
         target = pick([target for target in targets if not target.signed], rng, differs)
         if target is None:

@@ -70,13 +70,13 @@ class LimitKind(NestedKind):
         """Return a query with a nonzero limit that the answer approaches monotonically; None if there is none."""
         del rng
         query = LimitQuery(self.name, inner.target, inner.moment, stripped(inner), path)
-        least = KINDS[inner.kind].measured(inner).least
+        smallest = KINDS[inner.kind].measured(inner).least
         for large in (True, False):  # without a mass most problems are others that are simpler
             query = replace(query, large=large)
-            found, here, (last,) = _limit(query, study), usable_answer(inner, study), query.extremes(study, TIMES[-1:])
-            if found is None or here is None or last is None or found <= least:
+            limit, here, (last,) = _limit(query, study), usable_answer(inner, study), query.extremes(study, TIMES[-1:])
+            if limit is None or here is None or last is None or limit <= smallest:
                 continue
-            if abs(found / here - 1.0) > MIN_RELATIVE_CHANGE and _way(inner, study) == _way(inner, last):
+            if abs(limit / here - 1.0) > MIN_RELATIVE_CHANGE and _way(inner, study) == _way(inner, last):
                 return query
         return None
 
@@ -90,7 +90,10 @@ class LimitKind(NestedKind):
         assert isinstance(query, LimitQuery)
         inner = query.inner
         kind = KINDS[inner.kind]
-        times = [kind.time(inner, held) if held is not None else None for held in (study, *query.extremes(study))]
+        times = [
+            kind.time(inner, simulated) if simulated is not None else None
+            for simulated in (study, *query.extremes(study))
+        ]
         known = [time for time in times if time is not None]
         return max(known) if len(known) == len(times) else None
 
@@ -114,8 +117,8 @@ class LimitKind(NestedKind):
     def measured(self, query: Query) -> Measured:
         """Return the unit and least value of the limit, which are those of the inner question's answer."""
         inner = inner_of(query)
-        found = KINDS[inner.kind].measured(inner)
-        return Measured("limit", found.unit, found.least)
+        inner_measure = KINDS[inner.kind].measured(inner)
+        return Measured("limit", inner_measure.unit, inner_measure.least)
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """Return sentences such as *what does the acceleration of A approach as the mass of B grows ever larger?*."""
@@ -138,7 +141,7 @@ class LimitKind(NestedKind):
     def parsed(self, text: str, study: SimulatedScene, words: Words, targets: Targets) -> Iterator[Query]:
         """Yield a query for every limit of a quantity and mass that a sentence names."""
         numbers = [path for path, number in words.named.items() if f"{number} " in text]
-        if not numbers or not any(said in text for said in ("approach", "limit", "all other masses")):
+        if not numbers or not any(phrase in text for phrase in ("approach", "limit", "all other masses")):
             return
         for inner in self.inner_parsed(text, study, words, targets):
             for path, large in product(numbers, (True, False)):
@@ -148,10 +151,10 @@ class LimitKind(NestedKind):
 def _limit(query: LimitQuery, study: SimulatedScene) -> float | None:
     """Return the limit, extrapolated by a parabola in the inverse mass, or in the mass."""
     answers = [usable_answer(query.inner, other, loosely=True) for other in query.extremes(study)]
-    found = [answer for answer in answers if answer is not None]
-    if len(found) < len(TIMES) or abs(found[-1] - found[-2]) > SETTLED * abs(found[-1]):
+    known = [answer for answer in answers if answer is not None]
+    if len(known) < len(TIMES) or abs(known[-1] - known[-2]) > SETTLED * abs(known[-1]):
         return None
-    lines = [far + (far - near) / (RATIO - 1.0) for near, far in pairwise(found)]
+    lines = [far + (far - near) / (RATIO - 1.0) for near, far in pairwise(known)]
     return lines[1] + (lines[1] - lines[0]) / (RATIO**2 - 1.0)
 
 

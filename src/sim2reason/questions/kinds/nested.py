@@ -148,14 +148,14 @@ def usable_answer(inner: Query, study: SimulatedScene | None, *, loosely: bool =
     time = kind.time(inner, study)
     if time is None or time > study.trace.stable_until:
         return None
-    found = kind.loose_answer(inner, study) if loosely else kind.answer(inner, study)
-    return found if found is not None and np.isfinite(found) else None
+    answer = kind.loose_answer(inner, study) if loosely else kind.answer(inner, study)
+    return answer if answer is not None and np.isfinite(answer) else None
 
 
 def variant_certification_gap(inner: Query, other: SimulatedScene) -> str:
     """Return why the answer to a query in a newly simulated motion is not certified; empty if it is."""
-    kind, least = KINDS[inner.kind], SHORTEST * other.scene.horizon
-    until = max(TIME_MARGIN * (kind.time(inner, other) or 0.0), least)
+    kind, shortest = KINDS[inner.kind], SHORTEST * other.scene.horizon
+    until = max(TIME_MARGIN * (kind.time(inner, other) or 0.0), shortest)
     seen, certificate = certify_trace(SimulatedScene.of(other.scene, np.linspace(0.0, until, SAMPLES)).trace)
     return kind.doubt(inner, SimulatedScene(other.scene, seen), certificate)
 
@@ -254,21 +254,21 @@ class WhichKind(Kind):
         first, second = (usable_answer(each, study, loosely=loosely) for each in _pair_of(query))
         if first is None or second is None:
             return None
-        found = self.number(min(first, second), max(first, second))
-        return found if found is None or (first <= second if self.is_least else first >= second) else -found
+        answer = self.number(min(first, second), max(first, second))
+        return answer if answer is None or (first <= second if self.is_least else first >= second) else -answer
 
     def oriented(self, query: WhichQuery, study: SimulatedScene) -> WhichQuery:
         """Return the query with the candidate first that is correct in a motion; unchanged if there is no answer."""
-        found = self.answer(query, study)
-        return query.exchanged if found is not None and found < 0.0 else query
+        answer = self.answer(query, study)
+        return query.exchanged if answer is not None and answer < 0.0 else query
 
     def worth(self, query: WhichQuery, study: SimulatedScene, words: Words) -> WhichQuery | None:
         """Return the oriented query; None if the values hardly differ or the text cannot tell the candidates apart."""
         first, second = (usable_answer(each, study) for each in query.both)
         if first is None or second is None or not abs(first - second) > CLEARLY * max(abs(first), abs(second)):
             return None
-        found = self.answer(query, study)
-        if found is None or not isfinite(found) or self.names(query, words) is None:
+        answer = self.answer(query, study)
+        if answer is None or not isfinite(answer) or self.names(query, words) is None:
             return None
         return self.oriented(query, study)
 
@@ -293,10 +293,10 @@ class WhichKind(Kind):
 
     def orders(self, query: WhichQuery, words: Words) -> Iterator[tuple[WhichQuery, str, str]]:
         """Yield the two candidates with their names in both orders, since a fixed order would reveal the answer."""
-        for held in (query, query.exchanged):
-            names = self.names(held, words)
+        for ordered in (query, query.exchanged):
+            names = self.names(ordered, words)
             if names is not None:
-                yield held, *names
+                yield ordered, *names
 
 
 def _pair_of(query: Query) -> tuple[Query, Query]:

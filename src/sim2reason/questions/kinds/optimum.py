@@ -62,16 +62,16 @@ class OptimumQuery(NestedQuery):
     def _found(self, study: SimulatedScene, error: float) -> StationaryValue | None:
         point = ExtremeSearch(AnswerFunction(self.inner, study, self.path, error))
         if self.about:
-            found = point.near(self.about, greatest=self.greatest)
-            if found is not None:
-                return found
-        found = point.among(usual_values(study, self.path))
-        return found if found is not None and found.greatest is self.greatest else None
+            extreme = point.near(self.about, greatest=self.greatest)
+            if extreme is not None:
+                return extreme
+        extreme = point.among(usual_values(study, self.path))
+        return extreme if extreme is not None and extreme.greatest is self.greatest else None
 
     def place(self, study: SimulatedScene) -> float | None:
         """Return the optimal value of the number in a scene; None if there is none."""
-        found = self.extreme(study)
-        return found.place if found is not None else None
+        extreme = self.extreme(study)
+        return extreme.place if extreme is not None else None
 
 
 @kind
@@ -92,18 +92,18 @@ class OptimumKind(NestedKind):
         paths = list(self._numbers(study, words, rng)) if inners else []
         pairs = [(inner, path) for path in paths for inner in inners if _turns(inner, path, study)]
         order: list[int] = rng.permutation(len(pairs)).tolist()
-        found = (self._worth(*pairs[number], study, rng) for number in order[:CLOSELY])
-        return next((query for query in found if query is not None), None)
+        queries = (self._worth(*pairs[number], study, rng) for number in order[:CLOSELY])
+        return next((query for query in queries if query is not None), None)
 
     def _drawn(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> list[Query]:
         """Return random inner queries of other kinds."""
-        found = dict[Query, None]()
+        queries = dict[Query, None]()
         for name in self.inner:
             for _ in range(DRAWS[name]):
                 inner = KINDS[name].draw(study, words, targets, rng)
                 if inner is not None and is_plain(inner) and self._is_named(inner, words, targets):
-                    found[inner] = None
-        return list(found)
+                    queries[inner] = None
+        return list(queries)
 
     def _numbers(self, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Iterable[str]:
         """Return addresses of numbers that the text may leave unknown, angles and lengths first."""
@@ -130,16 +130,16 @@ class OptimumKind(NestedKind):
             return None
         query = OptimumQuery(self.name, inner.target, inner.moment, stripped(inner), path, unit, rough.greatest)
         query = replace(query, asks_place=bool(rng.random() < PLACES), about=rough.place)
-        place = query.place(study)
-        return replace(query, about=place) if place is not None else None
+        optimum = query.place(study)
+        return replace(query, about=optimum) if optimum is not None else None
 
     def answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the optimal number, or the extreme answer."""
         assert isinstance(query, OptimumQuery)
-        found = query.extreme(study)
-        if found is None:
+        extreme = query.extreme(study)
+        if extreme is None:
             return None
-        return found.place if query.asks_place else found.value
+        return extreme.place if query.asks_place else extreme.value
 
     def with_likely_answer(self, query: Query, answer: float) -> Query:
         """Return a query that contains the likely optimum."""
@@ -156,8 +156,8 @@ class OptimumKind(NestedKind):
         assert isinstance(query, OptimumQuery)
         if query.asks_place:
             return Measured("optimum", query.unit, least=0.0)
-        found = KINDS[query.inner.kind].measured(query.inner)
-        return Measured("extreme value", found.unit, found.least)
+        inner_measure = KINDS[query.inner.kind].measured(query.inner)
+        return Measured("extreme value", inner_measure.unit, inner_measure.least)
 
     def channels(self, query: Query) -> tuple[Channel, ...]:
         """Return no channels, as the recorded motion does not determine the answer."""
@@ -168,19 +168,19 @@ class OptimumKind(NestedKind):
         """Return why the extreme is not unique in the range, or not confirmed by both engines; empty if it is."""
         del certificate
         assert isinstance(query, OptimumQuery)
-        found = query.extreme(study)
-        if found is None:
+        extreme = query.extreme(study)
+        if extreme is None:
             return "there is no extreme"
         answers = AnswerFunction(query.inner, study, query.path, COARSE_STEP_ERROR)
-        whole = range_of(study.scene, query.path)[::STRIDE]
-        seen = [answer for value in whole if (answer := answers(value)) is not None]
-        if any((answer > found.value) is query.greatest and answer != found.value for answer in seen):
+        values = range_of(study.scene, query.path)[::STRIDE]
+        seen = [answer for value in values if (answer := answers(value)) is not None]
+        if any((answer > extreme.value) is query.greatest and answer != extreme.value for answer in seen):
             return "elsewhere the answer is beyond the extreme"
         for side in (-ASIDE, 0.0, ASIDE):
-            value = answers(found.place * (1.0 + side))
-            if value is None or (side and abs(value / found.value - 1.0) < WITNESS_RTOL):
+            value = answers(extreme.place * (1.0 + side))
+            if value is None or (side and abs(value / extreme.value - 1.0) < WITNESS_RTOL):
                 return "the extreme is too flat to be told"
-            other = study.with_same_change({query.path: found.place * (1.0 + side)})
+            other = study.with_same_change({query.path: extreme.place * (1.0 + side)})
             if (
                 reason := variant_certification_gap(query.inner, other)
                 if other is not None
@@ -192,7 +192,7 @@ class OptimumKind(NestedKind):
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
         """Return sentences such as *find the mass of A for which the kinetic energy of B … is greatest*."""
         assert isinstance(query, OptimumQuery)
-        unknown = next((found for found in words.unknowns if found.path == query.path), None)
+        unknown = next((candidate for candidate in words.unknowns if candidate.path == query.path), None)
         if unknown is None:
             return ()
         extreme, size = ("greatest", "large") if query.greatest else ("least", "small")
@@ -222,15 +222,22 @@ class OptimumKind(NestedKind):
         """Yield a query for every extreme of a quantity that a sentence names, with every unknown number."""
         extremes = [
             great
-            for great, said in ((True, ("greatest", "as large")), (False, ("least", "as small")))
-            if any(map(text.__contains__, said))
+            for great, phrases in ((True, ("greatest", "as large")), (False, ("least", "as small")))
+            if any(map(text.__contains__, phrases))
         ]
         if not extremes or not words.unknowns:
             return
         for inner in self.inner_parsed(text, study, words, targets):
-            for unknown, greatest, place in product(words.unknowns, extremes, (True, False)):
+            for unknown, greatest, asks_place in product(words.unknowns, extremes, (True, False)):
                 yield OptimumQuery(
-                    self.name, inner.target, inner.moment, stripped(inner), unknown.path, unknown.unit, greatest, place
+                    self.name,
+                    inner.target,
+                    inner.moment,
+                    stripped(inner),
+                    unknown.path,
+                    unknown.unit,
+                    greatest,
+                    asks_place,
                 )
 
 
@@ -239,17 +246,17 @@ def _turns(inner: Query, path: str, study: SimulatedScene) -> bool:
     values = usual_values(study, path)
     if len(values) < FEW:
         return False
-    found, courses = list[float](), set[tuple[float, ...]]()
+    answers, courses = list[float](), set[tuple[float, ...]]()
     for value in (values[n * (len(values) - 1) // (FEW - 1)] for n in range(FEW)):
         other = study.with_values({path: value})
         answer = usable_answer(inner, other, loosely=True)
         if other is None or answer is None:
             return False
-        found.append(answer)
+        answers.append(answer)
         courses.add(change_directions(other, KINDS[inner.kind].time(inner, other) or 0.0))
         if len(courses) > 1:
             return False  # where something turns round, a size passes through zero
-    rises = [after > before for before, after in pairwise(found)]
+    rises = [after > before for before, after in pairwise(answers)]
     return sum(one != other for one, other in pairwise(rises)) == 1
 
 
@@ -263,12 +270,12 @@ def usual_values(study: SimulatedScene, path: str) -> list[float]:
     return [value for value in values if is_usual(study.scene, path, value)][::2]
 
 
-def _is_clear(found: StationaryValue, end: float | None) -> bool:
+def _is_clear(extreme: StationaryValue, end: float | None) -> bool:
     """Return whether an answer at an end of the range differs clearly from the extreme, on the right side."""
     if end is None:
         return False
-    beyond = (found.value - end) if found.greatest else (end - found.value)
-    return beyond > MIN_RELATIVE_CHANGE * abs(found.value)
+    beyond = (extreme.value - end) if extreme.greatest else (end - extreme.value)
+    return beyond > MIN_RELATIVE_CHANGE * abs(extreme.value)
 
 
 def _least(inner: Query) -> float:

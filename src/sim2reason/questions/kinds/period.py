@@ -103,13 +103,13 @@ class PeriodKind(Kind):
                 return None
             period = 2.0 * pi / float(modes.frequencies[query.rank])
         else:
-            found = self.time(query, study)
-            if found is None:
+            result = self.time(query, study)
+            if result is None:
                 return None
-            period = found
+            period = result
         length = float(np.linalg.norm(study.mechanism.gravity)) * (period / (2.0 * pi)) ** 2
-        found = {"period": period, "frequency": 1.0 / period, "angular frequency": 2.0 * pi / period}
-        return {**found, PENDULUM: length or None}[query.measure]
+        result = {"period": period, "frequency": 1.0 / period, "angular frequency": 2.0 * pi / period}
+        return {**result, PENDULUM: length or None}[query.measure]
 
     def time(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the end of the first period, s; zero for small oscillations, which do not depend on the motion."""
@@ -182,7 +182,7 @@ class PeriodKind(Kind):
         if not any(word in text for word in ("period", "frequenc", "scillation", "revolution", "repeat")):
             return
         called = movers(words)
-        named = [name for name, said in called.items() if said in text]
+        named = [name for name, phrase in called.items() if phrase in text]
         pairs = [two for two in combinations(called, 2) if pair(called[two[0]], called[two[1]]) in text]
         groups: list[tuple[str, ...]] = [(), *((name,) for name in named), *pairs]
         for measure in MEASURES:

@@ -71,7 +71,7 @@ class StretchKind(Kind):
         self, ends: Iterable[Moment], study: SimulatedScene, words: Words, rng: np.random.Generator
     ) -> Query | None:
         """Return a query for a functional over an interval with one of the given ends; None without one."""
-        offered = [found for found in self._offered(words) if found[0].drawn_by_recipes]
+        offered = [pair for pair in self._offered(words) if pair[0].drawn_by_recipes]
         if not self.ends_matter:
             ends = (moment for moment in ends if not moment.stated)
         for _ in range(MAX_FUNCTIONALS):
@@ -107,8 +107,8 @@ class StretchKind(Kind):
         time = study.time(moment)
 
         def values(times: Array) -> Array:
-            found = (functional.value(study.trace, query.name, end) for end in times.tolist())
-            return np.array([value if value is not None else nan for value in found])
+            sampled = (functional.value(study.trace, query.name, end) for end in times.tolist())
+            return np.array([value if value is not None else nan for value in sampled])
 
         return time is not None and depends_on_moment(moment, study.trace, time, values)
 
@@ -120,9 +120,9 @@ class StretchKind(Kind):
     def loose_answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the value of the functional, also an extreme at an end of the interval."""
         assert isinstance(query, StretchQuery)
-        found, end = _value(query, study), _end(query, study)
-        if found is not None or end is None:
-            return found
+        value, end = _value(query, study), _end(query, study)
+        if value is not None or end is None:
+            return value
         return FUNCTIONALS[query.functional].loose_value(study.trace, query.name, end)
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
@@ -156,7 +156,7 @@ class StretchKind(Kind):
 
     def finds(self, words: Words) -> tuple[str, ...]:
         """Return the names of all functionals that apply to a subject of the scene."""
-        return tuple(found.name for found in functionals(self.name) if found.of.names(words.mechanism))
+        return tuple(functional.name for functional in functionals(self.name) if functional.of.names(words.mechanism))
 
     def posed(self, asked: StructuredQuestion, study: SimulatedScene, words: Words) -> Query | None:
         """Return the query for a functional from the start to a moment, by default over the whole motion.
@@ -164,25 +164,25 @@ class StretchKind(Kind):
         A sum has no end of its own where the motion does not repeat itself, as the number of ever smaller bounces.
         """
         del study
-        found, moment = FUNCTIONALS[asked.find], WholeMotion(asked.find in PLACELESS, not self.ends_matter)
-        called = words.called(found.of)
-        names = {name: called.get(name, name) for name in found.of.names(words.mechanism)}
+        functional, moment = FUNCTIONALS[asked.find], WholeMotion(asked.find in PLACELESS, not self.ends_matter)
+        called = words.called(functional.of)
+        names = {name: called.get(name, name) for name in functional.of.names(words.mechanism)}
         named = moment_of(asked, words) if asked.when else moment
         end = moment if isinstance(named, WholeMotion) else named
-        return StretchQuery(self.name, None, end, found.name, resolved("of", asked.of, names))
+        return StretchQuery(self.name, None, end, functional.name, resolved("of", asked.of, names))
 
     def parsed(self, text: str, study: SimulatedScene, words: Words, targets: Targets) -> Iterator[Query]:
         """Yield a query for every functional, subject and moment that a sentence names."""
         del targets
-        heard = [
+        mentioned = [
             (functional, name)
             for functional, name in self._offered(words)
             if nouns(functional, words)[name].heard(text)
         ]
-        if not heard:
+        if not mentioned:
             return
         moments = [moment for cls in moments_by_cause() for moment in cls.parsed(text, study.trace, words)]
-        for functional, name in heard:
+        for functional, name in mentioned:
             for moment in moments:
                 if functional.when(moment, words, name):
                     yield StretchQuery(self.name, None, moment, functional.name, name)
@@ -190,8 +190,8 @@ class StretchKind(Kind):
     def measured(self, query: Query) -> Measured:
         """Return the name, unit and least value of the functional, and whether it is a whole number."""
         assert isinstance(query, StretchQuery)
-        found = FUNCTIONALS[query.functional]
-        return Measured(found.name, found.unit, found.least, whole=self.whole)
+        functional = FUNCTIONALS[query.functional]
+        return Measured(functional.name, functional.unit, functional.least, whole=self.whole)
 
     def doubt(self, query: Query, study: SimulatedScene, certificate: Certificate | None) -> str:
         """Return why the functional's channels, or events up to its end, are not certified; empty if they are."""
@@ -202,7 +202,7 @@ class StretchKind(Kind):
 
 def functionals(kind: str) -> tuple[Functional, ...]:
     """Return all functionals of a kind."""
-    return tuple(found for found in FUNCTIONALS.values() if found.kind == kind)
+    return tuple(functional for functional in FUNCTIONALS.values() if functional.kind == kind)
 
 
 @lru_cache(maxsize=128)

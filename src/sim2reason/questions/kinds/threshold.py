@@ -68,10 +68,10 @@ class ThresholdKind(Kind):
     def draw(self, study: SimulatedScene, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Return a query for an outcome that changes exactly once in a wide range of a number; None without one."""
         del targets
-        found = [outcome for cls in OUTCOMES.values() for outcome in cls.found(words)]
-        if not found:
+        outcomes = [outcome for cls in OUTCOMES.values() for outcome in cls.found(words)]
+        if not outcomes:
             return None
-        outcome = found[int(rng.integers(len(found)))]
+        outcome = outcomes[int(rng.integers(len(outcomes)))]
         for unknown in draw_unknowns(words.unknowns, study.scene, rng):
             path = unknown.path
             change = study.memoize(("usual change", outcome, path), partial(_usual_change, study, outcome, path))
@@ -155,13 +155,13 @@ class ThresholdKind(Kind):
         del noun
         assert isinstance(query, ThresholdQuery)
         assert query.outcome is not None
-        phrases = next((found.phrases for found in words.unknowns if found.path == query.parameter), ())
+        phrases = next((item.phrases for item in words.unknowns if item.path == query.parameter), ())
         if query.happens:
             side = "below which" if query.greatest else "above which"
             limits = tuple(f"{_value(phrase)} {side}" for phrase in phrases)
         else:
             extremes = ("greatest", "largest") if query.greatest else ("least", "smallest")
-            limits = tuple(f"{_extreme(*found)} for which" for found in product(extremes, phrases))
+            limits = tuple(f"{_extreme(*item)} for which" for item in product(extremes, phrases))
         clauses = query.outcome.does(words) if query.happens else query.outcome.does_not(words)
         return tuple(f"{limit} {clause}" for limit, clause in product(limits, clauses))
 
@@ -172,13 +172,13 @@ class ThresholdKind(Kind):
 
     def posed(self, asked: StructuredQuestion, study: SimulatedScene, words: Words) -> Query | None:
         """Return the query for the critical value of a number, such as *ramp.plane.angle* for the outcome *slides*."""
-        said = asked.when.replace("_", " ")
+        text = asked.when.replace("_", " ")
         spelled = {name.replace("_", " "): cls for name, cls in OUTCOMES.items()}
-        does = max((name for name in spelled if said.endswith(name)), key=len, default="")
+        does = max((name for name in spelled if text.endswith(name)), key=len, default="")
         if not does:
             remedy = f"there are: {', '.join(spelled)}; or give what it makes so, such as --given 'velocity = 2 m/s'"
             raise TextError("when", f"{asked.when!r} is nothing that may happen or not", remedy)
-        cls, subject = spelled[does], said.removesuffix(does).strip()
+        cls, subject = spelled[does], text.removesuffix(does).strip()
         outcome = cls(resolved("when", subject or asked.of, cls.candidates(words)))
         unit = next(unknown.unit for unknown in words.unknowns if unknown.path == asked.find)
         trial = _shared_trial(study, outcome, asked.find)

@@ -159,8 +159,8 @@ class TimeToEventKind(Kind):
     ) -> Query | None:
         """Return the query for the time of the given moment; None if the time is not worth asking for."""
         del targets, rng
-        asked = isinstance(moment, Happening) and moment.clause(words) is not None and not moment.is_plain(study)
-        return Query(self.name, None, moment) if asked else None
+        worth_asking = isinstance(moment, Happening) and moment.clause(words) is not None and not moment.is_plain(study)
+        return Query(self.name, None, moment) if worth_asking else None
 
     def answer(self, query: Query, study: SimulatedScene) -> float | None:
         """Return the time of the event, s; None if it does not occur."""

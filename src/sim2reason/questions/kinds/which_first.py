@@ -98,8 +98,8 @@ class WhichFirstKind(WhichKind):
 
     def posed(self, asked: StructuredQuestion, study: SimulatedScene, words: Words) -> Query | None:
         """Return the query for two moments, as in *block A stopped or block B stopped*; None without the *or*."""
-        first, found, second = asked.when.partition(OR)
-        if not found:
+        first, separator, second = asked.when.partition(OR)
+        if not separator:
             return None
         moments = (moment_of(StructuredQuestion("time", when=when), words) for when in (first, second))
         return self.oriented(_query(*moments), study)

@@ -55,8 +55,8 @@ class WhichGreaterKind(WhichKind):
             if other.quantity != target.quantity or other == target:
                 continue
             rival = KINDS[inner.kind].at(moment, study, words, {other: offered[other]}, rng)
-            told = Channel(other.subject, other.quantity) in moment.revealed_channels
-            if rival is None or rival.moment != moment or told:
+            is_revealed = Channel(other.subject, other.quantity) in moment.revealed_channels
+            if rival is None or rival.moment != moment or is_revealed:
                 continue
             query = self.worth(_query(inner, rival), study, words)
             if query is not None:
@@ -111,11 +111,11 @@ class WhichGreaterKind(WhichKind):
         if query.moment is None or noun is None or nouns is None:
             return ()
         whens = [f" {when}" for when in query.moment.phrases(words)]
-        found, named = list[str](), self._property(query, words)
+        sentences, named = list[str](), self._property(query, words)
         for _, first, second in self.orders(query, words):
             for when in whens:
-                found += _of_two(first, second, _has(*named), when) if named else _of_nouns(first, second, when)
-        return tuple(dict.fromkeys(found))
+                sentences += _of_two(first, second, _has(*named), when) if named else _of_nouns(first, second, when)
+        return tuple(dict.fromkeys(sentences))
 
     def finds(self, words: Words) -> tuple[str, ...]:
         """Return the names of all quantities in the scene."""
@@ -123,8 +123,8 @@ class WhichGreaterKind(WhichKind):
 
     def posed(self, asked: StructuredQuestion, study: SimulatedScene, words: Words) -> Query | None:
         """Return the query for two subjects, as in *block A or block B*; None without the *or*."""
-        first, found, second = asked.of.partition(OR)
-        if not found:
+        first, separator, second = asked.of.partition(OR)
+        if not separator:
             return None
         moment = moment_of(asked, words)
         pair = (
@@ -140,8 +140,8 @@ class WhichGreaterKind(WhichKind):
             return
         for group in _alike({t: noun for t, noun in _all(words).items() if _is_named(t, noun, text, words)}):
             for name in INNER:
-                asked = KINDS[name].parsed(text, study, words, {t: _all(words)[t] for t in group})
-                of_moment = sorted(asked, key=lambda query: repr(query.moment))
+                parsed_queries = KINDS[name].parsed(text, study, words, {t: _all(words)[t] for t in group})
+                of_moment = sorted(parsed_queries, key=lambda query: repr(query.moment))
                 for _, queries in groupby(of_moment, key=lambda query: repr(query.moment)):
                     yield from (self.oriented(_query(*pair), study) for pair in combinations(dict.fromkeys(queries), 2))
 
@@ -169,8 +169,8 @@ def _alike(offered: Targets) -> Iterator[list[Target]]:
 
 
 def _nouns(query: WhichQuery, words: Words) -> tuple[Noun, Noun] | None:
-    found = [_all(words).get(each.target) for each in query.both if each.target is not None]
-    first, second = found if len(found) > 1 else (None, None)
+    nouns = [_all(words).get(each.target) for each in query.both if each.target is not None]
+    first, second = nouns if len(nouns) > 1 else (None, None)
     return (first, second) if first is not None and second is not None else None
 
 
@@ -185,8 +185,8 @@ def _parted(query: Query, noun: Noun, words: Words) -> tuple[str, str, str] | No
         return None
     if (far := f"the {DISTANCE.format(called)}") in noun.phrase:
         return called, DISTANCE, noun.phrase.removeprefix(far)
-    found = re.fullmatch(rf"the ([a-z ]+) (?:of|in) {re.escape(called)}((?: .*)?)", noun.phrase)
-    return (called, found[1], found[2]) if found is not None else None
+    match = re.fullmatch(rf"the ([a-z ]+) (?:of|in) {re.escape(called)}((?: .*)?)", noun.phrase)
+    return (called, match[1], match[2]) if match is not None else None
 
 
 def _is_named(target: Target, noun: Noun, text: str, words: Words) -> bool:

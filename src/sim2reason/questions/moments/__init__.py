@@ -167,10 +167,10 @@ class Happening(Moment):
         clause = self.clause(words)
         if clause is None:
             return ()
-        since, told = words.since, clause.statement
+        since, statement = words.since, clause.statement
         return (
-            f"from {since} until {told}",
-            f"between {since} and the moment when {told}",
+            f"from {since} until {statement}",
+            f"between {since} and the moment when {statement}",
         )
 
     def is_plain(self, study: SimulatedScene) -> bool:

@@ -97,12 +97,12 @@ class Orbited(Passage):
         """Return the pairs of a fixed body and one that it attracts, with their phrases."""
         mechanism = words.mechanism
         drawn = {frozenset((pull.a, pull.b)) for pull in mechanism.attractions}
-        found: dict[str, str] = {}
-        for name, said in words.called(cls.of).items():
+        phrases: dict[str, str] = {}
+        for name, phrase in words.called(cls.of).items():
             still = [body for body in members(name) if not center_path(mechanism, body).ways]
             if len(still) == 1 and frozenset(members(name)) in drawn:
-                found[name] = said
-        return found
+                phrases[name] = phrase
+        return phrases
 
     @classmethod
     def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
@@ -158,9 +158,13 @@ class Orbited(Passage):
         center, planet = self.ends(words)
         if self.degrees == ALL_ROUND:
             return Clause(planet, "has", self.verb.asked, self.verb.told, "to complete one orbit")
-        asked = f"turned through {self.degrees}°"
+        participle = f"turned through {self.degrees}°"
         return Clause(
-            f"the line from {center} to {planet}", "has", asked, f"has {asked}", f"to turn through {self.degrees}°"
+            f"the line from {center} to {planet}",
+            "has",
+            participle,
+            f"has {participle}",
+            f"to turn through {self.degrees}°",
         )
 
     def _swept(self, center: str, planet: str, auxiliary: str) -> str:
@@ -185,7 +189,7 @@ class TurnedThrough(Threshold):
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the bodies on one axle that do not roll, with their phrases."""
         turning = AngleTurned().subjects(words.mechanism)
-        return {name: said for name, said in words.called(cls.of).items() if name in turning}
+        return {name: phrase for name, phrase in words.called(cls.of).items() if name in turning}
 
     @classmethod
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:

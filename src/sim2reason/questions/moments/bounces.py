@@ -38,7 +38,7 @@ class Bounced(VelocityJump):
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the bodies that can hit only the ground, or only walls, with their phrases."""
         called = words.called(cls.of).items()
-        return {name: said for name, said in called if obstacle_phrase(words, name)}
+        return {name: phrase for name, phrase in called if obstacle_phrase(words, name)}
 
     def is_this(self, event: Event, trace: Trace) -> bool:
         """Return whether an event is a collision of the body with a fixed obstacle."""
@@ -81,13 +81,13 @@ class Landed(Occurrence):
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the bodies that fly and cannot go below the ground, with their phrases."""
-        found: dict[str, str] = {}
-        for name, said in words.called(cls.of).items():
+        phrases: dict[str, str] = {}
+        for name, phrase in words.called(cls.of).items():
             body = words.mechanism.body[name]
             down = any(c.axis[2] > 1.0 - DIRECTION_TOL and c.lower > -inf for c in body.coordinates)
             if down and len(body.coordinates) > 1 and body.parent is None and name not in words.mechanism.contacts:
-                found[name] = said
-        return found
+                phrases[name] = phrase
+        return phrases
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:
@@ -137,7 +137,7 @@ class TopAfterBounce(Occurrence):
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the phrases of the bodies that bounce off the ground."""
         return {
-            name: said for name, said in Bounced.candidates(words).items() if obstacle_phrase(words, name) == GROUND
+            name: phrase for name, phrase in Bounced.candidates(words).items() if obstacle_phrase(words, name) == GROUND
         }
 
     @property
@@ -155,8 +155,8 @@ class TopAfterBounce(Occurrence):
         def sinks(state: State) -> Array:
             return -Velocity.evaluate(state, self.name)[:, 2]
 
-        found = next((time for time in crossings(trace, sinks) if time > bounce), None)
-        return found if found is not None and (following is None or found < following) else None
+        top_time = next((time for time in crossings(trace, sinks) if time > bounce), None)
+        return top_time if top_time is not None and (following is None or top_time < following) else None
 
     def does(self, words: Words) -> Verb:
         """Return the verb with the ordinal, as in *reaches the highest point after its second bounce*."""
@@ -202,7 +202,7 @@ class StayedBelow(DistanceThreshold):
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the phrases of the bodies that bounce off the ground."""
-        return {name: said for name, said in words.called(cls.of).items() if obstacle_phrase(words, name) == GROUND}
+        return {name: phrase for name, phrase in words.called(cls.of).items() if obstacle_phrase(words, name) == GROUND}
 
     @property
     def channels(self) -> tuple[Channel, ...]:

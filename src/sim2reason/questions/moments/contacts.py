@@ -57,7 +57,7 @@ class EdgeLanded(VelocityJump):
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the phrases of the bodies that stand on edges."""
-        return {name: said for name, said in words.called(cls.of).items() if _edges(words.mechanism, name)}
+        return {name: phrase for name, phrase in words.called(cls.of).items() if _edges(words.mechanism, name)}
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:
@@ -109,7 +109,7 @@ class LiftedOff(Occurrence):
         """Return the phrases of the bodies that burn fuel and stand on supports, which only push."""
         burns = {burn.body for burn in words.mechanism.burns}
         called = words.called(cls.of).items()
-        return {name: said for name, said in called if name in burns and cls.seen_as(name, words)}
+        return {name: phrase for name, phrase in called if name in burns and cls.seen_as(name, words)}
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:
@@ -146,13 +146,13 @@ class StoppedSlipping(SlipChange):
         """Return the rolling bodies and those on moving carriers, with their phrases."""
         mechanism = words.mechanism
         called = words.called(cls.of).items()
-        return {n: said for n, said in called if can_roll(words, n) or mechanism.body[n].parent is not None}
+        return {n: phrase for n, phrase in called if can_roll(words, n) or mechanism.body[n].parent is not None}
 
     @classmethod
     def found(cls, study: SimulatedScene, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """Return the moments worth asking about: none, as ambiguous, of a body whose slip reverses before its end."""
-        found = super(StoppedSlipping, cls).found(study, words, rng)
-        return [moment for moment in found if not moment.turned_back(study.trace)]
+        moments = super(StoppedSlipping, cls).found(study, words, rng)
+        return [moment for moment in moments if not moment.turned_back(study.trace)]
 
     def turned_back(self, trace: Trace) -> bool:
         """Return whether the body slips in both senses before it stops slipping."""
@@ -194,7 +194,7 @@ class Collided(VelocityJump):
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the pairs of bodies that can collide, with their phrases."""
         met = {PAIR_SEPARATOR.join(meeting.names) for meeting in words.mechanism.meetings}
-        return {name: said for name, said in words.called(cls.of).items() if name in met}
+        return {name: phrase for name, phrase in words.called(cls.of).items() if name in met}
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:
@@ -223,8 +223,10 @@ class Collided(VelocityJump):
             return False
         times = np.array([0.0, 0.5 * time, np.nextafter(time, 0.0)])
         one, other = (Velocity.evaluate(study.trace.sample(times), body) for body in self.subjects)
-        apart = one - other
-        return bool(np.abs(apart - apart[0]).max() <= VELOCITY_RTOL * np.abs(apart).max())
+        relative_velocity = one - other
+        return bool(
+            np.abs(relative_velocity - relative_velocity[0]).max() <= VELOCITY_RTOL * np.abs(relative_velocity).max()
+        )
 
 
 STILL = 1e-9  # of the greatest speed: lower closing speeds are rounding
@@ -268,7 +270,7 @@ class LastCollision(Moment):
         if len({meeting.names for meeting in trace.mechanism.meetings}) < FEWEST:
             return self
         met = [frozenset(event.subjects) for event in trace.events if event.kind == "collision"]
-        one, *other = next(held.names for held in trace.mechanism.meetings if frozenset(held.names) == met[-1])
+        one, *other = next(pair.names for pair in trace.mechanism.meetings if frozenset(pair.names) == met[-1])
         number = met.count(met[-1])
         return Collided(PAIR_SEPARATOR.join((one, *other)), number) if other else Bounced(one, number)
 
@@ -294,13 +296,13 @@ def _is_over(trace: Trace) -> bool:
 def _closes(end: State, meeting: CollisionPair, still: float) -> bool:
     """Return whether two bodies in uniform motion will collide."""
     b = end.vector(end.frames.center(meeting.b).place)[0]
-    apart, parting = b, Velocity.evaluate(end, meeting.b)[0]
+    separation, parting = b, Velocity.evaluate(end, meeting.b)[0]
     if meeting.a is not None:
-        apart = b - end.vector(end.frames.center(meeting.a).place)[0]
+        separation = b - end.vector(end.frames.center(meeting.a).place)[0]
         parting = parting - Velocity.evaluate(end, meeting.a)[0]
     if meeting.normal is not None:
         return float(np.dot(meeting.normal, parting)) < -still
-    speed, along = float(np.linalg.norm(parting)), float(np.dot(apart, parting))
+    speed, along = float(np.linalg.norm(parting)), float(np.dot(separation, parting))
     if speed <= still or along >= 0.0:
         return False
-    return float(np.dot(apart, apart)) - (along / speed) ** 2 <= meeting.distance**2
+    return float(np.dot(separation, separation)) - (along / speed) ** 2 <= meeting.distance**2

@@ -66,8 +66,8 @@ def jumps(trace: Trace, excess: EventFunction) -> list[float]:
     times, values = trace.scan.times, excess(trace.scan)
     small = SMALL * np.abs(values)[np.isfinite(values)].max(initial=0.0)
     jumped = (np.diff(times) <= JUMP * float(times[-1])) & (values[:-1] < -small) & (values[1:] > small)
-    found: list[float] = times[1:][jumped].tolist()
-    return found
+    jump_times: list[float] = times[1:][jumped].tolist()
+    return jump_times
 
 
 def rises_from_zero(trace: Trace, excess: EventFunction) -> bool:
@@ -303,7 +303,7 @@ class FieldPassage(Passage):
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the bodies in suitable fields, with their phrases."""
         called, mechanism = words.called(cls.of).items(), words.mechanism
-        return {name: said for name, said in called if (acts := acting_on(mechanism, name)) and cls.suits(acts)}
+        return {name: phrase for name, phrase in called if (acts := acting_on(mechanism, name)) and cls.suits(acts)}
 
     def time(self, trace: Trace) -> float | None:
         """Return the time, s, of the first occurrence; None if the acting fields are not those of the text."""

@@ -128,7 +128,7 @@ class Moved(DistanceThreshold):
         """Return the bodies that move along one line and ride on no other body, with their phrases."""
         mechanism = words.mechanism
         called = words.called(cls.of).items()
-        return {n: said for n, said in called if center_path(mechanism, n).straight and not rides(mechanism, n)}
+        return {n: phrase for n, phrase in called if center_path(mechanism, n).straight and not rides(mechanism, n)}
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
@@ -146,13 +146,13 @@ class Moved(DistanceThreshold):
 
     def time(self, trace: Trace) -> float | None:
         """Return the time of the moment, s; None after a reversal, unless a side is given or the body may collide."""
-        found = first_crossing(trace, self.excess)
-        return None if found is not None and self._turns_back(trace, found) else found
+        crossing_time = first_crossing(trace, self.excess)
+        return None if crossing_time is not None and self._turns_back(trace, crossing_time) else crossing_time
 
     def comes_later(self, trace: Trace) -> bool:
         """Return whether the body reaches the stated distance only after it has turned back."""
-        found = first_crossing(trace, self.excess)
-        return found is not None and self._turns_back(trace, found)
+        crossing_time = first_crossing(trace, self.excess)
+        return crossing_time is not None and self._turns_back(trace, crossing_time)
 
     def _turns_back(self, trace: Trace, until: float) -> bool:
         """Return whether the body reverses before a time, s, and neither a given side nor a collision permits that."""
@@ -193,10 +193,10 @@ class Moved(DistanceThreshold):
         if sense.axis:
             return f"{said} from {start} in the {'positive' if self.towards > 0 else 'negative'} {sense.axis} direction"
         first, _, rest = sense.positive.partition(" ")
-        way = first if self.towards > 0 else OPPOSITE[first]
+        heading = first if self.towards > 0 else OPPOSITE[first]
         if first == RIGHT:
-            return f"{said} to the {way} of {start}"
-        return f"{said} {way} {rest} from {start}" if rest else f"{said} {ABOVE[way]} {start}"
+            return f"{said} to the {heading} of {start}"
+        return f"{said} {heading} {rest} from {start}" if rest else f"{said} {ABOVE[heading]} {start}"
 
     def _may_return(self, words: Words) -> bool:
         """Return whether, as far as the text reveals, the body may turn back before it is the stated distance away."""
@@ -212,13 +212,15 @@ class Moved(DistanceThreshold):
 
     def clause(self, words: Words) -> Clause | None:
         """Return the clause, such as *the block has moved 0.50 m*."""
-        said = self.said(words)
+        distance = self.said(words)
         if self._may_return(words):
-            there = self._there(words, f"first {said}")
+            there = self._there(words, f"first {distance}")
             return Clause(self.subject(words), "is", there, f"is {there}")
         moved = self._moved(words)
         takes = "rise" if moved == "risen" else "move"
-        return Clause(self.subject(words), "has", f"{moved} {said}", f"has {moved} {said}", f"to {takes} {said}")
+        return Clause(
+            self.subject(words), "has", f"{moved} {distance}", f"has {moved} {distance}", f"to {takes} {distance}"
+        )
 
 
 def _collides(mechanism: Mechanism, name: str) -> bool:
@@ -228,9 +230,9 @@ def _collides(mechanism: Mechanism, name: str) -> bool:
 
 def _turns_back(trace: Trace, name: str, until: float) -> bool:
     """Return whether a body on a line reverses before a time, s."""
-    way = np.array(center_path(trace.mechanism, name).ways[0])
-    before = (Velocity.evaluate(trace.scan, name) @ way)[trace.scan.times <= until]
-    speeds = np.append(before, Velocity.evaluate(trace.at(until), name) @ way)  # long motions have few samples
+    direction = np.array(center_path(trace.mechanism, name).ways[0])
+    before = (Velocity.evaluate(trace.scan, name) @ direction)[trace.scan.times <= until]
+    speeds = np.append(before, Velocity.evaluate(trace.at(until), name) @ direction)  # long motions have few samples
     return bool(speeds.min(initial=0.0) * speeds.max(initial=0.0) < -1e-9 * float(np.abs(speeds).max(initial=0.0)) ** 2)
 
 
@@ -254,7 +256,9 @@ class Returned(Passage):
         """Return the bodies that ride on no other body, so that their starting points are fixed, with their phrases."""
         called = words.called(cls.of).items()
         return {
-            name: cls.of.point(words.mechanism, name, said) for name, said in called if not rides(words.mechanism, name)
+            name: cls.of.point(words.mechanism, name, phrase)
+            for name, phrase in called
+            if not rides(words.mechanism, name)
         }
 
     def excess(self, state: State) -> Array:

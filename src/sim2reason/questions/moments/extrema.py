@@ -60,18 +60,21 @@ def _is_ground(meeting: CollisionPair) -> bool:
     return meeting.a is None and meeting.normal is not None and meeting.normal[2] > 1.0 - DIRECTION_TOL
 
 
-def _is_thrown(mechanism: Mechanism, way: Coordinate) -> bool:
+def _is_thrown(mechanism: Mechanism, coordinate: Coordinate) -> bool:
     """Return whether a body without an engine moves upwards at the start."""
-    burns = any(burn.body == way.body for burn in mechanism.burns)
-    against = parallel(way.axis, (0.0, 0.0, 1.0)) and inner(way.axis, mechanism.gravity) * way.speed < 0.0
+    burns = any(burn.body == coordinate.body for burn in mechanism.burns)
+    against = (
+        parallel(coordinate.axis, (0.0, 0.0, 1.0))
+        and inner(coordinate.axis, mechanism.gravity) * coordinate.speed < 0.0
+    )
     return against and not burns and not mechanism.attractions
 
 
-def _takes_off(mechanism: Mechanism, way: Coordinate) -> bool:
+def _takes_off(mechanism: Mechanism, coordinate: Coordinate) -> bool:
     """Return whether an engine drives a body away from the ground on which it stands."""
-    drives = [burn.direction for burn in mechanism.burns if burn.body == way.body]
-    stands = (way.lower, way.upper, way.speed) == (0.0, inf, 0.0)
-    return stands and bool(drives) and all(inner(way.axis, drive) > 0.0 for drive in drives)
+    drives = [burn.direction for burn in mechanism.burns if burn.body == coordinate.body]
+    stands = (coordinate.lower, coordinate.upper, coordinate.speed) == (0.0, inf, 0.0)
+    return stands and bool(drives) and all(inner(coordinate.axis, drive) > 0.0 for drive in drives)
 
 
 EXTREME_RTOL = 1e-6  # relative to the range of values: smaller differences are rounding
@@ -111,8 +114,8 @@ class Peak(Passage):
         if first is None or self.exceeded or earliest < turned:
             return earliest if self.exceeded and earliest < inf else None
         everywhere = self.extent(trace.scan)
-        greatest, least = float(everywhere.max()), float(everywhere.min())
-        return first[0] if first[1] >= greatest - EXTREME_RTOL * (greatest - least) else None
+        greatest, smallest = float(everywhere.max()), float(everywhere.min())
+        return first[0] if first[1] >= greatest - EXTREME_RTOL * (greatest - smallest) else None
 
 
 CIRCLE = 1e-2  # relative: an orbit whose distance varies by less is a circle without apsides
@@ -136,9 +139,11 @@ class Apsis(Peak):
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the pairs of bodies that attract each other, with their phrases."""
         drawn = {frozenset((pull.a, pull.b)) for pull in words.mechanism.attractions}
-        pairs = {name: said for name, said in words.called(cls.of).items() if frozenset(members(name)) in drawn}
+        pairs = {name: phrase for name, phrase in words.called(cls.of).items() if frozenset(members(name)) in drawn}
         rounds = {name: _one_round(words, name) for name in pairs}
-        return {name: said if (one := rounds[name]) is None else words.mentions[one[0]] for name, said in pairs.items()}
+        return {
+            name: phrase if (one := rounds[name]) is None else words.mentions[one[0]] for name, phrase in pairs.items()
+        }
 
     def does(self, words: Words) -> Verb:
         """Return the verb for both bodies, or for the moving one if the other is fixed."""
@@ -157,9 +162,9 @@ class Apsis(Peak):
         """Return the rate of separation r·v/r, m/s, (n,)."""
         a, b = members(self.name)
         frames = state.frames
-        apart = state.vector(frames.center(b).place) - state.vector(frames.center(a).place)
+        separation = state.vector(frames.center(b).place) - state.vector(frames.center(a).place)
         parting = Velocity.evaluate(state, b) - Velocity.evaluate(state, a)
-        return np.einsum("ij,ij->i", apart, parting) / np.linalg.norm(apart, axis=1)
+        return np.einsum("ij,ij->i", separation, parting) / np.linalg.norm(separation, axis=1)
 
     def time(self, trace: Trace) -> float | None:
         """Return the time of the turning point, s; None for a circular orbit."""
@@ -193,7 +198,9 @@ class SpringTurn(Peak):
     @property
     def revealed_channels(self) -> tuple[Channel, ...]:
         """Return all channels of the spring, as their extreme values are asked for by other questions."""
-        return tuple(Channel(self.name, found.name) for found in QUANTITIES.values() if found.of.name == self.of.name)
+        return tuple(
+            Channel(self.name, quantity.name) for quantity in QUANTITIES.values() if quantity.of.name == self.of.name
+        )
 
     def does(self, words: Words) -> Verb:
         """Return the verb, such as *reaches its maximum extension*; *a maximum* if several oscillations may overlap."""
@@ -230,14 +237,14 @@ class TurningPoint(Peak):
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
         """Return the bodies that fly or swing, with their phrases, as slopes and lines have no highest point."""
-        mechanism, found = words.mechanism, dict[str, str]()
+        mechanism, phrases = words.mechanism, dict[str, str]()
         tied = {mechanism.site[site].body for line in mechanism.lines for site in line.through}
-        for name, said in words.called(cls.of).items():
+        for name, phrase in words.called(cls.of).items():
             path = center_path(mechanism, name)
             led = name in mechanism.contacts or (path.straight and name in tied)
             if any(mechanism.gravity) and path.rises and not led:
-                found[name] = cls.of.point(mechanism, name, said)
-        return found
+                phrases[name] = cls.of.point(mechanism, name, phrase)
+        return phrases
 
     def does(self, words: Words) -> Verb:
         """Return a verb such as *reaches the highest point of its path* or *stops rising*."""

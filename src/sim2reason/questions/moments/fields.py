@@ -44,17 +44,17 @@ class AcrossField(FieldPassage):
     def does(self, words: Words) -> Verb:
         """Return the verb, with *again* for a body that is launched perpendicular to the field."""
         mechanism = words.mechanism
-        way = _field_direction(mechanism, self.name)
+        direction = _field_direction(mechanism, self.name)
         own = mechanism.body[self.name].coordinates
-        along = sum(inner(way, one.axis) * one.speed for one in own)
+        along = sum(inner(direction, one.axis) * one.speed for one in own)
         speed = math.hypot(*(one.speed for one in own))
         return self.again if abs(along) <= COMPONENT_RTOL * speed and speed else self.verb
 
     @property
     def revealed_channels(self) -> tuple[Channel, ...]:
         """Return the channels of forces and energies, which follow at once from the velocity or displacement."""
-        told = ("acceleration", "net force", "electric potential energy")
-        return tuple(Channel(self.name, quantity) for quantity in told)
+        quantities = ("acceleration", "net force", "electric potential energy")
+        return tuple(Channel(self.name, quantity) for quantity in quantities)
 
     def time(self, trace: Trace) -> float | None:
         """Return the time, s, at which the velocity along the field is first zero; None if the body is at rest then."""
@@ -67,11 +67,13 @@ class AcrossField(FieldPassage):
 
     def excess(self, state: State) -> Array:
         """Return the velocity component along the field, m/s, (n,), with a sign that makes initial values negative."""
-        way = np.array(_field_direction(state.mechanism, self.name))
+        direction = np.array(_field_direction(state.mechanism, self.name))
         velocity, acceleration = initial_rates(state, self.name)
-        along = float(velocity @ way)
-        first = along if abs(along) > COMPONENT_RTOL * float(np.linalg.norm(velocity)) else float(acceleration @ way)
-        return -np.sign(first) * (Velocity.evaluate(state, self.name) @ way)
+        along = float(velocity @ direction)
+        first = (
+            along if abs(along) > COMPONENT_RTOL * float(np.linalg.norm(velocity)) else float(acceleration @ direction)
+        )
+        return -np.sign(first) * (Velocity.evaluate(state, self.name) @ direction)
 
 
 def _field_direction(mechanism: Mechanism, name: str) -> Vector:
@@ -162,7 +164,7 @@ class VelocityTurned(FieldPassage, Threshold):
     @property
     def revealed_channels(self) -> tuple[Channel, ...]:
         """Return the channels that the direction of the velocity determines; its magnitude may still be asked for."""
-        return tuple(Channel(self.name, told) for told in ("acceleration", "net force"))
+        return tuple(Channel(self.name, quantity) for quantity in ("acceleration", "net force"))
 
     def time(self, trace: Trace) -> float | None:
         """Return the time, s, at which the velocity has first turned through the angle; None if it never has."""

@@ -141,8 +141,8 @@ class Occurrence(VerbHappening):
     def time(self, trace: Trace) -> float | None:
         """Return the time of the event, s; None if it does not occur."""
         events = (e for e in trace.events if 0.0 < e.time <= trace.stable_until and self.is_this(e, trace))
-        found = next(islice(events, self.number - 1, None), None)
-        return found.time if found is not None else None
+        event = next(islice(events, self.number - 1, None), None)
+        return event.time if event is not None else None
 
     def subject(self, words: Words) -> str:
         """Return the phrase for the subject."""

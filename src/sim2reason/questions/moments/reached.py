@@ -39,9 +39,9 @@ class DistanceThreshold(Threshold):
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
         """Return a random fraction of the greatest distance, m; None if that is too short."""
         reached = float(np.linalg.norm(Displacement.evaluate(trace.scan, name), axis=1).max())
-        whole = min(reached, TIED if trace.mechanism.strings else LONGEST)
-        distance = rng.uniform(NEAREST, FARTHEST) * whole
-        return round_number(distance, NEAREST * whole, FARTHEST * whole) if distance >= SHORTEST else None
+        greatest = min(reached, TIED if trace.mechanism.strings else LONGEST)
+        distance = rng.uniform(NEAREST, FARTHEST) * greatest
+        return round_number(distance, NEAREST * greatest, FARTHEST * greatest) if distance >= SHORTEST else None
 
     def excess(self, state: State) -> Array:
         """Return by how many metres the displacement exceeds the distance, (n,)."""
@@ -129,33 +129,33 @@ class Reached(Happening):
         )
 
 
-def stated(asked: StructuredQuestion, said: str, words: Words, place: str) -> tuple[Target, float]:
+def stated(question: StructuredQuestion, equation: str, words: Words, field_name: str) -> tuple[Target, float]:
     """Return the target and the value in *velocity of the ball along y = 2 m/s*; TextError if there is no equation.
 
     The subject and the axis may be left out: then they are those of the question. The axis of a question is none of
     the quantity of a moment whose subject is named, nor of a quantity without components.
     """
-    left, equals, right = said.partition("=")
+    left, equals, right = equation.partition("=")
     left, _, along = (part.strip() for part in left.partition(" along "))
     if not equals:
-        raise TextError(place, f"{said!r} is no equation", "give one, such as: velocity = 2 m/s")
+        raise TextError(field_name, f"{equation!r} is no equation", "give one, such as: velocity = 2 m/s")
     known = quantities_named(words.mechanism)
     names = (name for name in known if f"{left} ".startswith(f"{name} of ") or left == name)  # which may hold an *of*
     name = max(names, key=len, default=left.partition(" of ")[0])
-    find, of = one_of(place, name.strip(), known), left.removeprefix(name).removeprefix(" of ").strip()
-    own = place == "when" and (bool(of) or not known[find].vector)
-    named = replace(asked, find=find, of=of or asked.of, along=along or ("" if own else asked.along))
+    find, of = one_of(field_name, name.strip(), known), left.removeprefix(name).removeprefix(" of ").strip()
+    own = field_name == "when" and (bool(of) or not known[find].vector)
+    named = replace(question, find=find, of=of or question.of, along=along or ("" if own else question.along))
     target = target_named(named, words)
-    return target, measured(place, right, words.units.spell(target.unit))
+    return target, measured(field_name, right, words.units.spell(target.unit))
 
 
-def moment_of(asked: StructuredQuestion, words: Words) -> Moment:
+def moment_of(question: StructuredQuestion, words: Words) -> Moment:
     """Return the moment of a structured question, given by name or by a value that a quantity reaches.
 
     *second* before an equation is the second time that the quantity passes through the value.
     """
-    if "=" not in asked.when or _TIME.match(asked.when):
-        return moment_named(asked, words)
-    again = asked.when.startswith(AGAIN)
-    target, value = stated(asked, asked.when.removeprefix(AGAIN), words, "when")
+    if "=" not in question.when or _TIME.match(question.when):
+        return moment_named(question, words)
+    again = question.when.startswith(AGAIN)
+    target, value = stated(question, question.when.removeprefix(AGAIN), words, "when")
     return Reached(target, StatedResult(f"{value:.15g}", words.units.spell(target.unit)), 2 if again else 1)

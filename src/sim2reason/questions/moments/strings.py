@@ -108,8 +108,8 @@ class NaturalLength(Passage):
 
     def time(self, trace: Trace) -> float | None:
         """Return the first time after the start, s, at which the spring passes its natural length; None if never."""
-        found = [first_crossing(trace, self.excess), first_crossing(trace, lambda state: -self.excess(state))]
-        return min((time for time in found if time is not None), default=None)
+        times = [first_crossing(trace, self.excess), first_crossing(trace, lambda state: -self.excess(state))]
+        return min((time for time in times if time is not None), default=None)
 
     @property
     def revealed_channels(self) -> tuple[Channel, ...]:

@@ -45,7 +45,7 @@ class Fastest(Passage):
 
     def excess(self, state: State) -> Array:
         """Return −v·a, the negative rate of half the squared speed, m²/s³, (n,)."""
-        velocity, acceleration = (found.evaluate(state, self.name) for found in (Velocity, Acceleration))
+        velocity, acceleration = (quantity.evaluate(state, self.name) for quantity in (Velocity, Acceleration))
         return -np.einsum("ij,ij->i", velocity, acceleration)
 
     def time(self, trace: Trace) -> float | None:
@@ -82,7 +82,7 @@ class Stopped(Occurrence):
         """Return the bodies that ride on no other body, with their phrases."""
         mechanism = words.mechanism
         called = words.called(cls.of).items()
-        return {name: said for name, said in called if not rides(mechanism, name)}
+        return {name: phrase for name, phrase in called if not rides(mechanism, name)}
 
     def subject(self, words: Words) -> str:
         """Return the phrase for the subject; its centre for a slipping, rolling body, which may spin on."""
@@ -169,7 +169,7 @@ def _starts(mechanism: Mechanism, name: str) -> bool:
     """Return whether the body's centre of mass moves at the start."""
     speeds = {coordinate.name: coordinate.speed for coordinate in mechanism.coordinates}
     ways = point_directions(mechanism, name, mechanism.body[name].center)
-    return hypot(*add(*(scale(speeds[number], way) for number, way in ways.items()))) > DIRECTION_TOL
+    return hypot(*add(*(scale(speeds[number], direction) for number, direction in ways.items()))) > DIRECTION_TOL
 
 
 @MOMENTS.register("halted")

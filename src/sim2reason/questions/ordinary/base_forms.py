@@ -72,8 +72,8 @@ def _forms(verb: str) -> Iterator[str]:
 
 @cache
 def _bases() -> dict[str, str]:
-    found = {form: verb for verb in REGULAR for form in _forms(verb)}
-    return found | {form: verb for verb, forms in IRREGULAR.items() for form in forms.split()}
+    bases = {form: verb for verb in REGULAR for form in _forms(verb)}
+    return bases | {form: verb for verb, forms in IRREGULAR.items() for form in forms.split()}
 
 
 def verb_forms() -> frozenset[str]:
@@ -152,32 +152,32 @@ def paraphrased(clause: str) -> Iterator[str]:
     ):
         return
     clause, across = _ON_OTHER_SIDE.subn("", _ON_ITS_WAY.sub("", clause))
-    text = " ".join(WAY.sub(lambda found: f" <{way_of(found['way'])}> ", clause).split())
+    text = " ".join(WAY.sub(lambda match: f" <{way_of(match['way'])}> ", clause).split())
     text = with_base_forms(text)
     ways = " ".join(re.findall("<.+?>", text))
     bare = " ".join(re.sub("<.+?>", " ", text).split())
-    for told, plain in HEADS.items():
-        said, more = (text, "") if "<" in told.replace("(?P<", "") else (bare, ways)
-        for found in _head(told).finditer(said):
-            for plainly in _filled(plain, found, f"{said[: found.start()]} {said[found.end() :]} {more}"):
+    for template, plain in HEADS.items():
+        searched, more = (text, "") if "<" in template.replace("(?P<", "") else (bare, ways)
+        for match in _head(template).finditer(searched):
+            for plainly in _filled(plain, match, f"{searched[: match.start()]} {searched[match.end() :]} {more}"):
                 yield f"{plainly} on other side" if across else plainly
 
 
-def way_of(said: str) -> str:
+def way_of(word: str) -> str:
     """Return the plain word for a direction: up, down, right or left."""
-    return {"uphill": "up", "upwards": "up", "upward": "up", "downhill": "down"}.get(said, said).removesuffix("wards")
+    return {"uphill": "up", "upwards": "up", "upward": "up", "downhill": "down"}.get(word, word).removesuffix("wards")
 
 
-def _filled(plain: str, found: re.Match[str], rest: str) -> Iterator[str]:
+def _filled(plain: str, match: re.Match[str], rest: str) -> Iterator[str]:
     """Yield a plain clause with the subject, number and direction filled in; nothing if a word is left over."""
     ways = re.findall(r"<(.+?)>", rest)
     rest = PLACES.sub(" ", re.sub(r"<.+?>", " ", rest))
-    subjects = list(dict.fromkeys(re.findall(S, rest) + re.findall(S, found[0])))
-    plain = _for_these(plain, subjects, ways, f"{found[0]} <> {rest}")
+    subjects = list(dict.fromkeys(re.findall(S, rest) + re.findall(S, match[0])))
+    plain = _for_these(plain, subjects, ways, f"{match[0]} <> {rest}")
     count = [word for word in _ORDINAL.findall(rest) if word != "first" and "collision" not in plain]
     rest = re.sub(r"\beverything\b", " ", rest) if "stops" in plain else rest
     left = set(re.sub(S, " ", _ORDINAL.sub(" ", rest)).split()) - _LOOSE
-    if any(place in plain for place in _PASSED):
+    if any(phrase in plain for phrase in _PASSED):
         left -= _PASSING
     ways = [] if plain == TOGETHER else ways
     fits = (
@@ -185,9 +185,9 @@ def _filled(plain: str, found: re.Match[str], rest: str) -> Iterator[str]:
     )
     if left or not plain or not fits:
         return
-    groups = {key: said or "" for key, said in found.groupdict().items()}
+    groups = {key: value or "" for key, value in match.groupdict().items()}
     one, other = (*subjects, "", "")[:2]
-    told = plain.format(
+    clause = plain.format(
         s=one,
         t=other,
         n=next((groups[key] for key in "nmk" if groups.get(key)), ""),
@@ -200,7 +200,7 @@ def _filled(plain: str, found: re.Match[str], rest: str) -> Iterator[str]:
         times=next((groups[key] for key in ("times", "fold", "tripled") if groups.get(key)), ""),
         sense=_sense(groups),
     )
-    yield re.sub(r" of equals", " equals", " ".join(told.split()))
+    yield re.sub(r" of equals", " equals", " ".join(clause.split()))
 
 
 def _for_these(plain: str, subjects: list[str], ways: list[str], text: str) -> str:

@@ -24,30 +24,30 @@ ENERGIES = "kinetic energy", "translational kinetic energy", "rotational kinetic
 UNDIRECTED = {name: name for name in (*ENERGIES, "speed", "spring length", "extension", "fuel left")}
 
 
-def stored(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def stored(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the energy stored in a spring, or in several springs together."""
-    yield Main("spring energy", PLUS.join(each(heard, found["s"])))
+    yield Main("spring energy", PLUS.join(each(sentence, match["s"])))
 
 
-def changed(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def changed(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the gain, the loss or the change of a quantity that has no direction."""
-    name, verb = matching_entry(QUANTITIES, found["q"]), found["verb"]
+    name, verb = matching_entry(QUANTITIES, match["q"]), match["verb"]
     needs = next((needs for needs, row in CHANGING.items() if verb in row.split()), GAIN)
-    who = heard.subject(found.groupdict().get("s"))
+    who = sentence.subject(match.groupdict().get("s"))
     if name in UNDIRECTED and not (who.startswith(ALL) and needs != CHANGE):  # where one gains what the other loses
-        yield from (Main(UNDIRECTED[name], of, needs=needs) for of in each(heard, found.groupdict().get("s")))
+        yield from (Main(UNDIRECTED[name], of, needs=needs) for of in each(sentence, match.groupdict().get("s")))
 
 
-def exchanged(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def exchanged(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the momentum that a body gains or loses in a collision with another body: the impulse of that collision."""
-    of = heard.subject(found["s"])
+    of = sentence.subject(match["s"])
     if not of.startswith(f"{ALL} "):  # the momenta of both change by nothing together
         yield Main(IMPULSE, of, needs=JUMP)
 
 
-def lost_in_impact(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def lost_in_impact(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the kinetic energy that a body loses in an impact: all the mechanical energy that it loses there."""
-    for of in each(heard, found.groupdict().get("s")):
+    for of in each(sentence, match.groupdict().get("s")):
         yield Main("kinetic energy", of, needs=JUMP)
         yield Main("energy dissipated by friction", needs=STRETCH, ways=((f"{ALL} {of}", ALL),) if of else ())
 
@@ -155,58 +155,60 @@ _ABOVE_LOWEST = pattern(
 )
 
 
-def above_lowest(question: str, clause: str, side: str, heard: TokenizedSentence) -> Iterator[tuple[Main, When]]:
+def above_lowest(question: str, clause: str, side: str, sentence: TokenizedSentence) -> Iterator[tuple[Main, When]]:
     """Yield questions, as main clause and moment, for a body's height above the lowest point of its path."""
-    found = _ABOVE_LOWEST.fullmatch(question) if clause else None
-    if found is None or not heard.subjects:
+    match = _ABOVE_LOWEST.fullmatch(question) if clause else None
+    if match is None or not sentence.subjects:
         return
-    who = heard.subject(found["s"] or found["t"]) or heard.subject("@0@")
-    for when in whens(clause, heard, who, side):
+    who = sentence.subject(match["s"] or match["t"]) or sentence.subject("@0@")
+    for when in whens(clause, sentence, who, side):
         told = f"{when.told.removesuffix(' before')}{MINUS}{who} lowest point"
         yield Main("displacement", who, "vertical"), When(told, AFTER, (*when.ways, (who, GAINED)), when.rank)
 
 
-def _slack(heard: TokenizedSentence) -> Iterator[tuple[Main, When]]:
+def _slack(sentence: TokenizedSentence) -> Iterator[tuple[Main, When]]:
     """Yield the question, as main clause and moment, for the time for which a string is slack."""
-    found = _SLACK.fullmatch(heard.text)
-    if found is not None:
-        line = heard.subject(found["s"])
+    match = _SLACK.fullmatch(sentence.text)
+    if match is not None:
+        line = sentence.subject(match["s"])
         yield Main("time"), When(f"{line} went taut{MINUS}{line} went slack", AFTER, (("", GAINED),))
 
 
-def differences(heard: TokenizedSentence) -> Iterator[tuple[Main, When]]:
+def differences(sentence: TokenizedSentence) -> Iterator[tuple[Main, When]]:
     """Yield the questions of a sentence about an interval between two moments, each as main clause and moment."""
-    whole = heard.subject("@0@") if heard.subjects else ""
+    subject = sentence.subject("@0@") if sentence.subjects else ""
     for told in _BETWEEN:
-        found = told.fullmatch(heard.text)
-        if found is not None:
-            yield from _times(found["one"], found["other"], heard, heard.subject(found.groupdict().get("s")) or whole)
+        match = told.fullmatch(sentence.text)
+        if match is not None:
+            yield from _times(
+                match["one"], match["other"], sentence, sentence.subject(match.groupdict().get("s")) or subject
+            )
     for told in _SPAN:
-        found = told.fullmatch(heard.text)
-        if found is not None:
-            who = whole
-            when = f"{found['other']} {who} bounced{MINUS}{found['one']} {who} bounced"
+        match = told.fullmatch(sentence.text)
+        if match is not None:
+            who = subject
+            when = f"{match['other']} {who} bounced{MINUS}{match['one']} {who} bounced"
             yield Main("displacement", who, "horizontal"), When(" ".join(when.split()), AFTER, ((who, GAINED),))
 
-    yield from _slack(heard)
-    found = _FROM_START.fullmatch(heard.text)
-    if found is not None and re.search(r"\b(?:horizontal|horizontally|thrower|foot|below)\b", heard.text):
-        number = found["number"] or found["other"] or "first"
+    yield from _slack(sentence)
+    match = _FROM_START.fullmatch(sentence.text)
+    if match is not None and re.search(r"\b(?:horizontal|horizontally|thrower|foot|below)\b", sentence.text):
+        number = match["number"] or match["other"] or "first"
         for rank, when in enumerate(
-            (f"{number} {whole} bounced", *((f"{whole} landed",) if number == "first" else ()))
+            (f"{number} {subject} bounced", *((f"{subject} landed",) if number == "first" else ()))
         ):
-            yield Main("displacement", whole, "horizontal"), When(when, AFTER, rank=rank)
-    found = _PEAK.fullmatch(heard.text)
-    if found is not None and ORDINALS.index(found["other"]) == ORDINALS.index(found["one"]) + 1:
-        yield Main("height above the ground", whole), When(f"{found['one']} {whole} top after bounce")
-    if _RISE.fullmatch(heard.text) is not None:
+            yield Main("displacement", subject, "horizontal"), When(when, AFTER, rank=rank)
+    match = _PEAK.fullmatch(sentence.text)
+    if match is not None and ORDINALS.index(match["other"]) == ORDINALS.index(match["one"]) + 1:
+        yield Main("height above the ground", subject), When(f"{match['one']} {subject} top after bounce")
+    if _RISE.fullmatch(sentence.text) is not None:
         for top in ("highest point", "stopped"):
-            when = f"{whole} {top}{MINUS}{whole} lowest point"
-            yield Main("displacement", whole, "vertical"), When(when, AFTER, ((whole, GAINED),))
-            yield Main("displacement", whole, "vertical"), When(f"{whole} {top}", AFTER, ((whole, LOWEST),))
+            when = f"{subject} {top}{MINUS}{subject} lowest point"
+            yield Main("displacement", subject, "vertical"), When(when, AFTER, ((subject, GAINED),))
+            yield Main("displacement", subject, "vertical"), When(f"{subject} {top}", AFTER, ((subject, LOWEST),))
 
 
-def _times(one: str, other: str, heard: TokenizedSentence, who: str) -> Iterator[tuple[Main, When]]:
+def _times(one: str, other: str, sentence: TokenizedSentence, who: str) -> Iterator[tuple[Main, When]]:
     """Yield questions, as main clause and moment, for the time between the moments that two clauses name."""
     if _AGAIN.search(other) or _AGAIN.search(one):
         return
@@ -218,7 +220,7 @@ def _times(one: str, other: str, heard: TokenizedSentence, who: str) -> Iterator
     first = _NUMBERED.match(other)
     if _NUMBERED.fullmatch(one) and first is not None:
         one = f"{one}{other[first.end() :]}"
-    for early, late in product(whens(one, heard, who, AFTER), whens(other, heard, who, AFTER)):
+    for early, late in product(whens(one, sentence, who, AFTER), whens(other, sentence, who, AFTER)):
         if not late.told or late.told.startswith("at ") or early.told == late.told or not early.told:
             continue
         told = MINUS.join(when.told.removesuffix(" before") for when in (late, early))
@@ -228,12 +230,12 @@ def _times(one: str, other: str, heard: TokenizedSentence, who: str) -> Iterator
             yield Main("time"), When(told, AFTER, (("", GAINED),), early.rank + late.rank)
 
 
-def after_bounce(question: str, clause: str, side: str, heard: TokenizedSentence) -> Iterator[tuple[Main, When]]:
+def after_bounce(question: str, clause: str, side: str, sentence: TokenizedSentence) -> Iterator[tuple[Main, When]]:
     """Yield the question, as main clause and moment, for the height above the ground of the top after a bounce."""
-    found, bounced = _TOP.fullmatch(question), _BOUNCE.fullmatch(clause)
-    if side != AFTER or found is None or bounced is None or not heard.subjects:
+    match, bounced = _TOP.fullmatch(question), _BOUNCE.fullmatch(clause)
+    if side != AFTER or match is None or bounced is None or not sentence.subjects:
         return
-    who = heard.subject(found["s"] or found["t"]) or heard.subject("@0@")
+    who = sentence.subject(match["s"] or match["t"]) or sentence.subject("@0@")
     number = next(filter(None, (bounced[key] for key in ("number", "count", "time"))), "first")
     if not who.startswith(ALL):
         yield Main("height above the ground", who), When(f"{number} {who} top after bounce")

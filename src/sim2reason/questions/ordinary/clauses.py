@@ -19,64 +19,64 @@ _ON_ONE_SIDE = re.compile(r" (?:on|at) (?:its )?(?P<side>left|right)(?:(?: |-)ha
 _LATER = re.compile(r"(?P<n>#\d+#) (?:after|past|following) (?P<event>.+)")
 
 
-def whens(clause: str, heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def whens(clause: str, sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield every moment that a clause may mean, for any subject of the sentence if the clause names no subject."""
     going = _ON_THE_WAY.search(clause)
     if going is not None and going.start() > 0:
-        yield from _on_the_way(clause[: going.start()].strip(), going["way"], heard, subject, side)
+        yield from _on_the_way(clause[: going.start()].strip(), going["way"], sentence, subject, side)
         return
     beside = _ON_ONE_SIDE.search(clause)
     if beside is not None and beside.start() > 0:
-        yield from _on_one_side(clause[: beside.start()].strip(" ,"), beside["side"], heard, subject, side)
+        yield from _on_one_side(clause[: beside.start()].strip(" ,"), beside["side"], sentence, subject, side)
         return
-    found = list(_of_tables(clause, heard, subject, side))
-    plain = dict.fromkeys(paraphrased(clause)) if not found else ()
-    found = found or [when for told in plain for when in _of_tables(told, heard, subject, side)]
-    yield from found or _later(clause, heard, subject)
+    moments = list(_of_tables(clause, sentence, subject, side))
+    plain = dict.fromkeys(paraphrased(clause)) if not moments else ()
+    moments = moments or [when for paraphrase in plain for when in _of_tables(paraphrase, sentence, subject, side)]
+    yield from moments or _later(clause, sentence, subject)
 
 
-def _later(clause: str, heard: TokenizedSentence, subject: str) -> Iterator[When]:
+def _later(clause: str, sentence: TokenizedSentence, subject: str) -> Iterator[When]:
     """Yield the moment that a clause such as *2 s after the collision* means."""
-    found = _LATER.fullmatch(clause)
-    if found is None or not is_time(heard.number(found["n"])):
+    match = _LATER.fullmatch(clause)
+    if match is None or not is_time(sentence.number(match["n"])):
         return
-    for when in whens(found["event"], heard, subject, AFTER):
+    for when in whens(match["event"], sentence, subject, AFTER):
         if "collided" in when.told and not when.told.endswith(" before"):
-            yield replace(when, told=f"{heard.number(found['n'])}{PAST}{when.told}", side=THEN)
+            yield replace(when, told=f"{sentence.number(match['n'])}{PAST}{when.told}", side=THEN)
 
 
-def _named_first(clause: str, heard: TokenizedSentence, subject: str) -> str:
+def _named_first(clause: str, sentence: TokenizedSentence, subject: str) -> str:
     """Return the first subject that a clause names, or else the given one."""
     token = re.search(r"@\d+@", clause)
-    return heard.subject(token[0]) if token is not None else subject
+    return sentence.subject(token[0]) if token is not None else subject
 
 
-def _on_one_side(clause: str, beside: str, heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def _on_one_side(clause: str, beside: str, sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the turning point that a clause such as *stops on the left* means, presuming the stated side."""
-    who = _named_first(clause, heard, subject)
-    for when in whens(f"{clause} on other side", heard, subject, side):
+    who = _named_first(clause, sentence, subject)
+    for when in whens(f"{clause} on other side", sentence, subject, side):
         yield replace(when, ways=(*when.ways, (who, beside)))
 
 
-def _on_the_way(clause: str, way: str, heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def _on_the_way(clause: str, direction: str, sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield every moment that a clause may mean, presuming that a body goes up, or down, at that moment."""
-    who = _named_first(clause, heard, subject)
-    for when in whens(clause, heard, subject, side):
-        ways = (*when.ways, (who, GOES_UP if way == "up" else GOES_DOWN))
+    who = _named_first(clause, sentence, subject)
+    for when in whens(clause, sentence, subject, side):
+        ways = (*when.ways, (who, GOES_UP if direction == "up" else GOES_DOWN))
         yield replace(when, ways=ways)
         if " = " in when.told:
             yield replace(when, told=f"{AGAIN}{when.told}", ways=ways)
 
 
-def _of_tables(clause: str, heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
-    for told, reader in CLAUSES.items():
-        found = pattern(told).fullmatch(clause)
-        if found is None:
+def _of_tables(clause: str, sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+    for template, reader in CLAUSES.items():
+        match = pattern(template).fullmatch(clause)
+        if match is None:
             continue
-        named = found.groupdict().get("s") is not None
-        subjects = dict.fromkeys((subject, *(() if named else (*heard.subjects, ""))))
+        named = match.groupdict().get("s") is not None
+        subjects = dict.fromkeys((subject, *(() if named else (*sentence.subjects, ""))))
         for rank, who in enumerate(subjects):
-            yield from (replace(when, rank=when.rank + rank) for when in reader(found, heard, who, side))
+            yield from (replace(when, rank=when.rank + rank) for when in reader(match, sentence, who, side))
 
 
 CLAUSES: Mapping[str, Reader] = {

@@ -125,14 +125,16 @@ def tokenize(sentence: str, words: Words) -> TokenizedSentence:
     text = _INDIRECT.sub("", text)
     text = _UNDER_AXLE.sub(r"\g<before>axle", text)
     if len(subjects) == 2:  # *after B has hit it*: the other
-        text = _HIT_IT.sub(lambda found: f"{found[1]} @{1 - int(found[1][1])}@", text)
+        text = _HIT_IT.sub(lambda match: f"{match[1]} @{1 - int(match[1][1])}@", text)
     text = _ARTICLES.sub("", re.sub(r"(@\d+@)'(?= )", r"\1's", text.lower()).replace("'s", " 's").replace(",", " , "))
     text = _PARTICIPLES.sub("", text)
-    joint = {number for number, said in enumerate(subjects) if said == EVERYTHING or said.startswith(f"{ALL} ")}
-    text = _CENTER_OF_ONE.sub(lambda told: told[0] if int(told[1]) in joint else f"@{told[1]}@", text)
+    joint = {
+        number for number, subject in enumerate(subjects) if subject == EVERYTHING or subject.startswith(f"{ALL} ")
+    }
+    text = _CENTER_OF_ONE.sub(lambda center: center[0] if int(center[1]) in joint else f"@{center[1]}@", text)
     text = text if joint else _CENTER.sub(r"\1", text)
     if len(subjects) == 2:
-        text = _RELATIVE_TO.sub(lambda found: f"@{1 - int(found[1])}@ 's ", text)
+        text = _RELATIVE_TO.sub(lambda match: f"@{1 - int(match[1])}@ 's ", text)
     if not subjects and len(alone := _movers(words)) == 1:
         text, subjects = _of_only(text, words), alone
     if words.released:
@@ -144,15 +146,15 @@ def tokenize(sentence: str, words: Words) -> TokenizedSentence:
     return TokenizedSentence(reworded(text), tuple(subjects), numbers)
 
 
-def _and_half(found: re.Match[str]) -> str:
+def _and_half(match: re.Match[str]) -> str:
     """Return *one and a half seconds* in digits; unchanged without a unit."""
-    unit = found["v"] or found["u"]
-    return f"{_WHOLES[found['n']]}.5 {unit}" if unit else found[0]
+    unit = match["v"] or match["u"]
+    return f"{_WHOLES[match['n']]}.5 {unit}" if unit else match[0]
 
 
 def _with_numbers(text: str) -> tuple[str, tuple[str, ...]]:
-    for said, unit in _UNITS.items():
-        text = re.sub(rf"(?<=[\d ]){said}\b", unit, text)
+    for spelling, unit in _UNITS.items():
+        text = re.sub(rf"(?<=[\d ]){spelling}\b", unit, text)
     numbers: list[str] = []
 
     def told(found: re.Match[str]) -> str:
@@ -169,7 +171,7 @@ def _with_numbers(text: str) -> tuple[str, tuple[str, ...]]:
 def _ordered(text: str, subjects: list[str]) -> str:
     """Return the text with its subjects renumbered in order of appearance, and reorder `subjects` in place."""
     order = list(dict.fromkeys(re.findall(r"@(\d+)@", text)))
-    text = re.sub(r"@(\d+)@", lambda found: f"@{order.index(found[1])}@", text)
+    text = re.sub(r"@(\d+)@", lambda match: f"@{order.index(match[1])}@", text)
     subjects[:] = [subjects[int(number)] for number in order]
     return text
 
@@ -189,53 +191,55 @@ def _patterns(words: Words) -> Iterable[tuple[str, re.Pattern[str]]]:
     """Return each phrase of the text with a pattern for its names in a question, the most specific pattern first."""
     phrases = _phrases(words)
     nouns = {phrase: phrase.removeprefix("the ").split() for phrase in phrases}
-    found: list[tuple[int, str, str]] = [*named_lines(words), *swinging_lines(words)]
-    kinds = [said[0].lower() for said in nouns.values() if len(said) == 2]
+    ranked: list[tuple[int, str, str]] = [*named_lines(words), *swinging_lines(words)]
+    kinds = [wording[0].lower() for wording in nouns.values() if len(wording) == 2]
     lone = frozenset(kind for kind in kinds if kinds.count(kind) == 1)
-    for phrase, said in nouns.items():
-        noun, letter = said[0].lower(), said[1] if len(said) == 2 and len(said[1]) == 1 else ""
-        found += between(phrase, lone)
+    for phrase, wording in nouns.items():
+        noun, letter = wording[0].lower(), wording[1] if len(wording) == 2 and len(wording[1]) == 1 else ""
+        ranked += between(phrase, lone)
         if not letter:
-            others: set[str] = _others(noun, phrase, nouns) if len(said) == 1 else set()
+            others: set[str] = _others(noun, phrase, nouns) if len(wording) == 1 else set()
             names = {phrase.removeprefix("the ")} | others
-            found += [(len(name), phrase, rf"\b(?:(?:[Tt]he) )?{_ignoring_case(name)}\b(?! [A-Z]\b)") for name in names]
+            ranked += [
+                (len(name), phrase, rf"\b(?:(?:[Tt]he) )?{_ignoring_case(name)}\b(?! [A-Z]\b)") for name in names
+            ]
             continue
         alike = {noun} | group(noun) | ANYTHING | {"mass"}
         names = "|".join(_ignoring_case(name) for name in sorted(alike))
-        found.append((1000, phrase, rf"\b(?:[Tt]he )?(?:{names})(?:e?s)? {letter}\b(?!\.\d)"))
-        found.append((1, phrase, rf"(?<=[a-z] ){letter}\b(?! [a-z]*direction|\.\d)"))
-        found.append((1, phrase, rf"(?:(?<=^)|(?<=, )|(?<=\. )){letter}\b(?= {_VERBS.pattern}|['’]s )"))
+        ranked.append((1000, phrase, rf"\b(?:[Tt]he )?(?:{names})(?:e?s)? {letter}\b(?!\.\d)"))
+        ranked.append((1, phrase, rf"(?<=[a-z] ){letter}\b(?! [a-z]*direction|\.\d)"))
+        ranked.append((1, phrase, rf"(?:(?<=^)|(?<=, )|(?<=\. )){letter}\b(?= {_VERBS.pattern}|['’]s )"))
         heads = {other: [named[0].lower()] for other, named in nouns.items() if other != phrase}
         unique = [noun] not in heads.values()
         alone = _others(noun, phrase, heads) if unique else set[str]()
-        found += [
+        ranked += [
             (len(name), phrase, rf"\b(?:[Tt]he )?{_ignoring_case(name)}\b(?! [A-Z]\b)") for name in alone - ANYTHING
         ]
-    found.append((2, EVERYTHING, rf"(?<=\bof )(?:the )?(?:(?:whole|entire|complete) )?{_WHOLE}\b"))
-    found.append((2, EVERYTHING, rf"\b(?:[Tt]he )?(?:(?:whole|entire|complete) )?{_WHOLE}(?='s\b| have\b| possess\b)"))
-    for said, plural in _plurals(nouns, words):
-        found.append(
+    ranked.append((2, EVERYTHING, rf"(?<=\bof )(?:the )?(?:(?:whole|entire|complete) )?{_WHOLE}\b"))
+    ranked.append((2, EVERYTHING, rf"\b(?:[Tt]he )?(?:(?:whole|entire|complete) )?{_WHOLE}(?='s\b| have\b| possess\b)"))
+    for wording, plural in _plurals(nouns, words):
+        ranked.append(
             (
                 2,
-                said,
+                wording,
                 rf"\b(?:(?:[Bb]oth|[Aa]ll) of the |[Tt]he |[Bb]oth |[Aa]ll )*(?:two |three )?{plural}\b(?! [A-Z]\b)",
             )
         )
         each = rf"\b(?:[Ee]ach|[Ee]ither|[Ee]very|[Ee]ach one)(?: of the(?: two| three)?)? {plural}\b(?! [A-Z]\b)"
-        found.append((3, said, each.replace("e?s)", "(?:e?s)?)").replace("e?s|", "(?:e?s)?|")))
-    return [(phrase, re.compile(pattern)) for _, phrase, pattern in sorted(found, reverse=True)]
+        ranked.append((3, wording, each.replace("e?s)", "(?:e?s)?)").replace("e?s|", "(?:e?s)?|")))
+    return [(phrase, re.compile(pattern)) for _, phrase, pattern in sorted(ranked, reverse=True)]
 
 
 def _with_pulleys(text: str, words: Words) -> str:
     """Return a text with the scene's phrase in place of *the pulley*, *movable pulley* or *fixed pulley*, if unique."""
     mechanism, kinds = words.mechanism, dict[str, list[str]]()
-    for address, said in words.mentions.items():
+    for address, mention in words.mentions.items():
         sites = [site for site in mechanism.site.values() if site.name.rpartition(".")[0] == address]
-        if "pulley" in said and sites:
+        if "pulley" in mention and sites:
             bodies = [body for site in sites if site.body is not None for body in chain(mechanism, site.body)]
             moves = any(coordinate.kind == "slide" for body in bodies for coordinate in body.coordinates)
-            kinds.setdefault("mov(?:able|ing)" if moves else "fixed", []).append(said)
-    if len(only := [said for said in words.mentions.values() if "pulley" in said]) == 1:
+            kinds.setdefault("mov(?:able|ing)" if moves else "fixed", []).append(mention)
+    if len(only := [mention for mention in words.mentions.values() if "pulley" in mention]) == 1:
         text = re.sub(r"\b[Tt]he pulley\b(?! [A-Z]\b)", only[0], text)
     for kind, pulleys in kinds.items():
         if len(pulleys) == 1 and len(kinds) > 1:
@@ -260,14 +264,16 @@ def _phrases(words: Words) -> list[str]:
     kinds = {name: kind for name, kind in kinds.items() if name not in ("pair", "whole")}
     called = [phrase for kind in kinds.values() for phrase in words.called(kind).values()]
     surfaces = set(WORDS["SURFACE"].split()) | {"start"}
-    bodies = [said for said in words.mentions.values() if said.split()[-1] not in surfaces]
+    bodies = [mention for mention in words.mentions.values() if mention.split()[-1] not in surfaces]
     return list(dict.fromkeys([*called, *bodies]))
 
 
 def _others(noun: str, phrase: str, nouns: Mapping[str, list[str]]) -> set[str]:
     """Return the nouns that can mean only a given phrase in a scene, the phrase's own noun included."""
     taken = {
-        said[-1].lower() if len(said) == 1 else said[0].lower() for other, said in nouns.items() if other != phrase
+        wording[-1].lower() if len(wording) == 1 else wording[0].lower()
+        for other, wording in nouns.items()
+        if other != phrase
     }
     groups = [nouns for nouns in NOUNS if noun in nouns]
     other = {name for nouns in groups for name in nouns if not any({name, t} <= g for t in taken for g in NOUNS)}
@@ -279,12 +285,12 @@ def _plurals(nouns: Mapping[str, list[str]], words: Words) -> Iterable[tuple[str
     alike: dict[str, list[str]] = {}
     if len(movers := _movers(words)) > 1:
         yield f"{ALL} {' & '.join(movers)}", "(?:bodies|objects)"
-    heavy = [said for name, said in words.called(Bodies()).items() if words.mechanism.body[name].mass > 0.0]
+    heavy = [wording for name, wording in words.called(Bodies()).items() if words.mechanism.body[name].mass > 0.0]
     if len(heavy) == 2:
         yield f"{ALL} {' & '.join(heavy)}", r"(?<=[Tt]he )two(?! (?:\w+ )?[a-z]+s\b)"
-    for phrase, said in nouns.items():
-        if len(said) == 2:
-            alike.setdefault(said[0].lower(), []).append(phrase)
+    for phrase, wording in nouns.items():
+        if len(wording) == 2:
+            alike.setdefault(wording[0].lower(), []).append(phrase)
     for noun, phrases in alike.items():
         if len(phrases) > 1:
             names = {noun} | group(noun)

@@ -50,31 +50,31 @@ def plainly_ordered(question: str) -> Iterator[str]:
     if len(quantities) != 1 or len(set(subjects)) > 1 or _ASKS.search(question) is None:
         return
     rest = _SUBJECT.sub(" ", question.replace(quantities[0], " ", 1)).replace("'s", " ").replace(",", " ")
-    found = ""
-    for told, name in ORDER.items():
-        rest, count = re.subn(rf"\b{pattern(told).pattern}\b", " ", rest)
-        if count and (found or count > 1):
+    frame = ""
+    for template, name in ORDER.items():
+        rest, count = re.subn(rf"\b{pattern(template).pattern}\b", " ", rest)
+        if count and (frame or count > 1):
             return
-        found = name if count else found
+        frame = name if count else frame
     if not set(rest.split()) - FILLERS:
         of = f" of {subjects[0]}" if subjects else ""
-        yield PLAIN_CLAUSES[found].format(quantity=quantities[0], of=of)
+        yield PLAIN_CLAUSES[frame].format(quantity=quantities[0], of=of)
 
 
-def mains(question: str, heard: TokenizedSentence) -> Iterator[Main]:
+def mains(question: str, sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield every meaning of a main clause; nothing if the clause matches no known pattern."""
-    found = list(_framed(question, heard))
-    plain = dict.fromkeys(plainly_ordered(question)) if not found else ()
-    found = found or [main for told in plain for main in _framed(told, heard)]
-    plain = dict.fromkeys(paraphrased(question)) if not found else ()
-    yield from found or (main for told in plain for main in _framed(told, heard))
+    meanings = list(_framed(question, sentence))
+    plain = dict.fromkeys(plainly_ordered(question)) if not meanings else ()
+    meanings = meanings or [main for paraphrase in plain for main in _framed(paraphrase, sentence)]
+    plain = dict.fromkeys(paraphrased(question)) if not meanings else ()
+    yield from meanings or (main for paraphrase in plain for main in _framed(paraphrase, sentence))
 
 
-def _framed(question: str, heard: TokenizedSentence) -> Iterator[Main]:
-    for told, reader in frames().items():
-        found = pattern(told).fullmatch(question)
-        if found is not None:
-            yield from reader(found, heard)
+def _framed(question: str, sentence: TokenizedSentence) -> Iterator[Main]:
+    for template, reader in frames().items():
+        match = pattern(template).fullmatch(question)
+        if match is not None:
+            yield from reader(match, sentence)
 
 
 @cache

@@ -27,33 +27,33 @@ EVERYTHING = "everything"  # all subjects of a quantity together
 
 def addresses(words: Words) -> Mapping[str, str]:
     """Return the names of bodies by the phrases that denote only one body; for a pulley, the name of its carrier."""
-    mechanism, found = words.mechanism, dict[str, str]()
+    mechanism, by_phrase = words.mechanism, dict[str, str]()
     phrases = list(words.mentions.values())
     for address, said in words.mentions.items():
-        held = {site.body for site in mechanism.site.values() if site.name.startswith(f"{address}.")}
-        name = address if address in mechanism.body else next(iter(held)) if len(held) == 1 else None
+        carriers = {site.body for site in mechanism.site.values() if site.name.startswith(f"{address}.")}
+        name = address if address in mechanism.body else next(iter(carriers)) if len(carriers) == 1 else None
         if name is not None and phrases.count(said) == 1:
-            found[said] = name
-    return found
+            by_phrase[said] = name
+    return by_phrase
 
 
-def addressed(asked: StructuredQuestion, words: Words) -> StructuredQuestion:
+def addressed(question: StructuredQuestion, words: Words) -> StructuredQuestion:
     """Return a question with addresses in place of phrases that denote one body."""
-    of, when = asked.of, asked.when
+    of, when = question.of, question.when
     for said, name in addresses(words).items():
         of = name if of == said else of
         when = re.sub(rf"(?<!\S){re.escape(said)}(?= )", name, when)
         if name not in words.called(Bodies()):
             when = re.sub(rf"(?<!\S){re.escape(name)} moved (?=[\d.])", f"displacement of {name} = ", when)
-    return replace(asked, of=of, when=when)
+    return replace(question, of=of, when=when)
 
 
-def seen_from(asked: StructuredQuestion, words: Words) -> StructuredQuestion:
+def seen_from(question: StructuredQuestion, words: Words) -> StructuredQuestion:
     """Return a question for the relative speed of two bodies that never meet as one for their relative velocity."""
-    names = [addresses(words).get(said, said) for said in asked.of.split(" & ")]
-    if asked.find != "relative speed" or len(names) != 2 or not set(names) <= words.mechanism.body.keys():
-        return asked
-    return replace(asked, find="relative velocity", of=PAIR_SEPARATOR.join(names))
+    names = [addresses(words).get(said, said) for said in question.of.split(" & ")]
+    if question.find != "relative speed" or len(names) != 2 or not set(names) <= words.mechanism.body.keys():
+        return question
+    return replace(question, find="relative velocity", of=PAIR_SEPARATOR.join(names))
 
 
 def all_of(find: str, words: Words) -> tuple[str, ...]:
@@ -114,32 +114,32 @@ def split(text: str) -> Iterator[tuple[str, str, str]]:
     for ending in (" initially", " at first"):
         if text.endswith(ending):
             yield text.removesuffix(ending), "start", THEN
-    for found in _DELAY.finditer(text):
-        if found.start() > 0:
-            yield text[: found.start()].strip(" ,"), text[found.start() :].strip(), THEN
+    for match in _DELAY.finditer(text):
+        if match.start() > 0:
+            yield text[: match.start()].strip(" ,"), text[match.start() :].strip(), THEN
         elif " , " in text:
             clause, _, question = text.partition(" , ")
             yield question.strip(), clause.strip(), THEN
-    for found in _CONNECTED.finditer(text):
-        if _BESIDE.match(text, found.end()) or (found[0] == "on" and text[: found.start()].endswith(" done ")):
+    for match in _CONNECTED.finditer(text):
+        if _BESIDE.match(text, match.end()) or (match[0] == "on" and text[: match.start()].endswith(" done ")):
             continue  # *sliding over the box 2 s after release*: no time of the box; *the work done on B*
-        side = AFTER if found[0] == "once" and _LASTING.match(text, found.end()) else CONNECTORS[found[0]]
-        side = AFTER if found[0] in ("when", "once") and _ENDED.match(text, found.end()) else side
-        side = DURING if found[0] == "once" and _GOING_ON.match(text, found.end()) else side
-        if found.start() > 0:
-            yield text[: found.start()].strip().rstrip(" ,"), text[found.end() :].strip(), side
+        side = AFTER if match[0] == "once" and _LASTING.match(text, match.end()) else CONNECTORS[match[0]]
+        side = AFTER if match[0] in ("when", "once") and _ENDED.match(text, match.end()) else side
+        side = DURING if match[0] == "once" and _GOING_ON.match(text, match.end()) else side
+        if match.start() > 0:
+            yield text[: match.start()].strip().rstrip(" ,"), text[match.end() :].strip(), side
         elif " , " in text:
-            clause, _, question = text[found.end() :].partition(" , ")
+            clause, _, question = text[match.end() :].partition(" , ")
             yield question.strip(), clause.strip(), side
 
 
-def ways_of(found: re.Match[str], who: str) -> tuple[tuple[str, str], ...]:
+def ways_of(match: re.Match[str], who: str) -> tuple[tuple[str, str], ...]:
     """Return the directions in which a subject moves, as given by the matched verb and adjacent words."""
-    groups = found.groupdict()
+    groups = match.groupdict()
     verb = matching_entry(MOTIONS, groups["motion"], " ") if groups.get("motion") else ""
-    told = {UP: ("up",), DOWN: ("down",), ROLL: (ROLLING,)}.get(verb, ())
+    verb_directions = {UP: ("up",), DOWN: ("down",), ROLL: (ROLLING,)}.get(verb, ())
     beside = matching_entry(WAYS, groups["way"]) if groups.get("way") else ""
-    return tuple((who, way) for way in dict.fromkeys((*told, *((beside,) if beside else ()))))
+    return tuple((who, direction) for direction in dict.fromkeys((*verb_directions, *((beside,) if beside else ()))))
 
 
 AMPLITUDE = "amplitude"
@@ -156,44 +156,44 @@ def each_of(find: str, words: Words) -> tuple[str, ...]:
     return all_of(find, words) if find in SHARED and words.mechanism.lines else ()
 
 
-def velocities_equal(told: str, words: Words) -> str:
+def velocities_equal(moment: str, words: Words) -> str:
     """Return the moment when two bodies on a line have the same velocity, by addresses; any other moment unchanged."""
-    found = _EQUAL.fullmatch(told)
-    if found is None:
-        return told
+    match = _EQUAL.fullmatch(moment)
+    if match is None:
+        return moment
     by_phrase = {said: name for name, said in words.called(Bodies()).items()}
-    names = [by_phrase.get(found[key], "") for key in ("one", "other")]
+    names = [by_phrase.get(match[key], "") for key in ("one", "other")]
     if not all(names):
-        return told
+        return moment
     senses = [Bodies().senses(words.mechanism, name) for name in names]
     if senses[0] != senses[1] or len(senses[0]) != 1:
-        return told
+        return moment
     return f"relative velocity of {PAIR_SEPARATOR.join(names)} along {senses[0][0].positive} = 0 m/s"
 
 
-def relaxed_again(told: str, words: Words) -> str:
+def relaxed_again(moment: str, words: Words) -> str:
     """Return the moment when a spring that is relaxed at first is relaxed again; any other moment unchanged."""
-    who, parted, _ = told.rpartition(" natural length")
+    who, parted, _ = moment.rpartition(" natural length")
     springs = words.called(Springs())
     names = [name for name, said in springs.items() if said == who] or list(Springs().names(words.mechanism))
     if not parted or len(names) != 1:
-        return told
+        return moment
     line = words.mechanism.line[names[0]]
     assert isinstance(line.law, Elastic)
     strained = abs(float(initial_frames(words.mechanism).length(line)) - line.law.length) > DIRECTION_TOL or line.wheels
-    return told if strained else f"extension of {names[0]} along {STRETCHED} = 0 m"
+    return moment if strained else f"extension of {names[0]} along {STRETCHED} = 0 m"
 
 
-def strained(told: str, words: Words) -> str:
-    """Return the moment when a spring is shortest or longest if its ends are closest or farthest; else `told`."""
-    found = _NEAREST.fullmatch(told)
-    ends = {found["one"], found["other"]} if found is not None else set[str]()
-    for name in Springs().names(words.mechanism) if found is not None else ():
+def strained(moment: str, words: Words) -> str:
+    """Return the moment when a spring is shortest or longest if its ends are closest or farthest; else `moment`."""
+    match = _NEAREST.fullmatch(moment)
+    ends = {match["one"], match["other"]} if match is not None else set[str]()
+    for name in Springs().names(words.mechanism) if match is not None else ():
         line = words.mechanism.line[name]
         tied = {words.mechanism.site[site].body for site in (line.through[0], line.through[-1])}
         if tied == ends and not line.wheels:
-            return f"{name} {'most compressed' if found and found['how'] == 'closest' else 'most stretched'}"
-    return told
+            return f"{name} {'most compressed' if match and match['how'] == 'closest' else 'most stretched'}"
+    return moment
 
 
 def line_of(said: str, words: Words) -> str:
@@ -217,8 +217,8 @@ def carried_by_light_arm(said: str, find: str, words: Words) -> tuple[str, ...]:
         if words.mentions.get(body.name) == said and body.mass == 0.0 and not any(body.inertia)
     }
     turning = {name for name in arms if any(c.kind == "hinge" for c in mechanism.body[name].coordinates)}
-    held = {name: {carrier.name for carrier in chain(mechanism, name)[1:]} for name in all_of(find, words)}
-    return tuple(name for name, carriers in held.items() if carriers & turning)
+    carriers_by_body = {name: {carrier.name for carrier in chain(mechanism, name)[1:]} for name in all_of(find, words)}
+    return tuple(name for name, carriers in carriers_by_body.items() if carriers & turning)
 
 
 def fixed_end(words: Words) -> tuple[str, ...]:
@@ -245,50 +245,50 @@ APART = 0.3  # relative: extremes that differ by more do not belong to a steady 
 DOUBLINGS, SETTLED = 10, 1e-7  # doublings of the duration, and the relative change below which a value is constant
 
 
-def in_numbers(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> StructuredQuestion:
+def in_numbers(structured: StructuredQuestion, motion: FollowedMotion, words: Words) -> StructuredQuestion:
     """Return a question whose relative moment, such as *when its speed has doubled*, is replaced by a value or time.
 
     Raises:
         TextError: there is no such quantity, or it is zero at the start, or never settles down, or nothing collides.
     """
-    if asked.when == LONG:
-        return _settled(asked, motion, words)
-    later = _LATER.fullmatch(asked.when)
+    if structured.when == LONG:
+        return _settled(structured, motion, words)
+    later = _LATER.fullmatch(structured.when)
     if later is not None:
-        return _later(asked, later, motion, words)
-    found = _MULTIPLE.fullmatch(asked.when)
-    if found is None:
-        return asked
-    find, of = found["find"], f" of {found['of']}" if found["of"] else ""
-    if found["ref"] == GREATEST:
-        initial = _greatest(StructuredQuestion(f"greatest {SPEEDS.get(find, find)}", found["of"] or ""), motion, words)
+        return _later(structured, later, motion, words)
+    match = _MULTIPLE.fullmatch(structured.when)
+    if match is None:
+        return structured
+    find, of = match["find"], f" of {match['of']}" if match["of"] else ""
+    if match["ref"] == GREATEST:
+        initial = _greatest(StructuredQuestion(f"greatest {SPEEDS.get(find, find)}", match["of"] or ""), motion, words)
     else:
-        when = "burned out" if found["ref"] == AT_BURNOUT else START
-        initial = pose_question(StructuredQuestion(find, found["of"] or "", when), motion, words)
+        when = "burned out" if match["ref"] == AT_BURNOUT else START
+        initial = pose_question(StructuredQuestion(find, match["of"] or "", when), motion, words)
     value = initial.followed(motion).answer
     if not value:
         raise TextError("when", f"the {find} is zero at the start, or never greatest", "give a value")
-    told = f"{find}{of} = {float(found['factor']) * value:.15g} {initial.unit(words)}"
-    return replace(asked, when=told)
+    moment = f"{find}{of} = {float(match['factor']) * value:.15g} {initial.unit(words)}"
+    return replace(structured, when=moment)
 
 
-def _greatest(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
+def _greatest(structured: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
     """Return the question for a greatest value in a periodic motion only, as other motions have no clear maximum."""
-    found = pose_question(asked, motion, words)
-    moment = found.query.moment
+    posed = pose_question(structured, motion, words)
+    moment = posed.query.moment
     assert isinstance(moment, WholeMotion)
-    return replace(found, query=replace(found.query, moment=replace(moment, ends=False)))
+    return replace(posed, query=replace(posed.query, moment=replace(moment, ends=False)))
 
 
-def _settled(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> StructuredQuestion:
+def _settled(structured: StructuredQuestion, motion: FollowedMotion, words: Words) -> StructuredQuestion:
     """Return a question at a time so late that the answer, an extreme or a limit in a medium, is constant."""
     resisted = any(isinstance(force.law, Resistance) for force in words.mechanism.forces)
-    if asked.find == "time" or not (resisted or asked.find.startswith(("greatest", "least"))):
+    if structured.find == "time" or not (resisted or structured.find.startswith(("greatest", "least"))):
         raise TextError("when", "nothing settles down here", "name a moment")
     until, unit, before = motion.study.scene.horizon, words.mechanism.units.time, list[float]()
     for _ in range(DOUBLINGS):
-        told = replace(asked, when=f"at {until:.15g} {unit}")
-        question = pose_question(told, motion, words)
+        timed = replace(structured, when=f"at {until:.15g} {unit}")
+        question = pose_question(timed, motion, words)
         followed = question.followed(motion)
         answer = followed.answer
         if answer is None:
@@ -297,7 +297,7 @@ def _settled(asked: StructuredQuestion, motion: FollowedMotion, words: Words) ->
         size = SETTLED * max(map(abs, before))
         same = len(before) > 2 and all(abs(each - answer) <= size for each in before[-3:])
         if same and (resisted or _nothing_greater(question.query, followed)):
-            return told
+            return timed
         until *= 2.0
     raise TextError("when", "it never settles down", "name a moment")
 
@@ -320,10 +320,12 @@ def _nothing_greater(query: Query, followed: SimulatedAnswer) -> bool:
     return again or abs(late - answer) > APART * size
 
 
-def _later(asked: StructuredQuestion, found: re.Match[str], motion: FollowedMotion, words: Words) -> StructuredQuestion:
+def _later(
+    structured: StructuredQuestion, match: re.Match[str], motion: FollowedMotion, words: Words
+) -> StructuredQuestion:
     """Return a question with a time counted from the start, for one counted from a collision."""
-    began = pose_question(StructuredQuestion("time", "", found["event"]), motion, words)
+    began = pose_question(StructuredQuestion("time", "", match["event"]), motion, words)
     answer = began.followed(motion).answer
-    if answer is None or began.unit(words) != found["unit"] or asked.find == "time":
+    if answer is None or began.unit(words) != match["unit"] or structured.find == "time":
         raise TextError("when", "there is no such collision", "name a moment")
-    return replace(asked, when=f"at {answer + float(found['late']):.15g} {found['unit']}")
+    return replace(structured, when=f"at {answer + float(match['late']):.15g} {match['unit']}")

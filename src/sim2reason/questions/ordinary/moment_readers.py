@@ -32,9 +32,9 @@ Reader = Callable[[re.Match[str], TokenizedSentence, str, str], Iterator[When]]
 """From what matched, the sentence, the subject of the question, and the side, to all moments that may be meant."""
 
 
-def subject_of(found: re.Match[str], heard: TokenizedSentence, subject: str) -> str:
+def subject_of(match: re.Match[str], sentence: TokenizedSentence, subject: str) -> str:
     """Return the phrase for the subject of a clause, by default that of the question."""
-    return heard.subject(found.groupdict().get("s")) or subject
+    return sentence.subject(match.groupdict().get("s")) or subject
 
 
 def simply(name: str, side: str = "") -> Reader:
@@ -46,20 +46,20 @@ def simply(name: str, side: str = "") -> Reader:
         who = subject_of(found, heard, subject)
         yield When(" ".join(filter(None, (number, who, name))), side or asked)
         if name == "stopped":  # what rides on something comes to rest where that is at rest, too
-            told = f"velocity of {who} along {ONLY_LINE} = 0 m/s"
-            yield When(told, side or asked, ((who, CARRIED_AT_REST),), rank=LAST)
+            moment = f"velocity of {who} along {ONLY_LINE} = 0 m/s"
+            yield When(moment, side or asked, ((who, CARRIED_AT_REST),), rank=LAST)
             yield When(LONG, side or asked, ((who, DIES_AWAY),))
 
     return read
 
 
-def turned_back(name: str, way: str) -> Reader:
+def turned_back(name: str, presumption: str) -> Reader:
     """Return a reader for the highest or lowest point of a path or, on a straight path, for the stop of the body."""
 
     def read(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
         who = subject_of(found, heard, subject)
         yield When(f"{who} {name}", asked)
-        yield When(f"{who} stopped", asked, ((who, way),), rank=LAST)
+        yield When(f"{who} stopped", asked, ((who, presumption),), rank=LAST)
 
     return read
 
@@ -84,58 +84,58 @@ def jump(*names: str) -> Reader:
             both = _both(who, heard) if found[0].startswith("their ") or who.startswith(f"{ALL} ") else ""
             its = name != "collided" or groups.get("s") or re.match(r"its |@\d+@ 's ", found[0])
             of = both if name == "collided" and both else who if its and not who.startswith(f"{ALL} ") else ""
-            told = " ".join(filter(None, (number, of, name)))
+            moment = " ".join(filter(None, (number, of, name)))
             for side in (BEFORE, AFTER) if asked in (THEN, DURING) else (asked,):
-                yield When(f"{told} before" if side == BEFORE else told, side)
+                yield When(f"{moment} before" if side == BEFORE else moment, side)
 
     return read
 
 
-def _both(who: str, heard: TokenizedSentence) -> str:
+def _both(who: str, sentence: TokenizedSentence) -> str:
     """Return the two bodies that a plural phrase means; empty unless it means two."""
-    joint = [said for said in (who, *heard.subjects) if said.startswith(f"{ALL} ")]
+    joint = [subject for subject in (who, *sentence.subjects) if subject.startswith(f"{ALL} ")]
     both = joint[0].removeprefix(f"{ALL} ") if joint else ""
     return both if both.count(" & ") == 1 else ""
 
 
-def meet(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
+def meet(match: re.Match[str], sentence: TokenizedSentence, subject: str, requested_side: str) -> Iterator[When]:
     """Yield the collision of two named bodies: just before the impact, just after the impact, or both."""
     del subject
-    both = f"{heard.subject(found['s'])} & {heard.subject(found['t'])}"
-    for side in (BEFORE, AFTER) if asked in (THEN, DURING) else (asked,):
+    both = f"{sentence.subject(match['s'])} & {sentence.subject(match['t'])}"
+    for side in (BEFORE, AFTER) if requested_side in (THEN, DURING) else (requested_side,):
         yield When(f"{both} collided{' before' if side == BEFORE else ''}", side)
 
 
-def meet_again(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
+def meet_again(match: re.Match[str], sentence: TokenizedSentence, subject: str, requested_side: str) -> Iterator[When]:
     """Yield a numbered collision of two named bodies."""
-    for when in meet(found, heard, subject, asked):
-        yield replace(when, told=f"{found['number']} {when.told}")
+    for when in meet(match, sentence, subject, requested_side):
+        yield replace(when, told=f"{match['number']} {when.told}")
 
 
-def met(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
+def met(match: re.Match[str], sentence: TokenizedSentence, subject: str, requested_side: str) -> Iterator[When]:
     """Yield the collision of the question's subject with a named body."""
-    if subject and subject != heard.subject(found["t"]) and not subject.startswith(f"{ALL} "):
-        both = f"{subject} & {heard.subject(found['t'])}"
-        for side in (BEFORE, AFTER) if asked in (THEN, DURING) else (asked,):
+    if subject and subject != sentence.subject(match["t"]) and not subject.startswith(f"{ALL} "):
+        both = f"{subject} & {sentence.subject(match['t'])}"
+        for side in (BEFORE, AFTER) if requested_side in (THEN, DURING) else (requested_side,):
             yield When(f"{both} collided{' before' if side == BEFORE else ''}", side)
 
 
-def landed(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def landed(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the landing and the bounce of a body, just before the impact unless the question asks for just after."""
-    who = subject_of(found, heard, subject)
-    number = found.groupdict().get("number") or ""
+    who = subject_of(match, sentence, subject)
+    number = match.groupdict().get("number") or ""
     if side != AFTER and number in ("", "first"):
         yield When(f"{who} landed", BEFORE)
     yield When(" ".join(filter(None, (number, who, "bounced", "" if side == AFTER else "before"))), side)
-    yield from jump("edge landed")(found, heard, subject, side)
+    yield from jump("edge landed")(match, sentence, subject, side)
 
 
-def joined(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
+def joined(match: re.Match[str], sentence: TokenizedSentence, subject: str, requested_side: str) -> Iterator[When]:
     """Yield the moment from which bodies move together, when slipping ends."""
-    yield When("stopped slipping", BEFORE if asked == BEFORE else AFTER)
-    both = _both(subject_of(found, heard, subject), heard)
+    yield When("stopped slipping", BEFORE if requested_side == BEFORE else AFTER)
+    both = _both(subject_of(match, sentence, subject), sentence)
     if both:
-        yield When(f"relative velocity of {both} along {ONLY_LINE} = 0 m/s", asked, rank=LAST)
+        yield When(f"relative velocity of {both} along {ONLY_LINE} = 0 m/s", requested_side, rank=LAST)
 
 
 def rather(reader: Reader) -> Reader:
@@ -147,11 +147,11 @@ def rather(reader: Reader) -> Reader:
     return read
 
 
-def moved(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def moved(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body has moved a given distance, or the given time if the number is a time."""
-    who, number = subject_of(found, heard, subject), heard.number(found["n"])
-    axis = matching_entry(WAYS, found.groupdict().get("way") or "")
-    ways = tuple((said, way) for said, way in ways_of(found, who) if way != axis or axis not in LINES)
+    who, number = subject_of(match, sentence, subject), sentence.number(match["n"])
+    axis = matching_entry(WAYS, match.groupdict().get("way") or "")
+    ways = tuple((body, direction) for body, direction in ways_of(match, who) if direction != axis or axis not in LINES)
     if is_time(number):
         yield When(f"at {number}", side, ways)
     elif axis in LINES:
@@ -159,98 +159,104 @@ def moved(found: re.Match[str], heard: TokenizedSentence, subject: str, side: st
         yield When(f"displacement of {who} along {axis} = {sign}{number}", side, ways if axis == "vertical" else ())
     else:
         yield When(f"{who} moved {number}", side, ways)
-        if _FROM_START.search(heard.text) is not None:  # where it may be after it has turned back, too
+        if _FROM_START.search(sentence.text) is not None:  # where it may be after it has turned back, too
             yield When(f"displacement of {who} = {number}", side, ways)
         yield When(f"{who} away {number}", side, (*ways, (who, STRAIGHT)), rank=LAST)
-        along = _SLOPING.search(found[0]) is not None  # then it is no height
-        for sign in ("-" if way == DOWN_WAY else "" for _, way in ways if way in (UP_WAY, DOWN_WAY) and not along):
+        along = _SLOPING.search(match[0]) is not None  # then it is no height
+        for sign in (
+            "-" if direction == DOWN_WAY else ""
+            for _, direction in ways
+            if direction in (UP_WAY, DOWN_WAY) and not along
+        ):
             yield When(f"displacement of {who} along vertical = {sign}{number}", side, ways, rank=LAST)
 
 
-def covered(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def covered(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when the subject of a question has moved a length that stands alone, as in *after 3 m*."""
-    number = heard.number(found["n"])
+    number = sentence.number(match["n"])
     if side in (AFTER, DURING) and _LENGTH.search(number) is not None:
         yield When(f"{subject} moved {number}", side)
 
 
-def relatively(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def relatively(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body has moved a distance along its carrier."""
-    who = heard.subject(found["s"]) or subject
-    told = f"displacement relative to its carrier of {who} = {heard.number(found['n'])}"
-    yield When(told, side, ((who, f"{ON}{heard.subject(found['t'])}"),) if found["t"] else ())
+    who = sentence.subject(match["s"]) or subject
+    moment = f"displacement relative to its carrier of {who} = {sentence.number(match['n'])}"
+    yield When(moment, side, ((who, f"{ON}{sentence.subject(match['t'])}"),) if match["t"] else ())
 
 
-def returned(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def returned(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body on a straight line is back where it started."""
-    who = subject_of(found, heard, subject)
+    who = subject_of(match, sentence, subject)
     yield When(f"displacement of {who} along {ONLY_LINE} = 0 m", side)
     yield When(f"{who} returned", side)
 
 
-def stops_going(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def stops_going(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body that moves in one direction comes to rest."""
-    for when in simply("stopped")(found, heard, subject, side):
-        yield replace(when, ways=(*when.ways, *ways_of(found, subject_of(found, heard, subject))))
+    for when in simply("stopped")(match, sentence, subject, side):
+        yield replace(when, ways=(*when.ways, *ways_of(match, subject_of(match, sentence, subject))))
 
 
-def has_component(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def has_component(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a component of a velocity has a given value, downwards if the body falls."""
-    who, sign = subject_of(found, heard, subject), "-" if found["sense"] in ("falls", "down") else ""
-    yield When(f"velocity of {who} along {found['axis']} = {sign}{heard.number(found['n'])}", side)
+    who, sign = subject_of(match, sentence, subject), "-" if match["sense"] in ("falls", "down") else ""
+    yield When(f"velocity of {who} along {match['axis']} = {sign}{sentence.number(match['n'])}", side)
 
 
-def at_place(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def at_place(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a coordinate of a body has a given value."""
-    who, axis = subject_of(found, heard, subject), found["axis"]
-    value = f"{'-' if found['sign'] else ''}{heard.number(found['n'])}"
+    who, axis = subject_of(match, sentence, subject), match["axis"]
+    value = f"{'-' if match['sign'] else ''}{sentence.number(match['n'])}"
     yield When(f"{axis} coordinate of {who} = {value}", side)
 
 
-def quantity_is(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def quantity_is(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a quantity named by a noun has a given value."""
-    name, who = matching_entry(QUANTITIES, found["q"]), subject_of(found, heard, subject)
+    name, who = matching_entry(QUANTITIES, match["q"]), subject_of(match, sentence, subject)
     if name == "compression":
-        yield When(f"extension of {who} along stretched = -{heard.number(found['n'])}", side, ((who, COMPRESSED),))
+        yield When(f"extension of {who} along stretched = -{sentence.number(match['n'])}", side, ((who, COMPRESSED),))
     if name not in ("height", "distance", "length", "force", "compression", "deceleration"):
-        yield When(f"{name} of {who} = {heard.number(found['n'])}", side)
+        yield When(f"{name} of {who} = {sentence.number(match['n'])}", side)
     elif name == "height":
-        yield When(f"height above the ground of {who} = {heard.number(found['n'])}", side)
+        yield When(f"height above the ground of {who} = {sentence.number(match['n'])}", side)
 
 
-def directed(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def directed(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when the vertical component of a velocity or an acceleration has a given value."""
-    sign = "-" if found["up"] == "down" else ""
-    yield When(f"{found['q']} of {subject_of(found, heard, subject)} along up = {sign}{heard.number(found['n'])}", side)
+    sign = "-" if match["up"] == "down" else ""
+    yield When(
+        f"{match['q']} of {subject_of(match, sentence, subject)} along up = {sign}{sentence.number(match['n'])}", side
+    )
 
 
-def at(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def at(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment at a stated time, presuming, for a time after lift-off, that the body lifts off at once."""
-    number = heard.number(found["n"])
-    ways = ((subject, SETS_OFF),) if LIFT_OFF.search(heard.text) is not None else ()
+    number = sentence.number(match["n"])
+    ways = ((subject, SETS_OFF),) if LIFT_OFF.search(sentence.text) is not None else ()
     if is_time(number):
         yield When(f"at {number}", THEN if side == AFTER else side, ways)
 
 
-def second(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def second(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment 1 s after the start, the end of the first second of the motion."""
-    del found, heard, subject
+    del match, sentence, subject
     yield When("at 1 s", side)
 
 
-def has_speed(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def has_speed(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body has a given speed."""
-    yield When(f"velocity of {subject_of(found, heard, subject)} = {heard.number(found['n'])}", side)
+    yield When(f"velocity of {subject_of(match, sentence, subject)} = {sentence.number(match['n'])}", side)
 
 
-def angle(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def angle(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a line makes a given angle with the vertical."""
-    yield When(f"{subject_of(found, heard, subject)} deflected {heard.number(found['n'])}", side)
+    yield When(f"{subject_of(match, sentence, subject)} deflected {sentence.number(match['n'])}", side)
 
 
-def turned(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def turned(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body has turned through a given angle."""
-    who, number = subject_of(found, heard, subject), heard.number(found["n"])
+    who, number = subject_of(match, sentence, subject), sentence.number(match["n"])
     yield When(f"{who} turned through {number}", side)
     value, _, unit = number.partition(" ")
     if unit in ("°", "rad"):  # of what rolls
@@ -266,7 +272,7 @@ def apsis(name: str) -> Reader:
 
     def read(found: re.Match[str], heard: TokenizedSentence, subject: str, asked: str) -> Iterator[When]:
         named = [heard.subject(found.groupdict().get(key)).removeprefix(f"{ALL} ") for key in "st"]
-        both = " & ".join(said for said in named if said)
+        both = " & ".join(phrase for phrase in named if phrase)
         for rank, who in enumerate(dict.fromkeys((both or subject, subject, ""))):
             yield When(f"{who} {name}".strip(), asked, rank=rank)
 

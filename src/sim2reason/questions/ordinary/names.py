@@ -80,8 +80,8 @@ def between(phrase: str, lone: frozenset[str] = frozenset()) -> Iterable[Ranked]
         both = rf"(?:the )?(?:two )?(?:{alike(*kinds, *ANYTHING)})e?s"
         yield 2000, phrase, rf"\b(?:[Tt]he )?{_PART}(?:{nouns}) {_JOINING} {both}\b(?! [A-Z]\b)"
     for one, other in (ends, reversed(ends)):
-        told = rf"\b(?:[Tt]he )?{_PART}(?:{nouns}) {_JOINING} {one} (?:and|to|with) {other}(?! [A-Z]\b)"
-        yield 2000, phrase, told
+        pattern = rf"\b(?:[Tt]he )?{_PART}(?:{nouns}) {_JOINING} {one} (?:and|to|with) {other}(?! [A-Z]\b)"
+        yield 2000, phrase, pattern
 
 
 def named_lines(words: Words) -> Iterable[Ranked]:
@@ -126,14 +126,16 @@ def _named(name: str, noun: str, words: Words) -> NamedLine:
 
     ends = line.through[0], line.through[-1]
     pulled = isinstance(line.law, ConstantTension)
-    said = tuple(phrase(site) or ("the hand" if pulled else "") for site in ends)
+    phrases = tuple(phrase(site) or ("the hand" if pulled else "") for site in ends)
     axles = tuple(
-        "pulley" in told and not site.endswith((".left", ".right", ".in", ".out"))
-        for told, site in zip(said, ends, strict=True)
+        "pulley" in end_phrase and not site.endswith((".left", ".right", ".in", ".out"))
+        for end_phrase, site in zip(phrases, ends, strict=True)
     )
     over = dict.fromkeys(filter(None, (phrase(site) for site in line.through[1:-1])))
-    over |= {told: None for told, axle in zip(said, axles, strict=True) if "pulley" in told and not axle}
-    return NamedLine(name, "", noun, (said[0], said[1]), (axles[0], axles[1]), tuple(over))
+    over |= {
+        end_phrase: None for end_phrase, axle in zip(phrases, axles, strict=True) if "pulley" in end_phrase and not axle
+    }
+    return NamedLine(name, "", noun, (phrases[0], phrases[1]), (axles[0], axles[1]), tuple(over))
 
 
 def _by_ends(line: NamedLine, lines: list[NamedLine]) -> Iterable[Ranked]:
@@ -148,17 +150,21 @@ def _by_ends(line: NamedLine, lines: list[NamedLine]) -> Iterable[Ranked]:
     for end, axle in zip(line.ends, line.axles, strict=True):
         if not end or everywhere.count(end) != 1 or ("pulley" in end and not axle):
             continue
-        told = _end(end)
+        end_pattern = _end(end)
         if end == "the hand":
             holds = r"(?:(?:that|which) )?(?:(?:the )?hand (?:pulls|holds)(?: on)?|held by (?:the )?hand)"
             yield 1450, line.phrase, rf"{string} {holds}"
             continue
-        yield 1450, line.phrase, rf"{string} {_THAT}(?:{_CARRYING}) {told}(?! [A-Z]\b)"
-        yield 1450, line.phrase, rf"{string} {_FROM.format(end=told)}"
-        yield 1450, line.phrase, rf"{string} (?:(?:that|which) )?{told} (?:hangs|is hanging|is hung) (?:from|on|by)\b"
-        tied = told if not axle else rf"(?:the )?axle of {told}"
+        yield 1450, line.phrase, rf"{string} {_THAT}(?:{_CARRYING}) {end_pattern}(?! [A-Z]\b)"
+        yield 1450, line.phrase, rf"{string} {_FROM.format(end=end_pattern)}"
+        yield (
+            1450,
+            line.phrase,
+            rf"{string} (?:(?:that|which) )?{end_pattern} (?:hangs|is hanging|is hung) (?:from|on|by)\b",
+        )
+        tied = end_pattern if not axle else rf"(?:the )?axle of {end_pattern}"
         if not axle:
-            yield 1350, line.phrase, rf"{string} (?:on|at|above|beside|next to) {told}(?! [A-Z]\b)"
+            yield 1350, line.phrase, rf"{string} (?:on|at|above|beside|next to) {end_pattern}(?! [A-Z]\b)"
         yield 1450, line.phrase, rf"{string} {_THAT}(?:{_TIED}) {tied}(?! [A-Z]\b)"
     alone = [each.name for each in lines if "" in each.ends] == [line.name] and len(lines) > 1
     if line.noun == "string" and alone:
@@ -173,8 +179,8 @@ def _by_pulleys(line: NamedLine, lines: list[NamedLine]) -> Iterable[Ranked]:
     """Yield ranked patterns that name a line by a pulley over which no other line passes."""
     for pulley in line.over:
         if sum(pulley in each.over for each in lines) == 1:
-            told = rf"\b(?:[Tt]he )?(?:{alike(line.noun)}) {_OVER} {_end(pulley)}(?! [A-Z]\b)"
-            yield 1450, line.phrase, told
+            pattern = rf"\b(?:[Tt]he )?(?:{alike(line.noun)}) {_OVER} {_end(pulley)}(?! [A-Z]\b)"
+            yield 1450, line.phrase, pattern
 
 
 def _by_places(line: NamedLine, lines: list[NamedLine], words: Words) -> Iterable[Ranked]:
@@ -190,7 +196,7 @@ def _by_places(line: NamedLine, lines: list[NamedLine], words: Words) -> Iterabl
         return
     tilts = {each.name: _tilt(each, words) for each in lines}
     for adjective, tilt in _WAYS.items():
-        alone = [name for name, found in tilts.items() if found is not None and abs(found - tilt) < UPRIGHT]
+        alone = [name for name, line_tilt in tilts.items() if line_tilt is not None and abs(line_tilt - tilt) < UPRIGHT]
         if alone == [line.name]:
             yield 1400, line.phrase, rf"\b(?:[Tt]he )?(?:{adjective}) {_PARTS} of (?:the )?{strings}\b"
     for end in line.ends:
@@ -201,18 +207,20 @@ def _by_places(line: NamedLine, lines: list[NamedLine], words: Words) -> Iterabl
 
 def _tilt(line: NamedLine, words: Words) -> float | None:
     """Return the vertical component of the direction in which the body at a part's end moves; None if unknown."""
-    said: Mapping[str, str] = {phrase: name for name, phrase in words.mentions.items() if name in words.mechanism.body}
-    bodies = [said[end] for end in line.ends if end in said and "pulley" not in end]
+    by_phrase: Mapping[str, str] = {
+        phrase: name for name, phrase in words.mentions.items() if name in words.mechanism.body
+    }
+    bodies = [by_phrase[end] for end in line.ends if end in by_phrase and "pulley" not in end]
     path = center_path(words.mechanism, bodies[0]) if len(bodies) == 1 else None
     return abs(path.ways[0][2]) if path is not None and path.straight else None
 
 
-def _end(said: str, lone: frozenset[str] = frozenset()) -> str:
+def _end(phrase: str, lone: frozenset[str] = frozenset()) -> str:
     """Return a pattern for an end of a line: a letter with or without a noun, a pulley with or without its axle.
 
     A `lone` noun may stand without its letter.
     """
-    bare = said.removeprefix("the ").removeprefix("axle of ")
+    bare = phrase.removeprefix("the ").removeprefix("axle of ")
     noun, _, letter = bare.partition(" ")
     if len(letter) == 1:
         alone = f"|{noun}(?! {letter})" if noun in lone else ""
@@ -230,8 +238,8 @@ def with_particles(text: str, words: Words) -> str:
     factor = parse_unit(words.units.spell("kg")).factor_to(parse_unit("kg")) or 1.0
     for particle, mass in MASSES.items():
         fits = [
-            said
-            for name, said in words.called(Bodies()).items()
+            phrase
+            for name, phrase in words.called(Bodies()).items()
             if isclose(words.mechanism.body[name].mass * factor, mass, rel_tol=NEAR)
         ]
         if len(fits) == 1:
@@ -251,28 +259,28 @@ def with_letters(text: str, words: Words) -> str:
     """
     for noun, phrases in _lettered(words).items():
         nouns = "|".join(sorted(group(noun) | ANYTHING | {noun, "mass", "one"}))
-        for told, chosen in _DESCRIPTIONS.items():
+        for template, chosen in _DESCRIPTIONS.items():
             fitting = chosen(list(phrases), words)
             if len(fitting) == 1:
-                pattern = rf"\b(?:[Tt]he )(?:{told.format(nouns=f'(?:{nouns})')})\b(?! [A-Z]\b)"
+                pattern = rf"\b(?:[Tt]he )(?:{template.format(nouns=f'(?:{nouns})')})\b(?! [A-Z]\b)"
                 text = re.sub(pattern, phrases[fitting[0]], text)
     return text
 
 
 def _lettered(words: Words) -> Mapping[str, Mapping[str, str]]:
     """Return the phrases of bodies that have a letter, by their noun and the name of the body."""
-    found: dict[str, dict[str, str]] = {}
+    lettered: dict[str, dict[str, str]] = {}
     for name, phrase in words.called(Bodies()).items():
-        said = re.fullmatch(r"(?:the )?(\w+) [A-Z]", phrase)
-        if said is not None:
-            found.setdefault(said[1], {})[name] = phrase
-    return {noun: phrases for noun, phrases in found.items() if len(phrases) >= PAIR}
+        match = re.fullmatch(r"(?:the )?(\w+) [A-Z]", phrase)
+        if match is not None:
+            lettered.setdefault(match[1], {})[name] = phrase
+    return {noun: phrases for noun, phrases in lettered.items() if len(phrases) >= PAIR}
 
 
 def _hanging(names: list[str], words: Words) -> list[str]:
     """Return those of `names` whose bodies move straight up and down and lie on nothing."""
     free = (name for name in names if name not in words.mechanism.contacts)
-    return [name for name in free if all(abs(way[2]) > 1.0 - DIRECTION_TOL for way in _ways(name, words))]
+    return [name for name in free if all(abs(direction[2]) > 1.0 - DIRECTION_TOL for direction in _ways(name, words))]
 
 
 def _ways(name: str, words: Words) -> Iterator[tuple[float, float, float]]:
@@ -311,8 +319,8 @@ def _in_pile(position: int, count: int = 0) -> Chosen:
         while len(above) == 1:
             pile += above
             above = [name for name in names if parents[name] == pile[-1]]
-        whole = len(pile) == len(names) and count in (0, len(pile))
-        return [pile[position]] if whole else []
+        complete = len(pile) == len(names) and count in (0, len(pile))
+        return [pile[position]] if complete else []
 
     return chosen
 

@@ -46,8 +46,8 @@ def _part(told: str) -> re.Pattern[str]:
 
 @cache
 def _quantities() -> str:
-    said = [name for row in QUANTITIES.values() for name in row.split("|")]
-    plain = {name for name in said if name not in ("distance", "height", "altitude", "separation", "length", "mass")}
+    names = [name for row in QUANTITIES.values() for name in row.split("|")]
+    plain = {name for name in names if name not in ("distance", "height", "altitude", "separation", "length", "mass")}
     return "|".join(sorted({*plain, "mass"}, key=len, reverse=True))
 
 
@@ -65,7 +65,7 @@ def paraphrased(question: str) -> Iterator[str]:
         return
     if re.search(r"\b(?:does|do|did|will) @\d+@ (?:get )?(?:stretch|compress|extend|shorten|lengthen)", question):
         return  # a change of the length, maybe not counted from the natural length
-    text = " ".join(WAY.sub(lambda found: f" <{way_of(found['way'])}> ", _singular(question)).split())
+    text = " ".join(WAY.sub(lambda match: f" <{way_of(match['way'])}> ", _singular(question)).split())
     text = _WORK_OUT.sub("find", with_base_forms(text))
     for row in ROWS:
         yield from _filled(row, text)
@@ -76,30 +76,30 @@ def _singular(text: str) -> str:
     return re.sub(r"\b(tension|acceleration|speed|velocitie|force|momentum|distance)s\b(?! up)", _one, text)
 
 
-def _one(found: re.Match[str]) -> str:
-    return found[1].replace("velocitie", "velocity")
+def _one(match: re.Match[str]) -> str:
+    return match[1].replace("velocitie", "velocity")
 
 
-def _side(plain: str, said: str) -> str:
+def _side(plain: str, side: str) -> str:
     """Return the side of a point as a direction, *up* or *down*, or as *above* or *below*."""
-    above = said == "above"
+    above = side == "above"
     return ("up" if above else "down") if "vertically" not in plain else ("above" if above else "below")
 
 
 def _without_parts(row: WantedRow, text: str, groups: dict[str, str]) -> str | None:
     """Return a text without the words that a row's patterns match; None if one has no match. Groups go to `groups`."""
-    for told in row.parts:
-        found = _part(told.removeprefix("?")).search(text)
-        if found is None and told.startswith("?"):
+    for part in row.parts:
+        match = _part(part.removeprefix("?")).search(text)
+        if match is None and part.startswith("?"):
             continue
-        if found is None:
+        if match is None:
             return None
-        groups |= {name: said for name, said in found.groupdict().items() if said}
+        groups |= {name: value for name, value in match.groupdict().items() if value}
         groups["verb"] = next(
-            (verb for verb, forms in VERBS.items() if re.fullmatch(forms, found[0])), groups.get("verb", "")
+            (verb for verb, forms in VERBS.items() if re.fullmatch(forms, match[0])), groups.get("verb", "")
         )
-        groups["axis"] = found[0][0] if re.match("[xy][- ]", found[0]) else groups.get("axis", "")
-        text = f"{text[: found.start()]} {text[found.end() :]}"
+        groups["axis"] = match[0][0] if re.match("[xy][- ]", match[0]) else groups.get("axis", "")
+        text = f"{text[: match.start()]} {text[match.end() :]}"
     return text
 
 
@@ -126,7 +126,7 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
     size = next((name for name in SIZES if groups.get(name)), "")
     verb = groups.get("verb") or "move"
     one, other = (*subjects, "", "")[:2]
-    told = row.plain.format(
+    clause = row.plain.format(
         s=one,
         t=other,
         way=f" {ways[0]}" if ways else "",
@@ -140,7 +140,7 @@ def _filled(row: WantedRow, text: str) -> Iterator[str]:
         speed="angular speed" if verb == "turn" else "speed",
     )
     yield re.sub(
-        r" (?:of|in|by)(?= ?$)| of (?=about its axis$)| and(?= ?$| move )|(?<=give) $", "", " ".join(told.split())
+        r" (?:of|in|by)(?= ?$)| of (?=about its axis$)| and(?= ?$| move )|(?<=give) $", "", " ".join(clause.split())
     )
 
 
@@ -194,9 +194,9 @@ _ASIDES = re.compile(
 """What is passed over: what only says that the motion begins, or that all else is as it was."""
 
 
-def _mass(found: re.Match[str]) -> str:
+def _mass(match: re.Match[str]) -> str:
     """Return *how heavy would A have to be* as a question for the mass of A."""
-    return f"what mass {found['verb']} {found['who']} have"
+    return f"what mass {match['verb']} {match['who']} have"
 
 
 _ALL = re.compile(r"\b(?:everything|system|all|equilibrium|balance|balanced)\b")
@@ -222,34 +222,37 @@ class DecidingNumber(NamedTuple):
     least: bool | None
 
 
-def limits(heard: TokenizedSentence, numbers: Mapping[str, str]) -> Iterator[DecidingNumber]:
+def limits(sentence: TokenizedSentence, numbers: Mapping[str, str]) -> Iterator[DecidingNumber]:
     """Yield the number that a sentence such as *what mass makes A slip* asks for, if this accounts for every word."""
-    text = " ".join(WAY.sub(lambda found: f" <{way_of(found['way'])}> ", _HEAVY.sub(_mass, heard.text)).split())
-    asked = _parameter(tuple(numbers.values())).search(text)
-    if asked is None or re.match(r"(?:what|which|find|determine|calculate|compute|how|for|with|at)\b", text) is None:
+    text = " ".join(WAY.sub(lambda match: f" <{way_of(match['way'])}> ", _HEAVY.sub(_mass, sentence.text)).split())
+    number_match = _parameter(tuple(numbers.values())).search(text)
+    if (
+        number_match is None
+        or re.match(r"(?:what|which|find|determine|calculate|compute|how|for|with|at)\b", text) is None
+    ):
         return
     if _WISHES.search(text) is None:
         return  # *the length of the spring in equilibrium* is what it is there
-    rest = f"{text[: asked.start()]} {text[asked.end() :]}"
-    has = _HAS.search(rest) if not (asked["own"] or asked["of"]) else None
-    owner = heard.subject(asked["own"] or asked["of"] or (has["who"] if has is not None else None))
+    rest = f"{text[: number_match.start()]} {text[number_match.end() :]}"
+    has = _HAS.search(rest) if not (number_match["own"] or number_match["of"]) else None
+    owner = sentence.subject(number_match["own"] or number_match["of"] or (has["who"] if has is not None else None))
     rest = with_base_forms(_ASIDES.sub(" ", rest if has is None else f"{rest[: has.start()]} {rest[has.end() :]}"))
-    for told, (does, happens) in OUTCOMES.items():
-        found = re.search(rf"(?<![\w@])(?:{told})(?![\w@])", rest)
-        if found is None:
+    for wording, (does, happens) in OUTCOMES.items():
+        match = re.search(rf"(?<![\w@])(?:{wording})(?![\w@])", rest)
+        if match is None:
             continue
-        others, least = f"{rest[: found.start()]} {rest[found.end() :]}", None
+        others, smallest = f"{rest[: match.start()]} {rest[match.end() :]}", None
         for small, row in _SIZES.items():
             others, count = re.subn(rf"\b(?:{row})\b", " ", others)
-            least = small if count else least
-        subjects = list(dict.fromkeys(re.findall(r"@\d+@", f"{others} {found.groupdict().get('kept') or ''}")))
+            smallest = small if count else smallest
+        subjects = list(dict.fromkeys(re.findall(r"@\d+@", f"{others} {match.groupdict().get('kept') or ''}")))
         words = PLACES.sub(" ", re.sub(r"@\d+@", " ", others)).split()
         if len(subjects) <= 1 and not set(words) - _LIMIT_FILLERS:
             alone = has["who"] if has is not None and not _ALL.search(others) else None
-            of = heard.subject(subjects[0] if subjects else alone)
-            name = matching_entry(numbers, asked["p"])
+            of = sentence.subject(subjects[0] if subjects else alone)
+            name = matching_entry(numbers, number_match["p"])
             owner = owner or (of if does == "rests" and name == "mass" else "")
-            yield DecidingNumber(name, owner, does, happens, of, least)
+            yield DecidingNumber(name, owner, does, happens, of, smallest)
             return
 
 

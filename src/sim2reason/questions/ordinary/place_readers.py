@@ -37,233 +37,235 @@ from sim2reason.questions.ordinary.vocabulary import (
 FACTORS = {"double": 2, "twice": 2, "treble": 3, "triple": 3, "three": 3, "quadruple": 4, "four": 4, "ten": 10}
 
 
-def level(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def level(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a line is horizontal."""
-    yield When(f"{subject_of(found, heard, subject)} deflected 90 deg", side)
+    yield When(f"{subject_of(match, sentence, subject)} deflected 90 deg", side)
 
 
-def sets_off(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def sets_off(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the start, presuming that a body moves at once or, for *before*, that only positions affect the value."""
-    way = UNMOVED if side == BEFORE else SETS_OFF
-    yield When("at start", ways=((subject_of(found, heard, subject), way),))
+    presumption = UNMOVED if side == BEFORE else SETS_OFF
+    yield When("at start", ways=((subject_of(match, sentence, subject), presumption),))
 
 
-def stays_below(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def stays_below(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the bounce after which a body no longer rises to a given height above the ground."""
     del subject
-    yield When(f"{heard.subject(found['s'])} stayed below {heard.number(found['n'])}", side)
+    yield When(f"{sentence.subject(match['s'])} stayed below {sentence.number(match['n'])}", side)
 
 
-def orbited(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def orbited(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body has completed half or a quarter of its orbit."""
     del subject
-    pair = " & ".join(heard.subject(found[key]) for key in "st" if found[key])
-    yield When(f"{pair} orbited {180 if found['turns'] == 'half' else 90} deg", side)
+    pair = " & ".join(sentence.subject(match[key]) for key in "st" if match[key])
+    yield When(f"{pair} orbited {180 if match['turns'] == 'half' else 90} deg", side)
 
 
-def under(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def under(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a swinging body is vertically below the body that carries it along a level line."""
     del subject
-    who = heard.subject(found["s"])
-    yield When(f"{who} lowest point", side, ((who, f"{UNDER}{heard.subject(found['t'])}"),))
+    who = sentence.subject(match["s"])
+    yield When(f"{who} lowest point", side, ((who, f"{UNDER}{sentence.subject(match['t'])}"),))
 
 
-def at_height(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def at_height(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body is at a height above the ground."""
-    yield When(f"height above the ground of {subject_of(found, heard, subject)} = {heard.number(found['n'])}", side)
+    yield When(
+        f"height above the ground of {subject_of(match, sentence, subject)} = {sentence.number(match['n'])}", side
+    )
 
 
-def vertically(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def vertically(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body is a given height above, or below, its starting point."""
-    who, down = subject_of(found, heard, subject), (found["way"] or "").startswith("down")
-    told = f"displacement of {who} along vertical = {'-' if down else ''}{heard.number(found['n'])}"
-    yield When(told, side)
+    who, down = subject_of(match, sentence, subject), (match["way"] or "").startswith("down")
+    moment = f"displacement of {who} along vertical = {'-' if down else ''}{sentence.number(match['n'])}"
+    yield When(moment, side)
 
 
-def crosses(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def crosses(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the first moment after the start when a body is on an axis."""
-    who, other = subject_of(found, heard, subject), "y" if found["axis"] == "x" else "x"
+    who, other = subject_of(match, sentence, subject), "y" if match["axis"] == "x" else "x"
     yield When(f"{other} coordinate of {who} = 0", side)
 
 
-def fastest(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def fastest(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment at which a body is fastest."""
-    yield When(f"{subject_of(found, heard, subject)} fastest", side)
+    yield When(f"{subject_of(match, sentence, subject)} fastest", side)
 
 
-def lifts_off(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def lifts_off(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body leaves the face on which it moves, or a rocket the ground."""
-    who = subject_of(found, heard, subject)
-    yield from (When(f"{who} {told}", side) for told in ("left face", "lifted off"))
+    who = subject_of(match, sentence, subject)
+    yield from (When(f"{who} {event}", side) for event in ("left face", "lifted off"))
     yield When("at start", ways=((who, LIFTS),))
 
 
-def back_at_height(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def back_at_height(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body is as high again as it was at the start."""
-    yield When(f"displacement of {subject_of(found, heard, subject)} along vertical = 0 m", side)
+    yield When(f"displacement of {subject_of(match, sentence, subject)} along vertical = 0 m", side)
 
 
-def back_at_origin(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def back_at_origin(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body that starts at the origin is back there."""
-    who = subject_of(found, heard, subject)
-    for when in returned(found, heard, subject, side):
+    who = subject_of(match, sentence, subject)
+    for when in returned(match, sentence, subject, side):
         yield replace(when, ways=((who, f"{ORIGIN} x"),))
     yield When(f"x coordinate of {who} = 0", side, ((who, ONE_LINE),), rank=1)
 
 
-def from_origin(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def from_origin(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body is a given distance from the origin."""
-    who = subject_of(found, heard, subject)
-    yield When(f"distance from the origin of {who} = {heard.number(found['n'])}", side)
+    who = subject_of(match, sentence, subject)
+    yield When(f"distance from the origin of {who} = {sentence.number(match['n'])}", side)
 
 
-def multiple(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def multiple(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a quantity is a multiple of its initial value."""
-    who, find = subject_of(found, heard, subject), matching_entry(QUANTITIES, found["q"])
-    yield When(f"{find} of {who} = {FACTORS[found['times'].split()[0]]}{TIMES}", side)
+    who, find = subject_of(match, sentence, subject), matching_entry(QUANTITIES, match["q"])
+    yield When(f"{find} of {who} = {FACTORS[match['times'].split()[0]]}{TIMES}", side)
 
 
-def across(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def across(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body rests beyond the lowest point of its path, at its own stop or at any other stop."""
-    who = subject_of(found, heard, subject)
+    who = subject_of(match, sentence, subject)
     yield When(f"{who} stopped", side, ((who, ACROSS),))
     yield When("stopped", side, ((who, ACROSS), (who, STANDS)))
 
 
-def begun(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def begun(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the start; for a lift-off only if the body lifts off at once."""
-    if LIFT_OFF.search(found[0]) is not None or LIFT_OFF.search(heard.text) is not None:
+    if LIFT_OFF.search(match[0]) is not None or LIFT_OFF.search(sentence.text) is not None:
         yield When("at start", ways=((subject, SETS_OFF),))
     else:
         yield When("at start", ways=(("", UNMOVED),) if side == BEFORE else ())
 
 
-def apart(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def apart(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when two bodies are a given distance apart."""
     del subject
-    if not is_time(heard.number(found["n"])):
-        yield When(f"distance = {heard.number(found['n'])}", side)
+    if not is_time(sentence.number(match["n"])):
+        yield When(f"distance = {sentence.number(match['n'])}", side)
 
 
-def balanced(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def balanced(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body on one spring is at equilibrium, or at a given distance from equilibrium."""
-    number = found.groupdict().get("n")
-    told = f"extension = {heard.number(number)}" if number else "natural length"
-    yield When(told, side, (("", RELAXED),))
+    number = match.groupdict().get("n")
+    moment = f"extension = {sentence.number(number)}" if number else "natural length"
+    yield When(moment, side, (("", RELAXED),))
     if not number:
         yield When("equilibrium", side, (("", PLACED),))
-        yield When(f"{subject_of(found, heard, subject)} fastest", side, (("", BALANCED),))
+        yield When(f"{subject_of(match, sentence, subject)} fastest", side, (("", BALANCED),))
 
 
-def strained(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def strained(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a spring is stretched or compressed by a given length."""
-    who = subject_of(found, heard, subject)
-    squeezed = found["strain"] == "compressed"
-    way, sign = (COMPRESSED, "-") if squeezed else (STRETCHED, "")
-    told = f"extension of {who} along {STRETCHED} = {sign}{heard.number(found['n'])}"
-    yield When(told, side, ((who, way),))
+    who = subject_of(match, sentence, subject)
+    squeezed = match["strain"] == "compressed"
+    presumption, sign = (COMPRESSED, "-") if squeezed else (STRETCHED, "")
+    moment = f"extension of {who} along {STRETCHED} = {sign}{sentence.number(match['n'])}"
+    yield When(moment, side, ((who, presumption),))
 
 
-def long(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def long(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a spring has a given length."""
-    yield When(f"spring length of {subject_of(found, heard, subject)} = {heard.number(found['n'])}", side)
+    yield When(f"spring length of {subject_of(match, sentence, subject)} = {sentence.number(match['n'])}", side)
 
 
-def natural(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def natural(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a spring has its natural length."""
-    yield When(f"{subject_of(found, heard, subject)} natural length", side)
+    yield When(f"{subject_of(match, sentence, subject)} natural length", side)
 
 
-def parallel(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def parallel(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the first moment after the start when a body moves parallel to an axis, in either direction."""
-    other = "y" if found["axis"] == "x" else "x"
-    yield When(f"velocity of {subject_of(found, heard, subject)} along {other} = 0 m/s", side)
+    other = "y" if match["axis"] == "x" else "x"
+    yield When(f"velocity of {subject_of(match, sentence, subject)} along {other} = 0 m/s", side)
 
 
 REVOLUTIONS = {"half": "0.5", "quarter": "0.25", "one": "1", "two": "2", "three": "3", "ten": "10"}
 FRACTIONS = {"half": "0.5", "halved": "0.5", "third": "0.333333333333", "quarter": "0.25", "tenth": "0.1"}
 
 
-def revolved(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def revolved(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body has made a number of revolutions."""
-    yield When(f"revolutions made of {subject_of(found, heard, subject)} = {REVOLUTIONS[found['turns']]}", side)
+    yield When(f"revolutions made of {subject_of(match, sentence, subject)} = {REVOLUTIONS[match['turns']]}", side)
 
 
-def burnt(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def burnt(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a given mass of fuel has been burnt."""
-    yield When(f"fuel burnt of {subject_of(found, heard, subject)} = {heard.number(found['n'])}", side)
+    yield When(f"fuel burnt of {subject_of(match, sentence, subject)} = {sentence.number(match['n'])}", side)
 
 
-def share_burnt(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def share_burnt(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a fraction of the fuel has been burnt."""
-    del heard, subject
-    yield When(f"fuel burnt = {FRACTIONS[found['times']]}{AT_BURNOUT}", side)
+    del sentence, subject
+    yield When(f"fuel burnt = {FRACTIONS[match['times']]}{AT_BURNOUT}", side)
 
 
-def fraction(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def fraction(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a quantity is a fraction of its greatest or its initial value."""
-    who, find = subject_of(found, heard, subject), matching_entry(QUANTITIES, found["q"])
-    greatest = re.search(r"maximum|greatest|largest|highest", found.groupdict().get("ref") or "") is not None
-    yield When(f"{find} of {who} = {FRACTIONS[found['times']]}{GREATEST if greatest else TIMES}", side)
+    who, find = subject_of(match, sentence, subject), matching_entry(QUANTITIES, match["q"])
+    greatest = re.search(r"maximum|greatest|largest|highest", match.groupdict().get("ref") or "") is not None
+    yield When(f"{find} of {who} = {FRACTIONS[match['times']]}{GREATEST if greatest else TIMES}", side)
 
 
-def lost_share(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def lost_share(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a quantity has lost a fraction of its initial value."""
-    who, find = subject_of(found, heard, subject), matching_entry(QUANTITIES, found["q"])
-    yield When(f"{find} of {who} = {1.0 - float(FRACTIONS[found['times']]):.12g}{TIMES}", side)
+    who, find = subject_of(match, sentence, subject), matching_entry(QUANTITIES, match["q"])
+    yield When(f"{find} of {who} = {1.0 - float(FRACTIONS[match['times']]):.12g}{TIMES}", side)
 
 
-def heads(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def heads(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the first and the second moment when a body moves parallel to an axis, presuming the named direction."""
-    who, other = subject_of(found, heard, subject), "y" if found["axis"] == "x" else "x"
-    sign = "+" if found["heading"] in ("positive", "+") else "-"
+    who, other = subject_of(match, sentence, subject), "y" if match["axis"] == "x" else "x"
+    sign = "+" if match["heading"] in ("positive", "+") else "-"
     for again in ("", AGAIN):
-        told = f"{again}velocity of {who} along {other} = 0 m/s"
-        yield When(told, side, ((who, f"{HEADING}{sign}{found['axis']}"),))
+        moment = f"{again}velocity of {who} along {other} = 0 m/s"
+        yield When(moment, side, ((who, f"{HEADING}{sign}{match['axis']}"),))
 
 
-def for_good(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def for_good(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment from which a body stays at rest: its last stop, or a late time if a medium resists."""
-    who = subject_of(found, heard, subject)
+    who = subject_of(match, sentence, subject)
     yield When(f"{who} halted", side)
     yield When(LONG, side, ((who, DIES_AWAY),))
     yield When(f"{who} stopped", side, ((who, RESTS),), rank=1)
 
 
-def after_long(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def after_long(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield a moment so late that the quantity asked for no longer changes."""
-    del found, heard, subject
+    del match, sentence, subject
     yield When(LONG, side)
 
 
-def turns(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def turns(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the first moment at which a body stops moving along an axis."""
-    yield When(f"velocity of {subject_of(found, heard, subject)} along {found['axis']} = 0 m/s", side)
+    yield When(f"velocity of {subject_of(match, sentence, subject)} along {match['axis']} = 0 m/s", side)
 
 
-def nearest(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def nearest(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when two bodies are closest: if a spring joins them, that of greatest compression."""
-    yield from apsis("closest")(found, heard, subject, side)
+    yield from apsis("closest")(match, sentence, subject, side)
     yield When("most compressed", side, (("", SPRUNG),), rank=LAST)
 
 
-def most_apart(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def most_apart(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when two bodies are farthest apart: if a spring joins them, that of greatest extension."""
-    yield from apsis("farthest")(found, heard, subject, side)
+    yield from apsis("farthest")(match, sentence, subject, side)
     yield When("most stretched", side, (("", SPRUNG),), rank=LAST)
 
 
-def extreme_coordinate(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def extreme_coordinate(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment at which a coordinate of a body is greatest or least, presuming that it turns back there."""
-    who, axis = subject_of(found, heard, subject), found["axis"]
-    way = f"{FARTHEST}{'+' if found['most'] else '-'}{axis}"
-    yield When(f"velocity of {who} along {axis} = 0 m/s", side, ((who, way),))
-    yield When(f"{AGAIN}velocity of {who} along {axis} = 0 m/s", side, ((who, way),))
+    who, axis = subject_of(match, sentence, subject), match["axis"]
+    presumption = f"{FARTHEST}{'+' if match['most'] else '-'}{axis}"
+    yield When(f"velocity of {who} along {axis} = 0 m/s", side, ((who, presumption),))
+    yield When(f"{AGAIN}velocity of {who} along {axis} = 0 m/s", side, ((who, presumption),))
 
 
-def near_end(found: re.Match[str], heard: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
+def near_end(match: re.Match[str], sentence: TokenizedSentence, subject: str, side: str) -> Iterator[When]:
     """Yield the moment at which a body is nearest to the fixed end of its spring, if only the spring acts on it."""
-    who = subject_of(found, heard, subject)
-    spring = heard.subject(found["t"])
+    who = subject_of(match, sentence, subject)
+    spring = sentence.subject(match["t"])
     ways = ((who, f"{HELD}{spring or FIXED_END}"), ("", CENTRAL))
     yield When(f"{spring} most compressed".strip(), side, ways)

@@ -36,7 +36,7 @@ SOON, LATE = 0.01, 0.9  # of the interval up to the next event, or to the end of
 UP = {"up": 1.0, "down": -1.0}
 
 
-def goes_then(case: Case, way: str) -> bool:
+def goes_then(case: Case, direction: str) -> bool:
     """Return whether a body moves up, or down, after the moment, while the quantity keeps its value."""
     name, trace, target = named(case.who, case.words), case.followed.study.trace, case.query.target
     began = float(np.nextafter(case.then, np.inf))
@@ -45,7 +45,7 @@ def goes_then(case: Case, way: str) -> bool:
     if not name or target is None or end <= began:
         return False
     states = [trace.at(began + share * (end - began)) for share in (SOON, LATE)]
-    moves = all(float(Velocity.evaluate(state, name)[0, 2]) * UP[way] > 0.0 for state in states)
+    moves = all(float(Velocity.evaluate(state, name)[0, 2]) * UP[direction] > 0.0 for state in states)
     answer = case.followed.answer or 0.0
     return moves and all(bool(np.isclose(target.value(state), answer, rtol=STEADY, atol=0.0)) for state in states)
 
@@ -112,55 +112,67 @@ def presumed(reading: Reading, followed: SimulatedAnswer, query: Query, words: W
         time if time and reading.side == AFTER else then
     )  # what is asked for just after an event moves as it does then
     for kind, ways, instant in ((Displacement, reading.gone, then), (Velocity, reading.moving, late)):
-        for who, way in ways:
-            if way in AXES:
-                yield "" if _goes(kind, who, way, trace.at(instant), words) else f"{who} does not go {way}"
-            elif way.startswith(ORIGIN):
-                yield "" if _from_origin(who, way[-1], followed.study, words) else f"{who} does not start at the origin"
-            elif way.startswith(SOLE):
-                told = way.removeprefix(SOLE)
-                yield "" if alone(told, who, words) else f"{told} is not the only force on {who}"
-            elif way.startswith(ON):
-                face = way.removeprefix(ON)
+        for who, presumption in ways:
+            if presumption in AXES:
+                yield (
+                    ""
+                    if _goes(kind, who, presumption, trace.at(instant), words)
+                    else f"{who} does not go {presumption}"
+                )
+            elif presumption.startswith(ORIGIN):
+                yield (
+                    ""
+                    if _from_origin(who, presumption[-1], followed.study, words)
+                    else f"{who} does not start at the origin"
+                )
+            elif presumption.startswith(SOLE):
+                text = presumption.removeprefix(SOLE)
+                yield "" if alone(text, who, words) else f"{text} is not the only force on {who}"
+            elif presumption.startswith(ON):
+                face = presumption.removeprefix(ON)
                 yield "" if _lies(who, face, words) else f"{who} does not lie on {face}"
-            elif way.startswith(THEN_GOES):
-                goes = goes_then(Case(who, followed, query, then, words), way.removeprefix(THEN_GOES))
+            elif presumption.startswith(THEN_GOES):
+                goes = goes_then(Case(who, followed, query, then, words), presumption.removeprefix(THEN_GOES))
                 yield "" if goes else f"{who} does not go that way after that, or it changes then"
-            elif way == ALL or way.startswith((HELD, ROUND, BORNE, UNDER)):
-                yield _beside(who, way, words)
+            elif presumption == ALL or presumption.startswith((HELD, ROUND, BORNE, UNDER)):
+                yield _beside(who, presumption, words)
             else:
-                told, holds = PRESUMED[way]
-                yield "" if holds(Case(who, followed, query, then, words)) else told.format(who=who)
+                text, holds = PRESUMED[presumption]
+                yield "" if holds(Case(who, followed, query, then, words)) else text.format(who=who)
 
 
-def _goes(kind: type[Displacement | Velocity], who: str, way: str, state: State, words: Words) -> bool:
+def _goes(kind: type[Displacement | Velocity], who: str, direction: str, state: State, words: Words) -> bool:
     name = named(who, words)
-    found = kind.evaluate(state, name)[0] if name else np.zeros(3)
-    return float(found @ np.array(AXES[way])) > EVEN * float(np.linalg.norm(found))
+    vector = kind.evaluate(state, name)[0] if name else np.zeros(3)
+    return float(vector @ np.array(AXES[direction])) > EVEN * float(np.linalg.norm(vector))
 
 
-def _beside(who: str, way: str, words: Words) -> str:
+def _beside(who: str, presumption: str, words: Words) -> str:
     """Return a message if a presumption that relates a body to other objects fails; empty if the presumption holds."""
-    if way == ALL:
+    if presumption == ALL:
         return "" if _all_bodies(who, words) else f"{who} are not all that moves"
-    if way.startswith(HELD):
-        spring = way.removeprefix(HELD)
+    if presumption.startswith(HELD):
+        spring = presumption.removeprefix(HELD)
         return "" if held(who, spring, words) else f"{spring} is not fixed at its other end"
-    if way.startswith(BORNE):
-        return "" if borne(who, way.removeprefix(BORNE), words) else f"{way.removeprefix(BORNE)} does not carry {who}"
-    if way.startswith(UNDER):
-        carrier = way.removeprefix(UNDER)
+    if presumption.startswith(BORNE):
+        return (
+            ""
+            if borne(who, presumption.removeprefix(BORNE), words)
+            else f"{presumption.removeprefix(BORNE)} does not carry {who}"
+        )
+    if presumption.startswith(UNDER):
+        carrier = presumption.removeprefix(UNDER)
         level = borne(who, carrier, words) and not center_path(words.mechanism, named(carrier, words)).rises
         return "" if level else f"{who} does not swing below {carrier}"
-    center = named(way.removeprefix(ROUND), words)
+    center = named(presumption.removeprefix(ROUND), words)
     pulled = {frozenset((pull.a, pull.b)) for pull in words.mechanism.attractions}
     return "" if frozenset((named(who, words), center)) in pulled else f"{who} does not go round that"
 
 
 def _all_bodies(who: str, words: Words) -> bool:
     """Return whether a joint phrase names all bodies that have a mass."""
-    said = {named(each, words) for each in who.removeprefix(f"{ALL} ").split(" & ")}
-    return said == {body.name for body in words.mechanism.bodies if body.mass > 0.0}
+    names = {named(each, words) for each in who.removeprefix(f"{ALL} ").split(" & ")}
+    return names == {body.name for body in words.mechanism.bodies if body.mass > 0.0}
 
 
 def _lies(who: str, face: str, words: Words) -> bool:
@@ -178,6 +190,6 @@ def _from_origin(who: str, axis: str, study: SimulatedScene, words: Words) -> bo
     given = next((p.value for p in study.scene.parameters if p.path == f"{name}.{axis}"), None)
     if given is not None:  # the origin of the mechanism need not be that of the text
         return given == 0.0
-    place = start.vector(start.frames.center(name).place)[0]
+    position = start.vector(start.frames.center(name).place)[0]
     sense = next((sense for sense in Bodies().senses(words.mechanism, name) if sense.axis == axis), None)
-    return sense is not None and abs(float(place @ np.array(sense.vector))) <= EVEN
+    return sense is not None and abs(float(position @ np.array(sense.vector))) <= EVEN

@@ -42,9 +42,9 @@ from sim2reason.simulation.quantities.subjects.interactions import Springs
 from sim2reason.simulation.quantities.subjects.rotating_parts import Pulleys, SwingingLines
 
 
-def _address(said: str, words: Words) -> str:
+def _address(mention: str, words: Words) -> str:
     """Return the first address that a phrase of the text denotes; empty if there is none."""
-    return next((address for address, phrase in words.mentions.items() if phrase == said), "")
+    return next((address for address, phrase in words.mentions.items() if phrase == mention), "")
 
 
 def _light(case: Case) -> bool:
@@ -74,7 +74,7 @@ def _centered(case: Case) -> bool:
 
 def held(who: str, spring: str, words: Words) -> bool:
     """Return whether a spring is fixed at one end and tied to a body at the other."""
-    known = {said: name for name, said in words.called(Springs()).items()}
+    known = {phrase: name for name, phrase in words.called(Springs()).items()}
     alone = fixed_end(words) if spring == FIXED_END else (known.get(spring, ""),)
     line, name = words.mechanism.line.get(next(iter(alone), "")), named(who, words)
     if line is None:
@@ -243,15 +243,15 @@ def _beside(axis: str, sign: float, *, farthest: bool) -> Callable[[Case], bool]
 
     def test(case: Case) -> bool:
         name, trace = named(case.who, case.words), case.followed.study.trace
-        place = QUANTITIES[f"{axis} coordinate"]
-        if not farthest and name in place.subjects(case.words.mechanism):
-            return sign * float(place.evaluate(trace.at(case.then), name)[0]) > 0.0
+        quantity = QUANTITIES[f"{axis} coordinate"]
+        if not farthest and name in quantity.subjects(case.words.mechanism):
+            return sign * float(quantity.evaluate(trace.at(case.then), name)[0]) > 0.0
         senses = Bodies().senses(case.words.mechanism, name) if name else ()
-        way = next((sign * np.array(sense.vector) for sense in senses if sense.axis == axis), None)
-        if way is None:
+        direction = next((sign * np.array(sense.vector) for sense in senses if sense.axis == axis), None)
+        if direction is None:
             return False
-        here = float(Displacement.evaluate(trace.at(case.then), name)[0] @ way)
-        most = float((Displacement.evaluate(trace.scan, name) @ way).max())
+        here = float(Displacement.evaluate(trace.at(case.then), name)[0] @ direction)
+        most = float((Displacement.evaluate(trace.scan, name) @ direction).max())
         return here > 0.0 and (not farthest or most <= here * (1.0 + STEADY))
 
     return test

@@ -80,7 +80,7 @@ def _falls(mechanism: Mechanism, name: str) -> bool:
 def alone(force: str, who: str, words: Words) -> bool:
     """Return whether only one type of force acts on a body: magnetic, electric or one gravitational force."""
     mechanism, name = words.mechanism, named(who, words)
-    laws = [found.law for found in mechanism.forces if found.body == name]
+    laws = [applied_force.law for applied_force in mechanism.forces if applied_force.body == name]
     pulls = [pull for pull in mechanism.attractions if name in (pull.a, pull.b)]
     if not name or _falls(mechanism, name) or mechanism.lines or mechanism.contacts or (laws and pulls):
         return False
@@ -200,8 +200,8 @@ def _straight(case: Case) -> bool:
         return False
     velocities = Velocity.evaluate(scan, name)[scan.times <= case.then]
     speeds = np.linalg.norm(velocities, axis=1)
-    way = velocities[int(speeds.argmax())] / max(float(speeds.max()), np.finfo(float).tiny)
-    return bool((np.abs(velocities @ way - speeds) <= STEADY * float(speeds.max())).all())
+    direction = velocities[int(speeds.argmax())] / max(float(speeds.max()), np.finfo(float).tiny)
+    return bool((np.abs(velocities @ direction - speeds) <= STEADY * float(speeds.max())).all())
 
 
 def one_way(case: Case) -> bool:
@@ -248,7 +248,7 @@ def _one_line(case: Case) -> bool:
 def _sets_off(case: Case) -> bool:
     """Return whether a body begins to move at once; True if no body is named."""
     name, start = named(case.who, case.words), case.followed.study.trace.at(0.0)
-    moves = (float(np.linalg.norm(found.evaluate(start, name))) for found in (Velocity, Acceleration) if name)
+    moves = (float(np.linalg.norm(quantity.evaluate(start, name))) for quantity in (Velocity, Acceleration) if name)
     return not name or any(size > EVEN for size in moves)
 
 

@@ -56,10 +56,10 @@ class Main:
 Reader = Callable[[re.Match[str], TokenizedSentence], Iterator[Main]]
 
 
-def each(heard: TokenizedSentence, token: str | None) -> tuple[str, ...]:
+def each(sentence: TokenizedSentence, token: str | None) -> tuple[str, ...]:
     """Return the subjects of a token: a single subject, or all members of a joint phrase."""
-    said = heard.subject(token)
-    return tuple(said.removeprefix(f"{ALL} ").split(" & ")) if said.startswith(f"{ALL} ") else (said,)
+    subject = sentence.subject(token)
+    return tuple(subject.removeprefix(f"{ALL} ").split(" & ")) if subject.startswith(f"{ALL} ") else (subject,)
 
 
 def of_one(*finds: str, needs: str = MOMENT) -> Reader:
@@ -87,7 +87,7 @@ def of_pair(*finds: str, needs: str = MOMENT) -> Reader:
 
     def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
         groups = found.groupdict()
-        named = [said for key in "st" if groups.get(key) for said in each(heard, groups[key])]
+        named = [subject for key in "st" if groups.get(key) for subject in each(heard, groups[key])]
         if len(named) == 2 and named[0] == named[1]:
             return
         pair = " & ".join(named) if len(named) == 2 else ""
@@ -106,8 +106,8 @@ def implied(find: str, *whens: str, needs: str = FREE) -> Reader:
     def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
         who = heard.subject(found.groupdict().get("s"))
         for rank, when in enumerate(whens):
-            told = When(when.format(s=who).strip())
-            yield Main(find, "" if find == "time" else who, needs=needs, when=told, rank=rank)
+            moment = When(when.format(s=who).strip())
+            yield Main(find, "" if find == "time" else who, needs=needs, when=moment, rank=rank)
 
     return read
 
@@ -116,60 +116,60 @@ _UPRIGHT = re.compile(rf"\b(?:{'|'.join(f'{MOTIONS[DOWN]} {MOTIONS[UP]}'.split()
 MASS_CENTER = "velocity of the centre of mass"
 
 
-def mass_center(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def mass_center(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the velocity of the centre of mass of all bodies, if the sentence names all together, or none."""
-    who = heard.subject(found["s"])
+    who = sentence.subject(match["s"])
     if not who or who == EVERYTHING or who.startswith(f"{ALL} "):
         yield Main(MASS_CENTER, ways=((who, ALL),) if who.startswith(f"{ALL} ") else ())
 
 
-def amplitude(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def amplitude(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the amplitude of an oscillation: in metres for a body on a line, as an angle for a swinging one."""
-    for of in each(heard, found["s"]):
+    for of in each(sentence, match["s"]):
         yield Main(AMPLITUDE, of, needs=FREE)
         yield Main("greatest deflection", of, needs=FREE)
 
 
-def own_axis(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def own_axis(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the moment of inertia of a body about its own axis, or about its centre of mass if that is on the axis."""
-    of = heard.subject(found["s"])
+    of = sentence.subject(match["s"])
     yield Main("moment of inertia about the axis", of)
     yield Main("moment of inertia", of, ways=((of, CENTERED),))
 
 
-def from_axis(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def from_axis(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the distance of a body from an axis of coordinates, which is its other coordinate."""
-    other = "y" if found["axis"] == "x" else "x"
-    for of in each(heard, found["s"]):
+    other = "y" if match["axis"] == "x" else "x"
+    for of in each(sentence, match["s"]):
         yield Main(f"{other} coordinate", of, needs=CLAUSED)
 
 
-def on_line(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def on_line(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the coordinate of a body on the only line on which the body moves, if that line is an axis of the text."""
-    yield from (Main("x coordinate", of, needs=CLAUSED, ways=((of, ONE_LINE),)) for of in each(heard, found["s"]))
+    yield from (Main("x coordinate", of, needs=CLAUSED, ways=((of, ONE_LINE),)) for of in each(sentence, match["s"]))
 
 
 SIDES = {"above": ("x", "+"), "below": ("x", "-"), "right": ("y", "+"), "left": ("y", "-")}
 
 
-def beside_axis(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def beside_axis(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the distance of a body from an axis of coordinates on a named side, by default where it is farthest."""
-    axis, sign = SIDES[found["side"]]
+    axis, sign = SIDES[match["side"]]
     other = "y" if axis == "x" else "x"
-    if found["axis"] != axis:
+    if match["axis"] != axis:
         return
-    for of in each(heard, found["s"]):
+    for of in each(sentence, match["s"]):
         beside = (of, f"{BESIDE}{sign}{other}")
-        if found["most"]:
+        if match["most"]:
             turn = When(f"velocity of {of} along {other} = 0 m/s", ways=(beside, (of, f"{FARTHEST}{sign}{other}")))
             yield Main(f"{other} coordinate", of, needs=FREE, when=turn)
         else:
             yield Main(f"{other} coordinate", of, needs=CLAUSED, ways=(beside,))
 
 
-def acceleration_on(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def acceleration_on(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the acceleration of a body relative to the body that carries it."""
-    of, on = heard.subject(found["s"]), heard.subject(found["t"])
+    of, on = sentence.subject(match["s"]), sentence.subject(match["t"])
     yield Main("acceleration relative to its carrier", of, needs=MOMENT, ways=((of, f"{ON}{on}"),))
 
 
@@ -186,36 +186,36 @@ def relatively(name: str) -> Reader:
     return read
 
 
-def far_on(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def far_on(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the distance that a body slides on its carrier, up to a moment or until it stops slipping."""
-    of, on = heard.subject(found["s"]), heard.subject(found["t"])
-    along = ((of, LIES),) if re.search(r"\b(?:along|over|across)\b", heard.text) is not None else ()
+    of, on = sentence.subject(match["s"]), sentence.subject(match["t"])
+    along = ((of, LIES),) if re.search(r"\b(?:along|over|across)\b", sentence.text) is not None else ()
     main = Main("displacement relative to its carrier", of, needs=CLAUSED, ways=((of, f"{ON}{on}"), *along))
     yield main
     yield replace(main, needs=FREE, when=When(f"{of} stopped slipping", AFTER))
 
 
-def down(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def down(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the vertical velocity of a body that also moves sideways, presuming that it moves down."""
-    for of in each(heard, found["s"]):
+    for of in each(sentence, match["s"]):
         yield Main("velocity", of, "vertical", needs=CLAUSED, ways=((of, "down"), (of, SIDEWAYS)))
 
 
-def moving(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def moving(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the time for which a body moves, until it comes to rest for good."""
-    of = heard.subject(found["s"])
+    of = sentence.subject(match["s"])
     yield Main("time", needs=FREE, when=When(f"{of} halted"))
     yield Main("time", needs=FREE, when=When(f"{of} stopped", ways=((of, RESTS),)), rank=1)
 
 
-def work_of_spring(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def work_of_spring(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the work of a spring, as the first subject, on a body, as the second one."""
-    yield from spring_work(found["s"], found["t"], heard)
+    yield from spring_work(match["s"], match["t"], sentence)
 
 
-def spring_work(spring: str, on: str, heard: TokenizedSentence) -> Iterator[Main]:
+def spring_work(spring: str, on: str, sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the work of a spring with one fixed end on the body at the other: the energy that the spring loses."""
-    of, other = heard.subject(spring), heard.subject(on)
+    of, other = sentence.subject(spring), sentence.subject(on)
     yield Main("spring energy", of, needs=LOSS, ways=((other or of, f"{HELD}{of}"),))
 
 
@@ -226,9 +226,9 @@ def far_end(turn: str = "") -> Reader:
     """
 
     def read(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
-        said = [heard.subject(found[key]) for key in "st" if found[key]]
-        springs = [of for of in said if "spring" in of]
-        bodies = [of for of in said if of not in springs]
+        subjects = [heard.subject(found[key]) for key in "st" if found[key]]
+        springs = [of for of in subjects if "spring" in of]
+        bodies = [of for of in subjects if of not in springs]
         if len(bodies) == 1:
             of = springs[0] if springs else FIXED_END
             main = Main("spring length", of, ways=((bodies[0], f"{HELD}{of}"),))
@@ -245,10 +245,10 @@ EXTREMES = {"greatest compression": "most compressed", "greatest extension": "mo
 """By the name of a spring's greatest strain, the moment at which the spring has it, where a motion never recurs."""
 
 
-def heat(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def heat(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the energy dissipated by friction, up to a named moment or until nothing slips any more."""
-    del found
-    if "@" not in _CLAUSE.split(heard.text, maxsplit=1)[0]:
+    del match
+    if "@" not in _CLAUSE.split(sentence.text, maxsplit=1)[0]:
         yield Main(HEAT, EVERYTHING, needs=STRETCH)
     yield Main(HEAT, needs=STRETCH)
     yield Main("energy lost in a collision", needs=JUMP)
@@ -257,10 +257,10 @@ def heat(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
         yield Main(HEAT, needs=FREE, ways=(("", OVER),), when=When(when, AFTER), rank=rank)
 
 
-def heat_between(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def heat_between(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the energy dissipated by friction between a body and its carrier, named in either order."""
-    said = [heard.subject(found[key]) for key in "st"]
-    for of, on in (said, said[::-1]):
+    subjects = [sentence.subject(match[key]) for key in "st"]
+    for of, on in (subjects, subjects[::-1]):
         main = Main(HEAT, of, ways=((of, f"{ON}{on}"),))
         yield replace(main, needs=STRETCH)
         yield replace(main, needs=FREE, when=When(f"{of} stopped slipping", AFTER), rank=1)
@@ -292,26 +292,26 @@ def most(name: str) -> Reader:
     return read
 
 
-def of_hand_on(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def of_hand_on(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the work of the hand, presuming that it pulls a named body."""
-    for of in each(heard, found["s"]):
+    for of in each(sentence, match["s"]):
         yield Main("work of a hand", needs=STRETCH, ways=((of, DRAWN),))
 
 
-def work_on(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def work_on(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the work of a string on the body that it pulls, or of a spring on the body at its free end."""
-    yield from (Main("work of a tension", of, needs=STRETCH) for of in each(heard, found["s"]))
-    yield from spring_work(found["t"], found["s"], heard)
+    yield from (Main("work of a tension", of, needs=STRETCH) for of in each(sentence, match["s"]))
+    yield from spring_work(match["t"], match["s"], sentence)
 
 
-def count_between(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def count_between(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the number of all collisions, if the sentence names all bodies together and there is no wall."""
-    who = heard.subject(found["s"])
+    who = sentence.subject(match["s"])
     if who.startswith(f"{ALL} "):
-        yield from (replace(main, of="", ways=((who, ALL), ("", MUTUAL))) for main in count(found, heard))
+        yield from (replace(main, of="", ways=((who, ALL), ("", MUTUAL))) for main in count(match, sentence))
 
 
-def count(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def count(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the number of all collisions, or of those up to a moment."""
-    yield from implied("number of collisions", "last collision")(found, heard)
+    yield from implied("number of collisions", "last collision")(match, sentence)
     yield Main("number of collisions", needs=CLAUSED)

@@ -87,12 +87,14 @@ class Reading:
     happens: bool = True
 
 
-def readings(heard: TokenizedSentence) -> tuple[Reading, ...]:
+def readings(sentence: TokenizedSentence) -> tuple[Reading, ...]:
     """Return all readings of a sentence; empty if the sentence is not understood."""
-    for told in (heard, _together(heard)):
-        between = [_with(main, when) for main, when in differences(told)]
-        found = between or [reading for parts in _parts(told.text) for reading in _of_parts(*parts, told)]
-        if distinct := tuple(dict.fromkeys(each for reading in found for each in _of_each(reading) if _tells(each))):
+    for variant in (sentence, _together(sentence)):
+        between = [_with(main, when) for main, when in differences(variant)]
+        candidates = between or [reading for parts in _parts(variant.text) for reading in _of_parts(*parts, variant)]
+        if distinct := tuple(
+            dict.fromkeys(each for reading in candidates for each in _of_each(reading) if _tells(each))
+        ):
             return distinct
     return ()
 
@@ -102,15 +104,15 @@ def _tells(reading: Reading) -> bool:
     return reading.asked.find != "time" or not (reading.asked.when.startswith("at ") or reading.asked.when == LONG)
 
 
-def _together(heard: TokenizedSentence) -> TokenizedSentence:
+def _together(sentence: TokenizedSentence) -> TokenizedSentence:
     """Return a sentence with one token for two subjects joined by *and*, so that the question concerns both."""
-    found = _BOTH.search(heard.text)
-    if found is None:
-        return heard
-    one, other = (heard.subject(found[number]).removeprefix(f"{ALL} ") for number in (1, 2))
+    match = _BOTH.search(sentence.text)
+    if match is None:
+        return sentence
+    one, other = (sentence.subject(match[number]).removeprefix(f"{ALL} ") for number in (1, 2))
     both = f"{ALL} {one} & {other}"
-    token = f"@{len(heard.subjects)}@"
-    return replace(heard, text=_BOTH.sub(token, heard.text, count=1), subjects=(*heard.subjects, both))
+    token = f"@{len(sentence.subjects)}@"
+    return replace(sentence, text=_BOTH.sub(token, sentence.text, count=1), subjects=(*sentence.subjects, both))
 
 
 def _of_each(reading: Reading) -> Iterator[Reading]:
@@ -121,7 +123,7 @@ def _of_each(reading: Reading) -> Iterator[Reading]:
         return
     for who in several[0].removeprefix(f"{ALL} ").split(" & "):
         when = reading.asked.when.replace(several[0], who)
-        gone = tuple((who if said == several[0] else said, way) for said, way in reading.gone)
+        gone = tuple((who if subject == several[0] else subject, presumption) for subject, presumption in reading.gone)
         yield replace(reading, asked=replace(reading.asked, when=when), gone=gone)
 
 
@@ -158,31 +160,33 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
         yield "when", _INVERTED.sub(r"\g<who> \g<verb>", time["clause"]), THEN
 
 
-def _of_parts(question: str, clause: str, side: str, heard: TokenizedSentence) -> Iterator[Reading]:
-    between = (*after_bounce(question, clause, side, heard), *above_lowest(question, clause, side, heard))
+def _of_parts(question: str, clause: str, side: str, sentence: TokenizedSentence) -> Iterator[Reading]:
+    between = (*after_bounce(question, clause, side, sentence), *above_lowest(question, clause, side, sentence))
     yield from (_with(main, when) for main, when in between)
-    for main in mains(question, heard):
+    for main in mains(question, sentence):
         if not clause or (main.needs == STRETCH and side == AFTER and _BEGUN.fullmatch(clause)):
             yield from _alone(main)
         elif (
             main.needs != FREE and main.when is None and not (main.needs == STRETCH and side == AFTER and _late(clause))
         ):
-            for when in whens(clause, heard, main.of or heard.subject("@0@" if heard.subjects else None), side):
+            for when in whens(
+                clause, sentence, main.of or sentence.subject("@0@" if sentence.subjects else None), side
+            ):
                 if _not_meant(main, when, clause, side):
                     continue
                 if main.needs in CHANGES:
                     both = moments_of_change(main, when, side)
-                    yield from (_with(replace(main, needs=MOMENT), told) for told in filter(None, (both,)))
+                    yield from (_with(replace(main, needs=MOMENT), moment) for moment in filter(None, (both,)))
                 elif main.needs != LANDING or _LANDED.search(when.told):
                     yield _with(main, when)
-        yield from _on_the_way(main, clause, side, heard)
+        yield from _on_the_way(main, clause, side, sentence)
         going = _GOES_ON.fullmatch(clause) if clause and side in (DURING, THEN) and main.needs == MOMENT else None
         if going is not None:
-            who = heard.subject(going["s"]) or main.of
+            who = sentence.subject(going["s"]) or main.of
             ways = ((who, going["on"]),) if going["on"] else ways_of(going, who)
             yield Reading(_asked(main, ""), DURING, moving=(*main.ways, *ways), steady=True)
-            for way in (way for _, way in ways if way in ("up", "down")):  # on the way back
-                yield Reading(_asked(main, f"{who} stopped"), AFTER, ((who, f"{THEN_GOES}{way}"),))
+            for direction in (direction for _, direction in ways if direction in ("up", "down")):  # on the way back
+                yield Reading(_asked(main, f"{who} stopped"), AFTER, ((who, f"{THEN_GOES}{direction}"),))
 
 
 def _not_meant(main: Main, when: When, clause: str, side: str) -> bool:
@@ -200,29 +204,29 @@ def _not_meant(main: Main, when: When, clause: str, side: str) -> bool:
     return LATE.match(when.told) is not None and main.needs in (STRETCH, *CHANGES)
 
 
-def _on_the_way(main: Main, clause: str, side: str, heard: TokenizedSentence) -> Iterator[Reading]:
+def _on_the_way(main: Main, clause: str, side: str, sentence: TokenizedSentence) -> Iterator[Reading]:
     """Yield readings for the upward or downward part of a path, until the body turns back or slipping stops."""
-    alone = heard.subject("@0@") if len(heard.subjects) == 1 else ""
+    alone = sentence.subject("@0@") if len(sentence.subjects) == 1 else ""
     adds_up = main.needs == STRETCH or main.find in TURNED
     if side not in (DURING, THEN) or not adds_up or not (main.of or alone):
         return
     slips = _SLIPPING.fullmatch(clause)
     if slips is not None:
-        yield _with(main, When(f"{heard.subject(slips['s']) or main.of or alone} stopped slipping", AFTER))
-    found = _ON_ITS_WAY.fullmatch(clause)
-    if found is not None:
-        way = found["on"] or ("up" if found["noun"] in RISES else "down")
-        who = heard.subject(found["s"]) or main.of or alone
-        for rank, when in enumerate(("highest point" if way == "up" else "lowest point", "stopped")):
-            yield _with(replace(main, rank=main.rank + rank), When(f"{who} {when}", AFTER, ((who, way),)))
+        yield _with(main, When(f"{sentence.subject(slips['s']) or main.of or alone} stopped slipping", AFTER))
+    match = _ON_ITS_WAY.fullmatch(clause)
+    if match is not None:
+        direction = match["on"] or ("up" if match["noun"] in RISES else "down")
+        who = sentence.subject(match["s"]) or main.of or alone
+        for rank, when in enumerate(("highest point" if direction == "up" else "lowest point", "stopped")):
+            yield _with(replace(main, rank=main.rank + rank), When(f"{who} {when}", AFTER, ((who, direction),)))
 
 
 def _whole(main: Main) -> Iterator[Reading]:
     """Yield readings of a distance asked for without a moment: up to the landing, the bounce or the body's stop."""
-    way = next((way for _, way in main.ways if way in ("up", "down", "right", "left")), "")
+    direction = next((direction for _, direction in main.ways if direction in ("up", "down", "right", "left")), "")
     for rank, when in enumerate(("landed", "bounced", "halted", "stopped")):
-        told = When(f"{main.of} {when}".strip(), AFTER, () if way or when != "stopped" else ((main.of, RESTS),))
-        yield _with(replace(main, rank=main.rank + rank), told)
+        moment = When(f"{main.of} {when}".strip(), AFTER, () if direction or when != "stopped" else ((main.of, RESTS),))
+        yield _with(replace(main, rank=main.rank + rank), moment)
 
 
 def _to_its_end(main: Main) -> Iterator[Reading]:
@@ -256,14 +260,16 @@ def _with(main: Main, when: When) -> Reading:
     side = AFTER if main.needs == STRETCH else when.side
     if MINUS in when.told:
         return Reading(_asked(main, when.told), AFTER, (*main.ways, *when.ways), rank=main.rank + when.rank)
-    told = when.told.removesuffix(" before") if main.find == "time" else when.told
+    moment = when.told.removesuffix(" before") if main.find == "time" else when.told
     if main.needs == STRETCH and main.find != "time":
-        told = told.removesuffix(" before")
-    elif when.side == BEFORE and main.find != "time" and not told.endswith(" before") and not told.startswith("at "):
-        told = f"{told} before"
+        moment = moment.removesuffix(" before")
+    elif (
+        when.side == BEFORE and main.find != "time" and not moment.endswith(" before") and not moment.startswith("at ")
+    ):
+        moment = f"{moment} before"
     moves = main.needs == MOMENT or main.find == INCLINATION
     gone, moving = ((), main.ways) if moves else (main.ways, ())
-    return Reading(_asked(main, told), side, (*gone, *when.ways), moving, rank=main.rank + when.rank)
+    return Reading(_asked(main, moment), side, (*gone, *when.ways), moving, rank=main.rank + when.rank)
 
 
 def _asked(main: Main, when: str) -> StructuredQuestion:

@@ -240,6 +240,6 @@ _ALL: Mapping[str, str] = {
 
 def reworded(text: str) -> str:
     """Return a question with its turns of phrase replaced by plainer equivalents."""
-    for told, plain in _ALL.items():
-        text = pattern(told).sub(plain, text)
+    for template, plain in _ALL.items():
+        text = pattern(template).sub(plain, text)
     return text.strip()

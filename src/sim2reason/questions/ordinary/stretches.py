@@ -79,53 +79,53 @@ def _rise(of: str) -> Iterator[Main]:
         yield Main("greatest height", of, needs=FREE, ways=((of, "up"),), when=When(f"{of} {when}"), rank=rank)
 
 
-def _highest(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def _highest(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the height of a body above the ground at the highest point or, failing that, where the body stops."""
-    for of in each(heard, found.groupdict().get("s")):
+    for of in each(sentence, match.groupdict().get("s")):
         yield Main("height above the ground", of, needs=FREE, when=When(f"{of} highest point"))
         yield Main("height above the ground", of, needs=FREE, when=When(f"{of} stopped"), rank=1)
 
 
-def _before_landing(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def _before_landing(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the greatest height of a body above the ground before it lands, presuming that it rises first."""
-    for main in _highest(found, heard):
+    for main in _highest(match, sentence):
         yield replace(main, ways=((main.of, "up"),))
 
 
-def _range(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def _range(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the horizontal displacement of a body at its landing or, failing that, at its first bounce."""
-    for of in each(heard, found.groupdict().get("s")):
+    for of in each(sentence, match.groupdict().get("s")):
         yield Main("displacement", of, "horizontal", FREE, when=When(f"{of} landed".strip()))
         yield Main("displacement", of, "horizontal", FREE, when=When(f"{of} bounced".strip()), rank=1)
 
 
-def _gets(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def _gets(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the greatest height of a body above its start and, at a lower priority, above the ground."""
-    yield from _above_start(found, heard)
-    yield from (replace(main, rank=main.rank + 1) for main in _highest(found, heard))
+    yield from _above_start(match, sentence)
+    yield from (replace(main, rank=main.rank + 1) for main in _highest(match, sentence))
 
 
-def _above_start(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def _above_start(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the greatest height of a body above its start, presuming that the body rises."""
-    for of in each(heard, found.groupdict().get("s")):
+    for of in each(sentence, match.groupdict().get("s")):
         yield Main("greatest height", of, needs=STRETCH, ways=(("", RISING),))
         yield from _rise(of)
 
 
-def _keeps_on(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def _keeps_on(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the time for which a body moves in one direction, until it turns back."""
-    for of in each(heard, found["s"]):
-        if ways := ways_of(found, of):
+    for of in each(sentence, match["s"]):
+        if ways := ways_of(match, of):
             yield Main("time", needs=FREE, ways=ways, when=When(f"{of} stopped", AFTER))
             carried = (*ways, (of, CARRIED_AT_REST))
             still = When(f"velocity of {of} along {ONLY_LINE} = 0 m/s", AFTER)
             yield Main("time", needs=FREE, ways=carried, when=still, rank=1)
 
 
-def _apsis(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def _apsis(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the distance of two bodies at the nearest or farthest point of an orbit, such as the perihelion."""
-    del heard
-    near = pattern("NEAREST").fullmatch(found["apsis"]) is not None
+    del sentence
+    near = pattern("NEAREST").fullmatch(match["apsis"]) is not None
     yield Main(f"{'least' if near else 'greatest'} distance", needs=STRETCH)
 
 
@@ -134,10 +134,10 @@ def _at_once(*finds: str) -> Reader:
     return of_pair(*finds, needs=STRETCH)
 
 
-def _fall(found: re.Match[str], heard: TokenizedSentence) -> Iterator[Main]:
+def _fall(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the time until a body lands, presuming that it never rises."""
-    for main in implied("time", "{s} landed", "{s} bounced")(found, heard):
-        yield replace(main, ways=((heard.subject(found["s"]), FALLS),))
+    for main in implied("time", "{s} landed", "{s} bounced")(match, sentence):
+        yield replace(main, ways=((sentence.subject(match["s"]), FALLS),))
 
 
 def _period(name: str) -> Reader:

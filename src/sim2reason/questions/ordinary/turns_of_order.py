@@ -289,10 +289,10 @@ def without_leads(text: str, numbers: tuple[str, ...], *, smooth: bool) -> str:
         text = lead.sub("", text)
     if re.search(r"\bvertical component\b|\by[- ]component\b", text):
         text = _POSITIVE.sub("", text)
-    return _REPEATED.sub(lambda found: _once(found, numbers), text)
+    return _REPEATED.sub(lambda match: _once(match, numbers), text)
 
 
-def _once(found: re.Match[str], numbers: tuple[str, ...]) -> str:
-    one, other = numbers[int(found[1])], numbers[int(found[2])]
+def _once(match: re.Match[str], numbers: tuple[str, ...]) -> str:
+    one, other = numbers[int(match[1])], numbers[int(match[2])]
     (size, _, unit), (twin, _, same) = one.partition(" "), other.partition(" ")
-    return f"#{found[1]}#" if float(size) == float(twin) and unit == same else found[0]
+    return f"#{match[1]}#" if float(size) == float(twin) and unit == same else match[0]

@@ -53,56 +53,60 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
     Raises:
         TextError: the sentence has several readings with different answers, or a presumption of the sentence fails.
     """
-    heard = tokenize(sentence, words)
-    said = _RESTATED.fullmatch(heard.text)
-    if said is None:
-        return _meant(heard, motion, words)
-    one, other = (_meant(replace(heard, text=reworded(said[key])), motion, words) for key in ("one", "other"))
+    tokenized = tokenize(sentence, words)
+    match = _RESTATED.fullmatch(tokenized.text)
+    if match is None:
+        return _meant(tokenized, motion, words)
+    one, other = (_meant(replace(tokenized, text=reworded(match[key])), motion, words) for key in ("one", "other"))
     if one is None or other is None:
         return None
     _agree([one, other], words)
     return other
 
 
-def _meant(heard: TokenizedSentence, motion: FollowedMotion, words: Words) -> Understood | None:
+def _meant(tokenized: TokenizedSentence, motion: FollowedMotion, words: Words) -> Understood | None:
     """Return the question that a tokenized sentence asks, and its answer; None if it is not understood."""
-    found = (
-        of_small_oscillations(heard, motion, words, READER)
-        or of_blow(heard, motion, words, READER)
-        or understood_as_it_is(heard, motion, words)
-        or in_changed_scene(heard, motion, words, READER)
-        or number_making_so(heard, motion, words, READER)
-        or after_removal_of_things(heard, motion, words, READER)
+    meaning = (
+        of_small_oscillations(tokenized, motion, words, READER)
+        or of_blow(tokenized, motion, words, READER)
+        or understood_as_it_is(tokenized, motion, words)
+        or in_changed_scene(tokenized, motion, words, READER)
+        or number_making_so(tokenized, motion, words, READER)
+        or after_removal_of_things(tokenized, motion, words, READER)
     )
-    if found is None and goes_on_otherwise(heard.text):
+    if meaning is None and goes_on_otherwise(tokenized.text):
         raise TextError(
             "question",
             "it supposes that something is cut or let go, and it is not clear what follows it, or at which moment",
             "say when it is cut, and ask how much farther or how fast something moves from then on",
         )
-    return found
+    return meaning
 
 
-def understood_as_it_is(heard: TokenizedSentence, motion: FollowedMotion, words: Words) -> Understood | None:
+def understood_as_it_is(tokenized: TokenizedSentence, motion: FollowedMotion, words: Words) -> Understood | None:
     """Return the question of a tokenized sentence about the unchanged scene, and its answer; None without one.
 
     Raises:
         TextError: the sentence has several readings with different answers, or a presumption of the sentence fails.
     """
-    return first_of(questions_of(heard, motion, words), motion, words)
+    return first_of(questions_of(tokenized, motion, words), motion, words)
 
 
-def questions_of(heard: TokenizedSentence, motion: FollowedMotion, words: Words) -> list[Reading]:
+def questions_of(tokenized: TokenizedSentence, motion: FollowedMotion, words: Words) -> list[Reading]:
     """Return all readings of a tokenized sentence whose subjects and moments exist in the scene."""
     events = simulate_until_event(motion).study.trace.events if words.mechanism.meetings else ()
-    found = [*placed(readings(heard), words, events), *numbers_wanted(heard, motion.study.scene, words)]
-    return [each for each in found if _from_origin(each)] if _ORIGIN.search(heard.text) and starts_off(words) else found
+    candidates = [*placed(readings(tokenized), words, events), *numbers_wanted(tokenized, motion.study.scene, words)]
+    return (
+        [each for each in candidates if _from_origin(each)]
+        if _ORIGIN.search(tokenized.text) and starts_off(words)
+        else candidates
+    )
 
 
 def starts_off(words: Words) -> bool:
     """Return whether some body does not start at the origin of the text's axes."""
     stated = (each.stated for body in words.mechanism.bodies for each in body.coordinates)
-    return any(place is not None and place[1] != 0.0 for place in stated)
+    return any(start is not None and start[1] != 0.0 for start in stated)
 
 
 def _from_origin(reading: Reading) -> bool:
@@ -117,13 +121,13 @@ def first_of(questions: list[Reading], motion: FollowedMotion, words: Words) -> 
         TextError: there are several readings with different answers, or a presumption fails.
     """
     for rank in sorted({reading.rank for reading in questions}):
-        found, refused = _of_rank([reading for reading in questions if reading.rank == rank], motion, words)
-        answered = [each for each in found if each.followed.answer is not None]
+        fitting, refused = _of_rank([reading for reading in questions if reading.rank == rank], motion, words)
+        answered = [each for each in fitting if each.followed.answer is not None]
         if refused and not answered:
             raise TextError("question", f"it is not so: {refused}", "ask about what happens, or say when")
         _agree(answered, words)
-        if answered or any(not isinstance(each.posed.query.moment, WholeMotion | Halted) for each in found):
-            return next(iter([*answered, *found]))
+        if answered or any(not isinstance(each.posed.query.moment, WholeMotion | Halted) for each in fitting):
+            return next(iter([*answered, *fitting]))
     return None
 
 
@@ -132,7 +136,7 @@ READER = Reader(understood_as_it_is, questions_of, first_of)
 
 def _of_rank(questions: list[Reading], motion: FollowedMotion, words: Words) -> tuple[list[Understood], str]:
     """Return the readings that fit a motion, and why the first unfit one does not; an empty reason if all fit."""
-    found: list[Understood] = []
+    fitting: list[Understood] = []
     refused = ""
     for reading in questions:
         question = _posed(reading.asked, motion, words)
@@ -144,15 +148,15 @@ def _of_rank(questions: list[Reading], motion: FollowedMotion, words: Words) -> 
         reason = _unfit(reading, question, followed, words)
         refused = refused or reason
         if not reason:
-            found.append(Understood(reading.asked, question, followed))
-    return found, refused
+            fitting.append(Understood(reading.asked, question, followed))
+    return fitting, refused
 
 
-def _posed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion | None:
+def _posed(structured: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion | None:
     """Return the posed question, with addresses in place of unknown phrases; None if it has no meaning."""
-    for told in dict.fromkeys((asked, addressed(asked, words), seen_from(asked, words))):
+    for variant in dict.fromkeys((structured, addressed(structured, words), seen_from(structured, words))):
         try:
-            return pose_question(in_numbers(told, motion, words), motion, words)
+            return pose_question(in_numbers(variant, motion, words), motion, words)
         except TextError:
             continue
     return None
@@ -166,7 +170,7 @@ def _unfit(reading: Reading, question: PosedQuestion, followed: SimulatedAnswer,
         return _wrong_end(reading, question)
     query, study = question.query, followed.study
     if reading.steady and query.target is not None:
-        vanishes = any(way == SLOWER for _, way in reading.moving)
+        vanishes = any(presumption == SLOWER for _, presumption in reading.moving)
         during, vector = reading.side == DURING, reading.asked.find == VECTOR and not reading.asked.along
         reason = steady(query.target, study.trace, during=during, vanishes=vanishes, vector=vector)
         if reason:
@@ -187,13 +191,13 @@ def _wrong_end(reading: Reading, question: PosedQuestion) -> str:
     return "it comes about on the other side of that number" if below == reading.least else ""
 
 
-def _agree(found: list[Understood], words: Words) -> None:
+def _agree(meanings: list[Understood], words: Words) -> None:
     """Raise TextError, which lists all readings of a sentence, if the readings have different answers."""
-    answers = [each.followed.answer for each in found]
+    answers = [each.followed.answer for each in meanings]
     if all(isclose(answer or 0.0, answers[0] or 0.0, rel_tol=ANSWER_RTOL, abs_tol=1e-12) for answer in answers):
         return
-    told = dict.fromkeys(each.posed.sentence(words) or each.asked.told for each in found)
-    raise TextError("question", "it can be read in several ways", f"did you mean: {' or: '.join(told)}")
+    wordings = dict.fromkeys(each.posed.sentence(words) or each.asked.told for each in meanings)
+    raise TextError("question", "it can be read in several ways", f"did you mean: {' or: '.join(wordings)}")
 
 
 SETTING = frozenset(
@@ -204,10 +208,10 @@ SETTING = frozenset(
 
 def missing_object(sentence: str, scene: Scene) -> str:
     """Return a clause that names an object of a sentence that the scene lacks; empty if there is none."""
-    asked, told = _singular_words(sentence), _singular_words(describe(scene).text)
+    sentence_words, scene_words = _singular_words(sentence), _singular_words(describe(scene).text)
     present = {noun for body in scene.bodies.values() for noun in body.nouns}
     nouns = {noun for body in BODIES.values() for noun in body.nouns} - SETTING - present
-    missing = sorted(noun for noun in nouns if noun in asked and noun not in told)
+    missing = sorted(noun for noun in nouns if noun in sentence_words and noun not in scene_words)
     return f"the scene has no {missing[0]}" if missing else ""
 
 
@@ -251,7 +255,7 @@ BEYOND: Mapping[str, str] = {
 def reason(sentence: str) -> str:
     """Return a clause that explains why the library cannot answer a sentence; empty if the reason is unknown."""
     plain = " ".join(sentence.lower().split())
-    return next((told for like, told in BEYOND.items() if re.search(like, plain)), "")
+    return next((explanation for like, explanation in BEYOND.items() if re.search(like, plain)), "")
 
 
 MAX_SUGGESTIONS = 3
@@ -263,15 +267,15 @@ COMMON = frozenset(
 def suggestion(sentence: str, motion: FollowedMotion, words: Words) -> str:
     """Return a hint for a sentence that is not understood: the reason, if known, and similar questions."""
     why = missing_object(sentence, motion.study.scene) or reason(sentence)
-    said = _content_words(sentence)
+    sentence_words = _content_words(sentence)
     offered = dict.fromkeys(question.sentence(words) for question in _offered(motion, words))
     ranked = sorted(
-        (told for told in offered if told),
-        key=lambda told: -len(said & _content_words(told)) / len(_content_words(told)),
+        (suggested for suggested in offered if suggested),
+        key=lambda suggested: -len(sentence_words & _content_words(suggested)) / len(_content_words(suggested)),
     )
-    near = [told for told in ranked if said & _content_words(told)][:MAX_SUGGESTIONS]
-    told = f"did you mean: {' or: '.join(near)}" if near else "see: sim2reason ask SCENE"
-    return f"{why}; {told}" if why else told
+    near = [suggested for suggested in ranked if sentence_words & _content_words(suggested)][:MAX_SUGGESTIONS]
+    suggested = f"did you mean: {' or: '.join(near)}" if near else "see: sim2reason ask SCENE"
+    return f"{why}; {suggested}" if why else suggested
 
 
 def _content_words(sentence: str) -> set[str]:

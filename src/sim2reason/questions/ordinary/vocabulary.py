@@ -254,12 +254,12 @@ WAYS: Mapping[str, str] = {
 def either(phrases: Iterable[str]) -> str:
     """Return a regular expression group that matches any of the phrases, longest first, with table names expanded."""
     longest = sorted(dict.fromkeys(phrases), key=len, reverse=True)
-    return f"(?:{'|'.join(re.sub('[A-Z]{2,}', lambda found: _macro(found[0]), phrase) for phrase in longest)})"
+    return f"(?:{'|'.join(re.sub('[A-Z]{2,}', lambda match: _macro(match[0]), phrase) for phrase in longest)})"
 
 
-def matching_entry(tables: Mapping[str, str], said: str, parted: str = "|") -> str:
+def matching_entry(tables: Mapping[str, str], phrase: str, parted: str = "|") -> str:
     """Return the name of the table entry that a phrase matches; empty if no entry matches."""
-    return next((name for name, row in tables.items() if re.fullmatch(either(row.split(parted)), said)), "")
+    return next((name for name, row in tables.items() if re.fullmatch(either(row.split(parted)), phrase)), "")
 
 
 @cache
@@ -283,8 +283,8 @@ def pattern(told: str) -> re.Pattern[str]:
     Text in square brackets is optional, and ``~`` stands for any auxiliaries.
     """
     told = told.replace("{s}", r"(?P<s>@\d+@)").replace("{t}", r"(?P<t>@\d+@)").replace("{n}", r"(?P<n>#\d+#)")
-    told = re.sub(r"\{([a-z]+)=([A-Z_]+)\}", lambda found: f"(?P<{found[1]}>{_macro(found[2])})", told)
-    told = re.sub(r"(?<![<\\])\b[A-Z_]{2,}\b", lambda found: _macro(found[0]), told)
+    told = re.sub(r"\{([a-z]+)=([A-Z_]+)\}", lambda match: f"(?P<{match[1]}>{_macro(match[2])})", told)
+    told = re.sub(r"(?<![<\\])\b[A-Z_]{2,}\b", lambda match: _macro(match[0]), told)
     told = told.replace("[", "(?:").replace("]", ")?").replace("~", f"(?:{_macro('AUX')} )*")
     return re.compile(told)
 

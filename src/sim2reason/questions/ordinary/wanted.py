@@ -112,24 +112,24 @@ class WantedNumber:
     least: bool | None = None
 
 
-def wanted(heard: TokenizedSentence) -> Iterator[WantedNumber]:
+def wanted(sentence: TokenizedSentence) -> Iterator[WantedNumber]:
     """Yield every number of the scene that a sentence may ask for."""
-    for told in _FRAMES:
-        found = _compiled(told).fullmatch(heard.text)
-        if found is not None:
-            groups = found.groupdict()
+    for template in _FRAMES:
+        match = _compiled(template).fullmatch(sentence.text)
+        if match is not None:
+            groups = match.groupdict()
             name = matching_entry(NUMBERS, groups["p"]) if groups.get("p") else "length"
-            owner = heard.subject(groups.get("own") or groups.get("of"))
+            owner = sentence.subject(groups.get("own") or groups.get("of"))
             rest = re.sub(r"^it\b", groups.get("s") or "it", groups["rest"])
-            yield from _results(name, owner, rest, heard, heard.subject(groups.get("s")))
+            yield from _results(name, owner, rest, sentence, sentence.subject(groups.get("s")))
     known = False
-    for told in _LIMITS:
-        found = _compiled(told).fullmatch(heard.text)
-        if found is not None:
+    for template in _LIMITS:
+        match = _compiled(template).fullmatch(sentence.text)
+        if match is not None:
             known = True
-            yield from _limits(found, heard)
+            yield from _limits(match, sentence)
     if not known:
-        for limit in limits(heard, NUMBERS):
+        for limit in limits(sentence, NUMBERS):
             yield from _outcomes(limit)
 
 
@@ -143,67 +143,69 @@ def _outcomes(limit: DecidingNumber) -> Iterator[WantedNumber]:
         yield WantedNumber(limit.name, limit.owner, limit.of, does=outcome, happens=happens, least=limit.least)
 
 
-def _compiled(told: str) -> re.Pattern[str]:
-    told = told.replace("PARAMETER", _PARAMETER).replace("NEEDED", _NEEDED)
+def _compiled(template: str) -> re.Pattern[str]:
+    template = template.replace("PARAMETER", _PARAMETER).replace("NEEDED", _NEEDED)
     for name, rows in (("NUMBERS", NUMBERS.values()), ("OUTCOMES", OUTCOMES), ("SIZES", ("GREATEST", "LEAST"))):
-        told = re.sub(rf"\{{(\w+)={name}\}}", lambda found, rows=rows: f"(?P<{found[1]}>(?:{'|'.join(rows)}))", told)
+        template = re.sub(
+            rf"\{{(\w+)={name}\}}", lambda match, rows=rows: f"(?P<{match[1]}>(?:{'|'.join(rows)}))", template
+        )
     when = rf"(?P<connector>{'|'.join(CONNECTORS)}) (?P<clause>.+)"
-    return pattern(told.replace("WHEN", when).replace("SUCH", f"(?:{_SUCH})"))
+    return pattern(template.replace("WHEN", when).replace("SUCH", f"(?:{_SUCH})"))
 
 
-def _results(name: str, owner: str, rest: str, heard: TokenizedSentence, subject: str) -> Iterator[WantedNumber]:
+def _results(name: str, owner: str, rest: str, sentence: TokenizedSentence, subject: str) -> Iterator[WantedNumber]:
     """Yield a wanted number for each way to read the result that a clause states."""
-    for told in (*_RESULTS, _GIVES, _ACCELERATES, *_GOES, _AT_SPEED):
-        found = _compiled(told).fullmatch(rest)
-        if found is None:
+    for template in (*_RESULTS, _GIVES, _ACCELERATES, *_GOES, _AT_SPEED):
+        match = _compiled(template).fullmatch(rest)
+        if match is None:
             continue
-        groups = found.groupdict()
-        number = heard.number(groups["n"])
-        of = heard.subject(groups.get("t")) or subject
+        groups = match.groupdict()
+        number = sentence.number(groups["n"])
+        of = sentence.subject(groups.get("t")) or subject
         quantity = matching_entry(QUANTITIES, groups["q"]) if groups.get("q") else ""
-        if told == _ACCELERATES:
+        if template == _ACCELERATES:
             quantity = "acceleration"
-        elif told == _AT_SPEED:
+        elif template == _AT_SPEED:
             quantity = "velocity"
-        elif told in _GOES:
+        elif template in _GOES:
             quantity = "time" if number.endswith(" s") else "displacement"
         clause, side = groups.get("clause") or "", CONNECTORS.get(groups.get("connector") or "", "then")
-        ends = whens(clause, heard, of, side) if clause else [When("")]
+        ends = whens(clause, sentence, of, side) if clause else [When("")]
         yield from (
             WantedNumber(name, owner, of if quantity != "time" else "", f"{quantity} = {number}", end) for end in ends
         )
 
 
-def _limits(found: re.Match[str], heard: TokenizedSentence) -> Iterator[WantedNumber]:
-    groups = found.groupdict()
+def _limits(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[WantedNumber]:
+    groups = match.groupdict()
     name = matching_entry(NUMBERS, groups["p"])
     does, happens = ("slides", "yes") if groups.get("set") else OUTCOMES[_row(groups["clause"])]
-    owner = heard.subject(groups.get("own") or groups.get("of"))
-    least = None if not groups.get("size") else pattern("LEAST").fullmatch(groups["size"]) is not None
-    for who, outcome in product(each(heard, groups["s"]), (does, ROLLING.get(does, ""))):
+    owner = sentence.subject(groups.get("own") or groups.get("of"))
+    is_minimum = None if not groups.get("size") else pattern("LEAST").fullmatch(groups["size"]) is not None
+    for who, outcome in product(each(sentence, groups["s"]), (does, ROLLING.get(does, ""))):
         if outcome:
-            yield WantedNumber(name, owner, who, does=outcome, happens=happens == "yes", least=least)
+            yield WantedNumber(name, owner, who, does=outcome, happens=happens == "yes", least=is_minimum)
 
 
 def _row(clause: str) -> str:
     return next(row for row in OUTCOMES if pattern(f"(?:{row})").fullmatch(clause))
 
 
-def numbers_wanted(heard: TokenizedSentence, scene: Scene, words: Words) -> Iterator[Reading]:
+def numbers_wanted(sentence: TokenizedSentence, scene: Scene, words: Words) -> Iterator[Reading]:
     """Yield the readings of a sentence that asks for a number of the scene, with the number's address."""
-    for found in wanted(heard):
-        path = _path(found, scene, words)
+    for number in wanted(sentence):
+        path = _path(number, scene, words)
         if not path:
             continue
-        if found.does:
-            for rank, who in enumerate(dict.fromkeys((found.of, ""))):
-                asked = StructuredQuestion(path, when=f"{who} {found.does}".strip())
-                yield Reading(asked, least=found.least, happens=found.happens, rank=rank)
-        elif found.given == AT_REST:
-            yield from _balanced(path, found.of, words)
+        if number.does:
+            for rank, who in enumerate(dict.fromkeys((number.of, ""))):
+                question = StructuredQuestion(path, when=f"{who} {number.does}".strip())
+                yield Reading(question, least=number.least, happens=number.happens, rank=rank)
+        elif number.given == AT_REST:
+            yield from _balanced(path, number.of, words)
         else:
-            asked = StructuredQuestion(path, found.of, found.when.told, given=found.given)
-            yield Reading(asked, found.when.side, rank=found.when.rank)
+            question = StructuredQuestion(path, number.of, number.when.told, given=number.given)
+            yield Reading(question, number.when.side, rank=number.when.rank)
 
 
 def _balanced(path: str, of: str, words: Words) -> Iterator[Reading]:
@@ -230,11 +232,11 @@ def without_acceleration(path: str, names: Iterable[str], words: Words) -> Itera
             yield Reading(StructuredQuestion(path, name, START, given=given))
 
 
-def _path(found: WantedNumber, scene: Scene, words: Words) -> str:
+def _path(number: WantedNumber, scene: Scene, words: Words) -> str:
     """Return the address of the number that a sentence asks for; empty unless exactly one number matches."""
     given = [p.path for p in scene.parameters if p.value is not None and not p.hidden]
-    owners = [address for address, said in words.mentions.items() if said == found.owner]
-    named = [path for path in given if path.rpartition(".")[2] == found.name]
-    if found.owner:
+    owners = [address for address, phrase in words.mentions.items() if phrase == number.owner]
+    named = [path for path in given if path.rpartition(".")[2] == number.name]
+    if number.owner:
         named = [path for path in named if path.rpartition(".")[0] in owners]
     return named[0] if len(named) == 1 else ""

@@ -36,7 +36,7 @@ class Slides(Onset):
             return {}
         contacts = words.mechanism.contacts
         called = words.called(cls.of).items()
-        return {n: said for n, said in called if contacts[n].friction > 0.0 and not can_roll(words, n)}
+        return {n: phrase for n, phrase in called if contacts[n].friction > 0.0 and not can_roll(words, n)}
 
     def happens(self, trace: Trace) -> bool:
         """Return whether the body moves on its face."""
@@ -76,8 +76,8 @@ class SlipsRolling(PossibleOutcome):
         """Return the bodies that may roll on faces with finite friction, with their phrases."""
         mechanism = words.mechanism
         return {
-            name: said
-            for name, said in words.called(cls.of).items()
+            name: phrase
+            for name, phrase in words.called(cls.of).items()
             if can_roll(words, name)
             and mechanism.contacts[name].friction > 0.0
             and isfinite(mechanism.contacts[name].friction)
@@ -130,7 +130,7 @@ class TipsOver(Swinging):
         """Return the bodies that stand on edges and are set moving, by name."""
         mechanism = words.mechanism
         standing = {mechanism.site[foot.site].body for foot in mechanism.feet if not words.released}
-        return {name: said for name, said in words.called(cls.of).items() if name in standing}
+        return {name: phrase for name, phrase in words.called(cls.of).items() if name in standing}
 
     def happens(self, trace: Trace) -> bool | None:
         """Return whether the first edge to land is one that did not stand on the plane at the start."""
@@ -140,8 +140,8 @@ class TipsOver(Swinging):
         landed = first.subjects[0]
         foot = next(foot for foot in trace.mechanism.feet if foot.name == landed)
         began = trace.at(0.0)
-        place = began.vector(began.frames.site(foot.site).place)[0]
-        return float(np.dot(foot.normal, place)) - foot.height > STANDS
+        position = began.vector(began.frames.site(foot.site).place)[0]
+        return float(np.dot(foot.normal, position)) - foot.height > STANDS
 
     def excess(self, trace: Trace) -> float:
         """Return the square of the least angular speed until the first edge lands, rad²/s²."""

@@ -29,7 +29,7 @@ class GoesSlack(Swinging):
         """Return the swinging strings, with their phrases."""
         lines = words.mechanism.line
         called = words.called(cls.of).items()
-        return {n: said for n, said in called if n in lines and isinstance(lines[n].law, Inextensible)}
+        return {n: phrase for n, phrase in called if n in lines and isinstance(lines[n].law, Inextensible)}
 
     def happens(self, trace: Trace) -> bool | None:
         """Return whether the string goes slack; False once the body has swung to both sides or gone round."""
@@ -67,7 +67,7 @@ class LiftsOff(Onset):
         """Return the bodies that burn fuel, if gravity is uniform; else none."""
         mechanism = words.mechanism
         burning = {burn.body for burn in mechanism.burns} if any(mechanism.gravity) else set[str]()
-        return {name: said for name, said in words.called(cls.of).items() if name in burning}
+        return {name: phrase for name, phrase in words.called(cls.of).items() if name in burning}
 
     def happens(self, trace: Trace) -> bool:
         """Return whether the body is accelerated upwards at the start."""
@@ -101,7 +101,7 @@ class Rises(Onset):
             return {}
         called = words.called(cls.of).items()
         paths = {name: center_path(mechanism, name) for name, _ in called}
-        return {n: said for n, said in called if paths[n].straight and paths[n].rises and not rides(mechanism, n)}
+        return {n: phrase for n, phrase in called if paths[n].straight and paths[n].rises and not rides(mechanism, n)}
 
     def happens(self, trace: Trace) -> bool:
         """Return whether the body moves upwards."""
@@ -212,7 +212,7 @@ class GoesRound(Swinging):
         if not any(words.mechanism.gravity) or words.mechanism.feet or words.released:
             return {}
         turning = AngleTurned().subjects(words.mechanism)
-        return {name: said for name, said in words.called(cls.of).items() if name in turning}
+        return {name: phrase for name, phrase in words.called(cls.of).items() if name in turning}
 
     def happens(self, trace: Trace) -> bool | None:
         """Return whether the body goes round before it turns back; None if that takes longer."""

@@ -84,9 +84,9 @@ REGIMES: Registry[type[Regime]] = Registry("questions.regimes")
 
 def possible(study: SimulatedScene, words: Words) -> list[Regime]:
     """Return all regimes that motions of a scene may be in."""
-    return [found for cls in REGIMES.values() for found in cls.possible(study, words)]
+    return [regime for cls in REGIMES.values() for regime in cls.possible(study, words)]
 
 
 def regimes(study: SimulatedScene, words: Words, until: float) -> list[Regime]:
     """Return all regimes that a motion is in up to a time, s."""
-    return [found for found in possible(study, words) if found.holds(study, until)]
+    return [regime for regime in possible(study, words) if regime.holds(study, until)]

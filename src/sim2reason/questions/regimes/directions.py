@@ -43,8 +43,8 @@ class StartsAcute(Regime):
     @classmethod
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
         """Return one regime per string, spring or rod; none for an arm, whose described masses show the direction."""
-        held = study.mechanism.body
-        extended = {name for name, body in held.items() if not body.mass or any(body.inertia)}
+        bodies = study.mechanism.body
+        extended = {name for name, body in bodies.items() if not body.mass or any(body.inertia)}
         return [cls(name) for name in words.called(cls.of) if name not in extended]
 
     def holds(self, study: SimulatedScene, until: float) -> bool:
@@ -140,8 +140,8 @@ class MovesOneWay(Regime):
     def motion(self) -> str:
         """Return the predicate, such as *moves down the slope*."""
         first, space, rest = self.positive.partition(" ")
-        way = first if self.ahead else OPPOSITE[first]
-        towards = f"to the {way}" if first == RIGHT else way
+        direction = first if self.ahead else OPPOSITE[first]
+        towards = f"to the {direction}" if first == RIGHT else direction
         return f"moves {towards}{space}{rest}"
 
 
@@ -158,7 +158,7 @@ def _senses(study: SimulatedScene, name: str) -> list[Sense]:
     return [sense for sense in senses if sense.positive.partition(" ")[0] in OPPOSITE and not sense.axis]
 
 
-def _side(study: SimulatedScene, name: str, way: Vector, until: float) -> int:
+def _side(study: SimulatedScene, name: str, direction: Vector, until: float) -> int:
     """Return 1 or −1 for motion along or against a direction, 0 for both or for a later standstill.
 
     What starts from rest moves the way in which it is accelerated.
@@ -167,10 +167,10 @@ def _side(study: SimulatedScene, name: str, way: Vector, until: float) -> int:
     within = scan.times < until
     times = np.append(scan.times[within], until)
     last = Velocity.evaluate(study.trace.at(until), name)
-    speeds: Array = np.concatenate([Velocity.evaluate(scan, name)[within], last]) @ np.array(way)
+    speeds: Array = np.concatenate([Velocity.evaluate(scan, name)[within], last]) @ np.array(direction)
     fastest = float(np.abs(speeds).max(initial=0.0))
     if fastest <= REST_SPEED_RTOL:
-        begins = float((Acceleration.evaluate(study.trace.at(0.0), name) @ np.array(way))[0])
+        begins = float((Acceleration.evaluate(study.trace.at(0.0), name) @ np.array(direction))[0])
         return int(begins > REST_SPEED_RTOL) - int(begins < -REST_SPEED_RTOL)
     idle = np.abs(speeds) <= REST_SPEED_RTOL * fastest
     rests = idle[1:] & idle[:-1] & (np.diff(times) > LASTING * until)
@@ -193,7 +193,7 @@ class MovesFirst(Regime):
     @classmethod
     def possible(cls, study: SimulatedScene, words: Words) -> Sequence[Self]:
         """Return two regimes, one per direction of motion, for each body on a line; none unless all start from rest."""
-        return [cls(way.name, way) for way in MovesOneWay.possible(study, words)] if words.released else []
+        return [cls(regime.name, regime) for regime in MovesOneWay.possible(study, words)] if words.released else []
 
     def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether the body begins to move in the assumed direction."""

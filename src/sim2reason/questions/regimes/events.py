@@ -53,19 +53,19 @@ class CollideInTurn(Regime):
 
     def clause(self, words: Words) -> str:
         """Return a clause such as *the only collision before then is between balls A and B*."""
-        said = [_said(names, words) for names in self.order]
-        if not said:
+        phrases = [_said(names, words) for names in self.order]
+        if not phrases:
             return "there is no collision before then"
-        if len(said) == 1:
+        if len(phrases) == 1:
             lone = (
                 words.called(Pairs()).get(PAIR_SEPARATOR.join(self.order[0]))
                 if len(_meetings(words.mechanism)) == 1
                 else None
             )
-            return f"{lone} have collided by then" if lone else f"the only collision before then is {said[0]}"
-        if len(set(said)) == 1:
-            return f"there are exactly {COUNT_WORDS[len(said)]} collisions before then, each {said[0]}"
-        return f"the only collisions before then are, in this order, {join(said)}"
+            return f"{lone} have collided by then" if lone else f"the only collision before then is {phrases[0]}"
+        if len(set(phrases)) == 1:
+            return f"there are exactly {COUNT_WORDS[len(phrases)]} collisions before then, each {phrases[0]}"
+        return f"the only collisions before then are, in this order, {join(phrases)}"
 
 
 def _meetings(mechanism: Mechanism) -> list[tuple[str, ...]]:
@@ -76,8 +76,8 @@ def _meetings(mechanism: Mechanism) -> list[tuple[str, ...]]:
 def _said(names: Sequence[str], words: Words) -> str:
     """Return the phrase for the partners of a collision; empty if the text has no unique one."""
     if len(names) > 1:
-        found = words.called(Pairs()).get(PAIR_SEPARATOR.join(names), "")
-        return found and f"between {found}"
+        pair_phrase = words.called(Pairs()).get(PAIR_SEPARATOR.join(names), "")
+        return pair_phrase and f"between {pair_phrase}"
     (name,) = names
     what = obstacle_phrase(words, name)
     return f"between {words.mentions[name]} and {what}" if what in (GROUND, WALL) else ""
@@ -120,16 +120,16 @@ class SlidesThroughout(Regime):
 
     def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether the body slides, or sticks, throughout."""
-        found = _slides(study, self.name, until)
-        return found[0] is self.slides and (found[1] == self.course or not _ways(study.mechanism, self.name))
+        observed = _slides(study, self.name, until)
+        return observed[0] is self.slides and (observed[1] == self.course or not _ways(study.mechanism, self.name))
 
     def margin(self, study: SimulatedScene, until: float) -> float | None:
         """Return the slip velocity at a time, s, or soon after the start, relative to free fall; None for sticking."""
         if not self.slides:
             return None
         end = max(_soon(study, until), until)
-        found = float(slip_velocity(study.trace.at(end), self.name)[0])
-        size = self.course[-1] * found if self.course else abs(found)
+        slip = float(slip_velocity(study.trace.at(end), self.name)[0])
+        size = self.course[-1] * slip if self.course else abs(slip)
         return size / ((float(np.linalg.norm(study.mechanism.gravity)) * end) or 1.0)
 
     def clause(self, words: Words) -> str:
@@ -143,7 +143,7 @@ class SlidesThroughout(Regime):
         rolls = len(words.mechanism.contacts[self.name].slip) > 1
         if not self.slides:
             return f"{called} rolls without slipping" if rolls else f"{called} does not slide on {surface}"
-        ways = [_ways(words.mechanism, self.name)[way] for way in self.course]
+        ways = [_ways(words.mechanism, self.name)[sign] for sign in self.course]
         where = f"{ways[0] if ways else 'on'} {surface}{' at the point of contact' * bool(rolls and ways)}"
         slides, sliding = ("slips", "slipping") if rolls else ("slides", "sliding")
         if len(ways) > 1:
@@ -155,17 +155,17 @@ class SlidesThroughout(Regime):
 def _ways(mechanism: Mechanism, name: str) -> dict[int, str]:
     """Return the words for the directions of a body's slip by sign; empty if the text has none."""
     slides = [
-        (held, factor)
+        (slide, factor)
         for coordinate, factor in mechanism.contacts[name].slip
-        if (held := mechanism.coordinates[mechanism.number[coordinate]]).kind == "slide"
+        if (slide := mechanism.coordinates[mechanism.number[coordinate]]).kind == "slide"
     ]
     if len(slides) != 1:
         return {}
-    held, factor = slides[0]
-    steepness = factor * held.axis[2]
+    slide, factor = slides[0]
+    steepness = factor * slide.axis[2]
     if abs(steepness) > LEVEL:
         return {1: "up", -1: "down"} if steepness > 0.0 else {1: "down", -1: "up"}
-    if held.label != RIGHT:
+    if slide.label != RIGHT:
         return {}
     ahead, back = (f"to the {side} on" for side in (RIGHT, OPPOSITE[RIGHT]))
     return {1: ahead, -1: back} if factor > 0.0 else {1: back, -1: ahead}
@@ -216,7 +216,7 @@ class BurntOut(Regime):
         named = [burn.body for burn in study.mechanism.burns if burn.body in words.called(cls.of)]
         body = study.mechanism.body
         falls = {name: "s" in words.own and any(c.lower > -inf for c in body[name].coordinates) for name in named}
-        return [held for name in named for held in (cls(name, out=True, falls=falls[name]), cls(name, out=False))]
+        return [regime for name in named for regime in (cls(name, out=True, falls=falls[name]), cls(name, out=False))]
 
     def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether a time, s, is on the assumed side of burn-out, before or after; True at burn-out itself."""
@@ -275,8 +275,8 @@ class DelayedLiftoff(Regime):
         if not any(isinstance(line.law, Prop) for line in study.mechanism.lines):
             return []
         named = words.called(cls.of)
-        found = [burn.body for burn in study.mechanism.burns if burn.body in named]
-        return [cls(body, waits) for body in found for waits in (True, False)]
+        rockets = [burn.body for burn in study.mechanism.burns if burn.body in named]
+        return [cls(body, waits) for body in rockets for waits in (True, False)]
 
     def holds(self, study: SimulatedScene, until: float) -> bool:
         """Return whether the rocket is accelerated at ignition or, for a delay, only later but before burn-out."""

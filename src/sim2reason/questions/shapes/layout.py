@@ -17,10 +17,10 @@ ASKS = re.compile(r"(?:What|How|By how much|Find|Determine|Calculate)\b")
 
 def units(text: str) -> list[str]:
     """Return the parts of a text in order, each part a sentence or a table."""
-    found: list[str] = []
+    parts: list[str] = []
     for block in re.split(r"\n\n+", text.strip()):
-        found.extend([f"\n\n{block}\n\n"] if is_table(block) else _END.split(block.strip()))
-    return [unit for unit in found if unit]
+        parts.extend([f"\n\n{block}\n\n"] if is_table(block) else _END.split(block.strip()))
+    return [unit for unit in parts if unit]
 
 
 def is_table(unit: str) -> bool:
@@ -28,16 +28,16 @@ def is_table(unit: str) -> bool:
     return unit.lstrip().startswith("|")
 
 
-def text_of(said: Sequence[str]) -> str:
+def text_of(parts: Sequence[str]) -> str:
     """Return sentences and tables joined into one text."""
-    return paragraphs(said)
+    return paragraphs(parts)
 
 
-def splits(said: Sequence[str]) -> Iterator[tuple[list[str], str]]:
+def splits(parts: Sequence[str]) -> Iterator[tuple[list[str], str]]:
     """Yield splits of a prompt into the story and the question at its end, of one sentence or more."""
-    for count in range(1, min(QUESTION, len(said) - 1) + 1):
-        if not any(map(is_table, said[-count:])):
-            yield list(said[:-count]), text_of(said[-count:])
+    for count in range(1, min(QUESTION, len(parts) - 1) + 1):
+        if not any(map(is_table, parts[-count:])):
+            yield list(parts[:-count]), text_of(parts[-count:])
 
 
 def begins_plainly(question: str) -> bool:
@@ -60,21 +60,21 @@ def one_of(options: Sequence[str], rng: np.random.Generator) -> str:
     return options[int(rng.random() * len(options))]
 
 
-def without_assumptions(said: Sequence[str]) -> tuple[list[str], list[str]]:
+def without_assumptions(parts: Sequence[str]) -> tuple[list[str], list[str]]:
     """Return a story without its closing general assumptions, and those assumptions."""
-    count = len(said)
-    while count and is_assumption(said[count - 1]):
+    count = len(parts)
+    while count and is_assumption(parts[count - 1]):
         count -= 1
-    return list(said[:count]), list(said[count:])
+    return list(parts[:count]), list(parts[count:])
 
 
 def assumptions(description: Description) -> list[str]:
     """Return the closing general assumptions of a text."""
-    said = list(description.sentences)
-    count = len(said)
-    while count and description.role(said[count - 1]) == "assumption":
+    sentences = list(description.sentences)
+    count = len(sentences)
+    while count and description.role(sentences[count - 1]) == "assumption":
         count -= 1
-    return said[count:]
+    return sentences[count:]
 
 
 @shape
@@ -87,9 +87,9 @@ class AssumptionsInBracket(PromptShape):
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
         """Return the prompt for a text that ends with general assumptions; None for others."""
         del rng
-        held = assumptions(description)
-        facts = description.sentences[: len(description.sentences) - len(held)]
-        return text_of([*facts, question, f"({text_of(held)})"]) if held and facts else None
+        closings = assumptions(description)
+        facts = description.sentences[: len(description.sentences) - len(closings)]
+        return text_of([*facts, question, f"({text_of(closings)})"]) if closings and facts else None
 
     def drafts(self, text: str) -> Iterator[Draft]:
         """Yield drafts of the usual order, with the bracketed assumptions moved from the end to before the question."""
@@ -114,8 +114,8 @@ class AssumptionsLast(PromptShape):
 
     def drafts(self, text: str) -> Iterator[Draft]:
         """Yield drafts of the usual order, with the closing assumptions moved from the end to before the question."""
-        asked, closings = without_assumptions(units(text))
-        for story, question in splits(asked) if closings else ():
+        remaining, closings = without_assumptions(units(text))
+        for story, question in splits(remaining) if closings else ():
             yield Draft(text_of([*story, *closings]), question)
 
 
@@ -140,16 +140,16 @@ class GravityFirst(PromptShape):
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
         """Return the prompt for a text that ends with the value of g; None for others."""
         front, *facts = one_of(FRONTS, rng), *description.sentences[:-1]
-        told = _TOLD.search(description.sentences[-1])
-        if told is None or description.role(description.sentences[-1]) != "assumption":
+        match = _TOLD.search(description.sentences[-1])
+        if match is None or description.role(description.sentences[-1]) != "assumption":
             return None
-        return text_of([front.replace("{g}", told[1]), *facts, question])
+        return text_of([front.replace("{g}", match[1]), *facts, question])
 
     def drafts(self, text: str) -> Iterator[Draft]:
         """Yield drafts of the usual order, with the value of g moved from the front to the end of the scene's text."""
         first, *rest = units(text)
-        told = _FRONT.fullmatch(first)
-        number = next(filter(None, told.groups()), "") if told else ""
+        match = _FRONT.fullmatch(first)
+        number = next(filter(None, match.groups()), "") if match else ""
         for story, question in splits(rest) if number else ():
             yield Draft(text_of([*story, USUAL.replace("{g}", number)]), question)
 
@@ -171,13 +171,13 @@ class Labelled(PromptShape):
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
         """Return the prompt, which suits every text."""
-        scene, asked = LABELS[int(rng.random() * len(LABELS))]
-        return f"{scene}{description.text}\n\n{asked}{question}"
+        scene, question_label = LABELS[int(rng.random() * len(LABELS))]
+        return f"{scene}{description.text}\n\n{question_label}{question}"
 
     def drafts(self, text: str) -> Iterator[Draft]:
         """Yield the draft whose scene and question are the texts after their labels."""
-        for scene, asked in LABELS:
-            story, heading, question = text.rpartition(f"\n\n{asked}")
+        for scene, question_label in LABELS:
+            story, heading, question = text.rpartition(f"\n\n{question_label}")
             if heading and story.startswith(scene):
                 yield Draft(story.removeprefix(scene), question)
 
@@ -258,8 +258,8 @@ class ReleaseInQuestion(PromptShape):
                 continue
             taut = ending[1] if (ending := _ENDING.search(clause.group())) else ""
             facts, closings = without_assumptions(story)
-            said = [*facts, f"The motion starts from rest{taut}.", *closings]
-            yield Draft(text_of(said), raised(question[clause.end() :]))
+            parts = [*facts, f"The motion starts from rest{taut}.", *closings]
+            yield Draft(text_of(parts), raised(question[clause.end() :]))
 
 
 FRONT = "Suppose that "

@@ -33,10 +33,10 @@ class NumbersListed(PromptShape):
         """Return the prompt for a text without a table and with a suitable number of values; None for others."""
         lead, after = one_of(LEADS, rng), rng.random() < 0.5
         marked = description.voiced(_symbols_for(description.voice))
-        told = _numbers(description, marked)
-        if told is None or any(map(is_table, marked.sentences)) or not FEWEST <= len(told) <= MOST:
+        numbers = _numbers(description, marked)
+        if numbers is None or any(map(is_table, marked.sentences)) or not FEWEST <= len(numbers) <= MOST:
             return None
-        if sum(_COMPONENT.fullmatch(symbol) is not None for symbol in told) > COMPONENTS:
+        if sum(_COMPONENT.fullmatch(symbol) is not None for symbol in numbers) > COMPONENTS:
             return None
         named = with_names(marked)
         story = named.text
@@ -44,32 +44,32 @@ class NumbersListed(PromptShape):
             return None
         if not after and named.sentences[-1].startswith(lead):
             lead = LEADS[0]  # no two sentences in a row begin alike: let g = 9.8 m/s²
-        listed = f"{lead}{join([f'${symbol}$ = {number}' for symbol, number in told.items()])}."
+        listed = f"{lead}{join([f'${symbol}$ = {number}' for symbol, number in numbers.items()])}."
         return f"{story} {question} {listed}" if after else f"{story} {listed} {question}"
 
     def drafts(self, text: str) -> Iterator[Draft]:
         """Yield drafts whose given numbers are those of a list before or after the question; texts omit the list."""
-        said = units(text)
-        for place in range(len(said) - 1, len(said) - 2 - QUESTION, -1):
-            given = _listed(said[place]) if place > 0 else {}
-            for story, question in splits([*said[:place], *said[place + 1 :]]) if given else ():
+        parts = units(text)
+        for index in range(len(parts) - 1, len(parts) - 2 - QUESTION, -1):
+            given = _listed(parts[index]) if index > 0 else {}
+            for story, question in splits([*parts[:index], *parts[index + 1 :]]) if given else ():
                 yield Draft(without_names(text_of(story)), question, given)
 
 
 def _numbers(description: Description, marked: Description) -> dict[str, str] | None:
     """Return the stated numbers of a text by symbol; None if the question has another symbol for one."""
-    found: dict[str, str] = {}
+    numbers: dict[str, str] = {}
     parameters = {parameter.path: parameter for parameter in description.scene.parameters}
     for path in description.told:
         symbol, parameter = marked.symbols.get(path), parameters.get(path)
         if symbol is None or parameter is None or _stays(parameter):
             continue
-        spoken = description.voice(parameter, description.symbols.get(path, ""))
-        if spoken.startswith("$") and spoken != f"${symbol}$":
+        number = description.voice(parameter, description.symbols.get(path, ""))
+        if number.startswith("$") and number != f"${symbol}$":
             return None  # the question speaks of it, too
-        if not spoken.startswith("$"):
-            found[symbol] = spoken
-    return found
+        if not number.startswith("$"):
+            numbers[symbol] = number
+    return numbers
 
 
 def _stays(parameter: Parameter) -> bool:
@@ -103,13 +103,13 @@ class TableLast(PromptShape):
         """Return the prompt for a text with one table; None for others."""
         del rng
         tables = [unit for unit in description.sentences if is_table(unit)]
-        told = [unit for unit in description.sentences if not is_table(unit)]
-        return text_of([*told, question, *tables]) if len(tables) == 1 else None
+        sentences = [unit for unit in description.sentences if not is_table(unit)]
+        return text_of([*sentences, question, *tables]) if len(tables) == 1 else None
 
     def drafts(self, text: str) -> Iterator[Draft]:
         """Yield drafts with the final table moved into the scene's text, one draft for each possible position."""
-        *told, last = units(text)
+        *parts, last = units(text)
         if is_table(last):
-            for story, question in splits(told):
-                for place in range(1, len(story) + 1):
-                    yield Draft(text_of([*story[:place], last, *story[place:]]), question)
+            for story, question in splits(parts):
+                for index in range(1, len(story) + 1):
+                    yield Draft(text_of([*story[:index], last, *story[index:]]), question)

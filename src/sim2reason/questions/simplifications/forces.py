@@ -60,9 +60,9 @@ class BodyLeftOut(ChangedMechanism):
         sprung |= {body for line in elastic for body in line.circle or ()}
         frames = initial_frames(mechanism)
         turning = [line for line in mechanism.lines if bending(line, frames)]
-        held = {mechanism.site[site].body for line in turning for site in (line.through[0], line.through[-1])}
+        end_bodies = {mechanism.site[site].body for line in turning for site in (line.through[0], line.through[-1])}
         pivots = {body.parent for body in mechanism.bodies if any(c.kind == "hinge" for c in body.coordinates)}
-        return [name for name in others(mechanism) if name not in sprung | held | pivots]
+        return [name for name in others(mechanism) if name not in sprung | end_bodies | pivots]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism without the body's mass, inertia and collisions."""
@@ -222,8 +222,8 @@ class FaceFriction(ChangedMechanism):
     def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return each of several bodies on rough faces; none for a single one, which `NoFriction` covers."""
         del query
-        found = [face.subject for face in rough(study.mechanism)]
-        return found if len(found) > 1 else []
+        bodies = [face.subject for face in rough(study.mechanism)]
+        return bodies if len(bodies) > 1 else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with the body's face smooth."""
@@ -306,5 +306,5 @@ def _sloped(mechanism: Mechanism) -> dict[str, float]:
     if not sloped:
         return {}
     frames = initial_frames(mechanism)
-    found = {face.subject: float(frames.normal(face.subject)[2]) for face in sloped}
-    return {name: cosine for name, cosine in found.items() if 0.0 < cosine < LEVEL}
+    cosines = {face.subject: float(frames.normal(face.subject)[2]) for face in sloped}
+    return {name: cosine for name, cosine in cosines.items() if 0.0 < cosine < LEVEL}

@@ -182,8 +182,8 @@ class UniformAngularSpeed(MisinterpretedMotion):
     def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return the whole mechanism as the subject if planets are on closed orbits about a star; else none."""
         del query
-        found = orbits(study.mechanism)
-        return [""] if found and all(orbit.period is not None for orbit in found) else []
+        planet_orbits = orbits(study.mechanism)
+        return [""] if planet_orbits and all(orbit.period is not None for orbit in planet_orbits) else []
 
     def read(self, study: SimulatedScene) -> SimulatedScene:
         """Return the motion on the ellipses about the star alone, with their periods and uniform angular speed."""
@@ -221,6 +221,6 @@ class WeightAsTension(ChangedMechanism):
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism with the weight as the total tension in the strings above the body, shared equally."""
-        held = hanging(mechanism)[subject]
-        law = ConstantTension(held.mass * -mechanism.gravity[2] / held.runs)
-        return with_lines(mechanism, held.strings, lambda line: replace(line, law=law))
+        load = hanging(mechanism)[subject]
+        law = ConstantTension(load.mass * -mechanism.gravity[2] / load.runs)
+        return with_lines(mechanism, load.strings, lambda line: replace(line, law=law))

@@ -29,9 +29,9 @@ def massive(mechanism: Mechanism) -> tuple[str, ...]:
 
 def others(mechanism: Mechanism) -> tuple[str, ...]:
     """Return the bodies with mass that may affect others: all if more than one can move, else the fixed ones."""
-    found = massive(mechanism)
-    moving = [name for name in found if _can_move(mechanism, name)]
-    return found if len(moving) > 1 else tuple(name for name in found if name not in moving)
+    bodies = massive(mechanism)
+    moving = [name for name in bodies if _can_move(mechanism, name)]
+    return bodies if len(moving) > 1 else tuple(name for name in bodies if name not in moving)
 
 
 def _can_move(mechanism: Mechanism, name: str | None) -> bool:
@@ -183,8 +183,8 @@ class OwnInertia(ChangedMechanism):
     def subjects(self, query: Query, study: SimulatedScene) -> Iterable[str]:
         """Return each of several bodies; none for a single one, which `PointMass` covers."""
         del query
-        found = solid(study.mechanism)
-        return found if len(found) > 1 else []
+        bodies = solid(study.mechanism)
+        return bodies if len(bodies) > 1 else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
         """Return the mechanism without the body's moment of inertia."""

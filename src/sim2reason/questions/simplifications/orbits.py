@@ -77,7 +77,7 @@ def orbits(mechanism: Mechanism) -> list[PlanetOrbit]:
     """Return the planets of a fixed star, if the mechanism contains nothing else; else none."""
     if len({pull.power for pull in mechanism.attractions} | {2.0}) > 1 or mechanism.burns or mechanism.lines:
         return []
-    frames, found = initial_frames(mechanism), list[PlanetOrbit]()
+    frames, planet_orbits = initial_frames(mechanism), list[PlanetOrbit]()
     for pull in mechanism.attractions:
         star, planet = sorted((pull.a, pull.b), key=lambda name: len(mechanism.body[name].coordinates))
         coordinates = mechanism.body[planet].coordinates
@@ -91,8 +91,8 @@ def orbits(mechanism: Mechanism) -> list[PlanetOrbit]:
         one, other = (mechanism.number[c.name] for c in coordinates)
         velocity = coordinates[0].speed, coordinates[1].speed
         strength = pull.constant * mechanism.body[star].mass
-        found.append(PlanetOrbit((one, other), strength, (x, y), velocity))
-    return found if 2 * len(found) == len(mechanism.coordinates) else []
+        planet_orbits.append(PlanetOrbit((one, other), strength, (x, y), velocity))
+    return planet_orbits if 2 * len(planet_orbits) == len(mechanism.coordinates) else []
 
 
 def moving_as(trace: Trace, formulas: Mapping[PlanetOrbit, Callable[[Array], Motion]]) -> Trace:
@@ -101,9 +101,9 @@ def moving_as(trace: Trace, formulas: Mapping[PlanetOrbit, Callable[[Array], Mot
     def sample(times: Array) -> State:
         q, v, a = (np.zeros((len(times), len(trace.mechanism.coordinates))) for _ in range(3))
         for orbit, formula in formulas.items():
-            place, velocity, acceleration = formula(times)
+            position, velocity, acceleration = formula(times)
             columns = list(orbit.numbers)
-            q[:, columns], v[:, columns], a[:, columns] = place - np.array(orbit.place), velocity, acceleration
+            q[:, columns], v[:, columns], a[:, columns] = position - np.array(orbit.place), velocity, acceleration
         return State.of(trace.mechanism, times, (q, v), Dynamics(a, {}, {}, {}))
 
     return _read(trace, sample)
@@ -111,14 +111,14 @@ def moving_as(trace: Trace, formulas: Mapping[PlanetOrbit, Callable[[Array], Mot
 
 def with_velocities(trace: Trace, velocity: Told) -> Trace:
     """Return a motion along the same paths at the same times, with other velocities."""
-    found = orbits(trace.mechanism)
-    return _retold(trace, lambda state: (_told(state, found, velocity), state.a))
+    planet_orbits = orbits(trace.mechanism)
+    return _retold(trace, lambda state: (_told(state, planet_orbits, velocity), state.a))
 
 
 def with_accelerations(trace: Trace, acceleration: Told) -> Trace:
     """Return a motion with the given positions and velocities, but other accelerations."""
-    found = orbits(trace.mechanism)
-    return _retold(trace, lambda state: (state.v, _told(state, found, acceleration)))
+    planet_orbits = orbits(trace.mechanism)
+    return _retold(trace, lambda state: (state.v, _told(state, planet_orbits, acceleration)))
 
 
 def _retold(trace: Trace, rates: Callable[[State], tuple[Array, Array]]) -> Trace:
@@ -136,11 +136,11 @@ def _retold(trace: Trace, rates: Callable[[State], tuple[Array, Array]]) -> Trac
     return replace(_read(trace, sample), knots=trace.knots)
 
 
-def _told(state: State, found: Iterable[PlanetOrbit], told: Told) -> Array:
+def _told(state: State, planet_orbits: Iterable[PlanetOrbit], formula: Told) -> Array:
     values = np.zeros_like(state.q)
-    for orbit in found:
+    for orbit in planet_orbits:
         columns = list(orbit.numbers)
-        values[:, columns] = told(orbit, np.array(orbit.place) + state.q[:, columns], state.v[:, columns])
+        values[:, columns] = formula(orbit, np.array(orbit.place) + state.q[:, columns], state.v[:, columns])
     return values
 
 
@@ -172,9 +172,9 @@ class CentripetalAcceleration(MisinterpretedMotion):
         return SimulatedScene(study.scene, with_accelerations(study.trace, _towards_the_star))
 
 
-def _towards_the_star(orbit: PlanetOrbit, place: Array, velocity: Array) -> Array:
+def _towards_the_star(orbit: PlanetOrbit, position: Array, velocity: Array) -> Array:
     del orbit
-    return -place * (velocity**2).sum(axis=1, keepdims=True) / (place**2).sum(axis=1, keepdims=True)
+    return -position * (velocity**2).sum(axis=1, keepdims=True) / (position**2).sum(axis=1, keepdims=True)
 
 
 @misconception
@@ -222,8 +222,8 @@ class CircularOrbitSpeed(MisinterpretedMotion):
         return SimulatedScene(study.scene, with_velocities(study.trace, _as_on_a_circle))
 
 
-def _as_on_a_circle(orbit: PlanetOrbit, place: Array, velocity: Array) -> Array:
-    distance = np.linalg.norm(place, axis=1, keepdims=True)
+def _as_on_a_circle(orbit: PlanetOrbit, position: Array, velocity: Array) -> Array:
+    distance = np.linalg.norm(position, axis=1, keepdims=True)
     return directed(velocity, np.sqrt(orbit.gravitational_parameter / distance))
 
 
@@ -244,8 +244,8 @@ class ConstantOrbitalSpeed(MisinterpretedMotion):
         return SimulatedScene(study.scene, with_velocities(study.trace, _as_at_first))
 
 
-def _as_at_first(orbit: PlanetOrbit, place: Array, velocity: Array) -> Array:
-    del place
+def _as_at_first(orbit: PlanetOrbit, position: Array, velocity: Array) -> Array:
+    del position
     return directed(velocity, hypot(*orbit.velocity))
 
 

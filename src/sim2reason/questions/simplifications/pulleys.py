@@ -32,8 +32,8 @@ class HangingLoad:
 def hanging(mechanism: Mechanism) -> dict[str, HangingLoad]:
     """Return the bodies that can only move vertically and are held by strings alone, with their loads, by name."""
     holding = _Holding(mechanism)
-    found = ((body.name, holding.hanging(body.name)) for body in mechanism.bodies)
-    return {name: held for name, held in found if held is not None}
+    loads = ((body.name, holding.hanging(body.name)) for body in mechanism.bodies)
+    return {name: load for name, load in loads if load is not None}
 
 
 def movable_pulleys(mechanism: Mechanism) -> tuple[str, ...]:
@@ -56,8 +56,8 @@ def _rises(body: RigidBody) -> bool:
     """Return whether the body moves vertically in the world frame."""
     if body.parent is not None or len(body.coordinates) != 1:
         return False
-    (way,) = body.coordinates
-    return way.kind == "slide" and abs(way.axis[2]) > UPRIGHT
+    (coordinate,) = body.coordinates
+    return coordinate.kind == "slide" and abs(coordinate.axis[2]) > UPRIGHT
 
 
 class _Holding:
@@ -78,10 +78,10 @@ class _Holding:
             return None
         mass = body.mass + sum(other.mass for other in mechanism.bodies if other.parent == name)
         for low in (low for _, low, high in self._runs if high == name):
-            held = self.hanging(low, seen | {name}) if low is not None else None
-            if held is None:
+            load = self.hanging(low, seen | {name}) if low is not None else None
+            if load is None:
                 return None
-            mass += held.mass
+            mass += load.mass
         return HangingLoad(name, tuple(dict.fromkeys(line.name for line in above)), len(above), mass)
 
 

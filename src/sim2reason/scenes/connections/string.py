@@ -138,10 +138,10 @@ class String(Connection):
         return opening.replace("{string}", string).replace("{tied}", tied).replace("{verbs}", join_verbs(verbs))
 
 
-def clause(port: SitePort, way: str = OVER) -> str:
-    """Return the verb phrase for a string arriving at a port; `way` is the preposition for a fixed pulley."""
+def clause(port: SitePort, preposition: str = OVER) -> str:
+    """Return the verb phrase for a string arriving at a port; `preposition` is the preposition for a fixed pulley."""
     if isinstance(port, Pass):
-        return way + port.passes.removeprefix(OVER) if port.passes.startswith(OVER) else port.passes
+        return preposition + port.passes.removeprefix(OVER) if port.passes.startswith(OVER) else port.passes
     return port.arrives if isinstance(port, StringEnd) else ""
 
 
@@ -183,13 +183,13 @@ def reversed_path(stops: Sequence[Stop]) -> tuple[Stop, ...]:
 
 def redirections(stops: Sequence[Stop], builder: Builder) -> list[tuple[str, str] | None]:
     """Return, for each gap between stops, the two adjacent sites if a fixed pulley must redirect the string there."""
-    found: list[tuple[str, str] | None] = []
+    pairs: list[tuple[str, str] | None] = []
     for index, (one, other) in enumerate(pairwise(stops)):
         leaves = travelled_sites(one, first=index == 0)[-1]
         reaches = travelled_sites(other, first=False)[0]
         straight = opposite(builder.faces[leaves], builder.faces[reaches])
-        found.append(None if straight else (leaves, reaches))
-    return found
+        pairs.append(None if straight else (leaves, reaches))
+    return pairs
 
 
 def winding(turn: tuple[str, str], builder: Builder) -> str:
@@ -206,8 +206,8 @@ def winding(turn: tuple[str, str], builder: Builder) -> str:
 def join_verbs(verbs: list[str]) -> str:
     """Return verb phrases as one list *V, V and V*; a repeated verb becomes *then*."""
     verbs = verbs[1:] if len(verbs) > 1 and verbs[1].startswith(verbs[0]) else verbs
-    said = [verbs[0], *(after(before, verb) for before, verb in pairwise(verbs))]
-    return said[0] if len(said) == 1 else ", ".join(said[:-1]) + " and " + said[-1]
+    phrases = [verbs[0], *(after(before, verb) for before, verb in pairwise(verbs))]
+    return phrases[0] if len(phrases) == 1 else ", ".join(phrases[:-1]) + " and " + phrases[-1]
 
 
 def after(before: str, verb: str) -> str:
@@ -236,9 +236,9 @@ class SentenceParser(Generic[S]):
             for number, opening in enumerate(openings):
                 for which, string in enumerate(names):
                     chosen = state.with_choice(number).with_choice(which)
-                    for told in self._opened(opening.replace("{string}", string), chosen, hangs=hangs):
+                    for parsed in self._opened(opening.replace("{string}", string), chosen, hangs=hangs):
                         self._matcher.reach = max(self._matcher.reach, place + 1)
-                        yield told
+                        yield parsed
 
     def _opened(self, opening: str, state: S, *, hangs: bool) -> Iterator[ParsedSentence[S]]:
         """Yield all readings of a sentence with this opening, for ends with a hanging body (`hangs`) or for others."""
@@ -281,7 +281,7 @@ class SentenceParser(Generic[S]):
         """Yield the readings of the next stop, perhaps after a pulley that belongs to the string."""
         stop, rest = leg.stops[0], leg.stops[1:]
         final = leg.last and not rest
-        for verb in dict.fromkeys(clause(stop.port, way) for way in WAYS):
+        for verb in dict.fromkeys(clause(stop.port, preposition) for preposition in WAYS):
             for end, then in self._verb(at, verb, before, leg.state, stop.owner, final=final):
                 yield from self._on(end, replace(leg, stops=rest, state=then), links, owned, verb)
         if owned and before.endswith(f"{{{owned[-1]}}}"):
@@ -295,8 +295,8 @@ class SentenceParser(Generic[S]):
 
     def _verb(self, at: int, verb: str, before: str, state: S, owner: str, *, final: bool) -> Iterator[tuple[int, S]]:
         """Yield the readings of one verb phrase, with the comma or *and* that joins it to the phrase before."""
-        said, comma = (after(before, verb), " and " if final else ", ") if before else (verb, "")
+        phrase, comma = (after(before, verb), " and " if final else ", ") if before else (verb, "")
         begin = self._matcher.literal(self._text, at, comma)
         if begin is None:
             return
-        yield from self._matcher.template(self._text, begin, said, owner, state)
+        yield from self._matcher.template(self._text, begin, phrase, owner, state)

@@ -54,8 +54,8 @@ class TwoEnded(Connection):
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:  # noqa: ANN401 - pydantic's hook
         """Raise TypeError if the sentence of a subclass omits a number or an end."""
-        held = field_types(cls).items()
-        numbers = {name for name, kind in held if (kind.measure is not None or kind.words) and not kind.hidden}
+        fields = field_types(cls).items()
+        numbers = {name for name, kind in fields if (kind.measure is not None or kind.words) and not kind.hidden}
         for wordings, ends in ((cls.says.wordings, {"a", "b"}), (cls.leads.wordings, {"a", "way", "b"})):
             for template in wordings:
                 missing = (ends | numbers) - _told(cls, template)
@@ -78,16 +78,16 @@ class TwoEnded(Connection):
         if len(joint.stops) != 2:
             raise SceneError(joint.name, f"a {self.key} joins two ports", "lead it past nothing")
         first, last = sorted(joint.stops, key=lambda stop: not self.way(stop.port))
-        way = self.way(first.port)
-        said = {
+        direction = self.way(first.port)
+        phrases = {
             "a": (phrase_of(first.port), first.owner),
             "b": (phrase_of(last.port), last.owner),
-            "way": (way, first.owner),
+            "way": (direction, first.owner),
         }
         text = ""
-        for piece, slot in _pieces(writer.choose((self.leads if way else self.says).wordings)):
+        for piece, slot in _pieces(writer.choose((self.leads if direction else self.says).wordings)):
             text += writer.render(piece, joint.name) if piece else ""
-            text += writer.render(*said[slot]) if slot else ""
+            text += writer.render(*phrases[slot]) if slot else ""
         return text
 
     @classmethod
@@ -103,8 +103,8 @@ class TwoEnded(Connection):
         if place >= len(matcher.pieces):
             return
         text = matcher.pieces[place]
-        told = [*enumerate(cls.says.wordings), *enumerate(cls.leads.wordings)]
-        for number, template in told:
+        templates = [*enumerate(cls.says.wordings), *enumerate(cls.leads.wordings)]
+        for number, template in templates:
             if not all(matcher.contains_fixed_words(place, piece) for piece, _ in _pieces(template)):
                 continue
             begin = state.with_choice(number).with_kind(name, cls)
@@ -135,9 +135,9 @@ class TwoEnded(Connection):
             for leg in (legs["a"],) if slot == "way" else cls._ends(slot, legs, routes, then):
                 stop, known_by = leg.stops[0], then if slot == "way" else leg.state
                 phrase = cls.way(stop.port) if slot == "way" else phrase_of(stop.port)
-                for here, told in matcher.template(text, after, phrase, stop.owner, known_by) if phrase else ():
-                    found = legs if slot == "way" else {**legs, slot: leg}
-                    yield from cls._matched(text, here, rest, found, (name, told, matcher, routes))
+                for here, next_state in matcher.template(text, after, phrase, stop.owner, known_by) if phrase else ():
+                    all_legs = legs if slot == "way" else {**legs, slot: leg}
+                    yield from cls._matched(text, here, rest, all_legs, (name, next_state, matcher, routes))
 
     @classmethod
     def _ends(cls, slot: str, legs: dict[str, Leg[S]], routes: Routes[S], state: S) -> Iterator[Leg[S]]:
@@ -150,10 +150,10 @@ class TwoEnded(Connection):
 
 def _told(cls: type[Connection], template: str) -> set[str]:
     """Return the placeholders of ends and numbers that a wording states, also in words that depend on a value."""
-    found = set(paths(template))
-    for word in (cls.words[name] for name in found & cls.words.keys()):
-        found |= {path for text in (*word.special.values(), word.otherwise) for path in paths(text)}
-    return found
+    placeholders = set(paths(template))
+    for word in (cls.words[name] for name in placeholders & cls.words.keys()):
+        placeholders |= {path for text in (*word.special.values(), word.otherwise) for path in paths(text)}
+    return placeholders
 
 
 @cache

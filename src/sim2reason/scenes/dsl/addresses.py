@@ -41,13 +41,13 @@ def with_values(value: V, news: Mapping[str, object]) -> V:
             below.setdefault(step, {})[rest] = new
         else:
             here[step] = new
-    held = _members(value)
-    if unknown := {*here, *below} - held.keys():
+    members = _members(value)
+    if unknown := {*here, *below} - members.keys():
         raise SceneError(min(unknown), NO_SUCH_ADDRESS, LIST_PARAMETERS)
-    held |= {step: with_values(held[step], some) for step, some in below.items()} | here
+    members |= {step: with_values(members[step], some) for step, some in below.items()} | here
     if isinstance(value, tuple):
-        return tuple(member for member in held.values() if member is not None)  # type: ignore[return-value]
-    return type(value)(**held)  # type: ignore[return-value]
+        return tuple(member for member in members.values() if member is not None)  # type: ignore[return-value]
+    return type(value)(**members)  # type: ignore[return-value]
 
 
 def used_ports(paths: Iterable[Sequence[Link]]) -> set[tuple[str, str]]:

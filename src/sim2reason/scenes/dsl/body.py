@@ -207,28 +207,28 @@ class Body(Model):
         introductions = [*cls.lone, *cls.again, *cls.named, *filter(None, (cls.listed, cls.alike))]
         if len(cls.lone) < 2 or (cls.letters and len(cls.named) < 2):
             raise TypeError(f"{cls.__name__}: a body needs at least two ways to be introduced")
-        said = {template: cls.says_in(template) for template in introductions}
-        if len({frozenset(numbers) for numbers in said.values()}) > 1:
-            raise TypeError(f"{cls.__name__}: its introductions say different numbers: {said}")
+        numbers_by_template = {template: cls.says_in(template) for template in introductions}
+        if len({frozenset(numbers) for numbers in numbers_by_template.values()}) > 1:
+            raise TypeError(f"{cls.__name__}: its introductions say different numbers: {numbers_by_template}")
 
     @classmethod
     def says_in(cls, template: str) -> set[str]:
         """Return the parameters that a template states, by number or by word; raise TypeError for an unknown name."""
-        told: set[str] = set()
+        parameters: set[str] = set()
         for slot in slots(template):
             if slot.kind == "text" or slot.path in ("letter", "noun"):
                 continue
             if slot.path in cls.words:
                 word = cls.words[slot.path]
                 inner = [*word.special.values(), word.otherwise]
-                told |= set[str]().union(*(cls.says_in(text) for text in inner))
-                told |= {word.parameter} if word.otherwise and cls.says_in(word.otherwise) else set()
+                parameters |= set[str]().union(*(cls.says_in(text) for text in inner))
+                parameters |= {word.parameter} if word.otherwise and cls.says_in(word.otherwise) else set()
             elif slot.path in field_types(cls):
-                told.add(slot.path)
+                parameters.add(slot.path)
             else:
                 problem = f"names {slot.path!r}, which is neither a parameter nor a word"
                 raise TypeError(f"{cls.__name__}: {template!r} {problem}")
-        return told
+        return parameters
 
     @classmethod
     def introduced_words(cls) -> tuple[Word, ...]:

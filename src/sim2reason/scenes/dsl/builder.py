@@ -105,8 +105,8 @@ class Frame:
         stated: tuple[str, float] | None = None,
     ) -> "Frame":
         """Add a coordinate along `axis`; `stated` is the label and initial value by which a text states a position."""
-        own, way = self._own(), unit(axis)
-        self._builder.add_coordinate(Coordinate(f"{own}.{name}", own, name, "slide", way, speed, *limits, stated))
+        own, direction = self._own(), unit(axis)
+        self._builder.add_coordinate(Coordinate(f"{own}.{name}", own, name, "slide", direction, speed, *limits, stated))
         return self
 
     def hinge(
@@ -153,9 +153,9 @@ class Frame:
         `spin`, rad/s, is positive in the sense of rolling along `along`; by default the body rolls at the start. With
         infinite `friction` it never slips; until it slips, the coefficient is `static`, by default that of `friction`.
         """
-        own, way, out = self._own(), unit(along), unit(normal)
-        self.slide(way, speed)
-        self.hinge(outer(out, way), speed / radius if spin is None else spin)
+        own, direction, out = self._own(), unit(along), unit(normal)
+        self.slide(direction, speed)
+        self.hinge(outer(out, direction), speed / radius if spin is None else spin)
         slip = ((f"{own}.slide", 1.0), (f"{own}.hinge", -radius))
         self._builder.add_face(SurfaceContact(own, out, slip, friction, static_ratio=_ratio(static, friction)))
         return self

@@ -20,13 +20,13 @@ SPECIAL = 0.2  # probability of a value stated by a word, such as smooth or hori
 
 def choices(cls: type[Model], rng: np.random.Generator) -> dict[str, Choice]:
     """Return random choices for optional fields and some special numbers of a class and of all classes inside."""
-    found = chances(cls)
+    chosen = chances(cls)
     for model in reachable(cls):
         for name, kind in field_types(model).items():
             special = specials(model, name)
             if kind.measure is not None and special and rng.random() < SPECIAL:
-                found[f"{model.__name__}.{name}"] = special[int(rng.integers(len(special)))]
-    return found
+                chosen[f"{model.__name__}.{name}"] = special[int(rng.integers(len(special)))]
+    return chosen
 
 
 def chances(cls: type[Model]) -> dict[str, Choice]:
@@ -49,14 +49,14 @@ def specials(model: type[Model], name: str) -> list[float]:
 
 def reachable(cls: type[Model]) -> list[type[Model]]:
     """Return a class and all classes that it can contain, each once."""
-    found: list[type[Model]] = []
+    classes: list[type[Model]] = []
     waiting = [cls]
     while waiting:
         model = waiting.pop()
-        if model not in found:
-            found.append(model)
+        if model not in classes:
+            classes.append(model)
             waiting.extend(_held(model))
-    return found
+    return classes
 
 
 def _held(model: type[Model]) -> Iterator[type[Model]]:
@@ -97,8 +97,8 @@ def close_ports(named: Named, rng: np.random.Generator, *, widely: bool = False)
         if options:
             made.close(Link(entity=named.name, port=name), options[int(rng.integers(len(options)))], rng)
         elif port.required:
-            place = f"{type(named.entity).__name__}.{name}"
-            raise SceneError(place, "no connection leads from it to any entity", "declare what it can be joined to")
+            location = f"{type(named.entity).__name__}.{name}"
+            raise SceneError(location, "no connection leads from it to any entity", "declare what it can be joined to")
     connections = tuple(made.connections)
     return Scene(entities=without_idle_fields(made.entities, (c.links for c in connections)), connections=connections)
 
@@ -130,10 +130,10 @@ def connections_for_port(cls: type[Entity], name: str, *, widely: bool = False) 
     bodies if it has some; others are returned only if there are none of these, or with `widely`.
     """
     port = outer_ports(cls)[name]
-    found = list(_passed(port) if isinstance(port, Pass) else _ended(port))
+    options = list(_passed(port) if isinstance(port, Pass) else _ended(port))
     wanted = not _has_bodies(cls)
-    best = [option for option in found if all(_has_bodies(partner) == wanted for partner in option.partners)]
-    return tuple(found if widely else best or found)
+    best = [option for option in options if all(_has_bodies(partner) == wanted for partner in option.partners)]
+    return tuple(options if widely else best or options)
 
 
 def _ended(port: Port) -> Iterator[Option]:
@@ -160,7 +160,7 @@ def _ends() -> Iterator[tuple[type[Entity], str]]:
     for cls in ENTITIES.values():
         ports = outer_ports(cls)
         for name, port in ports.items():
-            needed = {other for other, held in ports.items() if held.required}
+            needed = {other for other, other_port in ports.items() if other_port.required}
             if not isinstance(port, Pass) and needed <= {name}:
                 yield cls, name
 

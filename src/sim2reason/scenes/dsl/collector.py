@@ -82,8 +82,8 @@ class Collector:
 
     def position(self, site: str) -> Vector:
         """Return the initial position of a site in the world frame, m."""
-        found = self._sites[site]
-        return add(self._origin[found.body], found.at)
+        entry = self._sites[site]
+        return add(self._origin[entry.body], entry.at)
 
     def carrier(self, site: str) -> str | None:
         """Return the body of a site; None for the room."""
@@ -108,14 +108,14 @@ class Collector:
 
     def add_coordinate(self, coordinate: Coordinate) -> None:
         """Add a coordinate unless its body is glued or welded; SceneError for a welded body with an initial speed."""
-        found = self._bodies[coordinate.body]
-        welded = self._is_welded(found)
+        body = self._bodies[coordinate.body]
+        welded = self._is_welded(body)
         if welded and coordinate.speed != 0.0:
             raise SceneError(coordinate.body, "it is welded and can not move at the start", "leave out how it starts")
         if coordinate.body not in self._glued and not welded:
-            ways = (*found.coordinates, coordinate)
+            ways = (*body.coordinates, coordinate)
             self._bodies[coordinate.body] = RigidBody(
-                found.name, found.parent, found.at, found.mass, found.center, found.inertia, ways
+                body.name, body.parent, body.at, body.mass, body.center, body.inertia, ways
             )
 
     def _is_welded(self, body: RigidBody) -> bool:

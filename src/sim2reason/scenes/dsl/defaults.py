@@ -95,12 +95,12 @@ def _owner(site: str) -> str:
 
 def _pairs(stops: Sequence[Stop], spacing: float) -> list[Neighbours]:
     """Return the neighbouring sites of different entities along a path."""
-    found: list[Neighbours] = []
+    neighbours: list[Neighbours] = []
     for one, other in pairwise(stops):
         leaves, reaches = one.sites[-1], _first(other)
         if _owner(leaves) != _owner(reaches):
-            found.append(Neighbours(leaves, reaches, spacing))
-    return found
+            neighbours.append(Neighbours(leaves, reaches, spacing))
+    return neighbours
 
 
 def _first(stop: Stop) -> str:

@@ -61,8 +61,8 @@ class Part(Model):
     def _tells_all(self) -> Self:
         for path in self.untold:
             name, _, field = path.rpartition(".")
-            held = getattr(self, name) if name else self
-            for member in held if isinstance(held, tuple) else (held,):  # type: ignore[reportUnknownVariableType]
+            value = getattr(self, name) if name else self
+            for member in value if isinstance(value, tuple) else (value,):  # type: ignore[reportUnknownVariableType]
                 if getattr(member, field, None) is not None:  # type: ignore[reportUnknownArgumentType]
                     raise ValueError(f"{path}: no line of {type(self).__name__} tells it; leave it out")
         return self
@@ -234,16 +234,16 @@ def check_lines(cls: type[Part]) -> frozenset[str]:
     required = {name for name, port in ports_of(cls).items() if port.required}
     chained = {inner for name in required for inner in getattr(ports_of(cls)[name], "stops", ())}
     roped = {stop for inner in inside(cls).values() for stop in inner.stops}
-    told: set[str] = set()
+    stated: set[str] = set()
     for saying in cls.says:
         if isinstance(saying, Each | PartLines) and saying.field not in cls.model_fields:
             raise TypeError(f"{cls.__name__}: a line for each {saying.field!r}, which is not declared")
-        told |= _told(cls, saying)
+        stated |= _told(cls, saying)
     for name, port in ports_of(cls).items():
-        heard = _clauses(cls, port)
+        clause_numbers = _clauses(cls, port)
         if name in required | chained | roped:
-            told |= heard
-    unsaid = {path for path in declared_numbers(cls) if path not in told}
+            stated |= clause_numbers
+    unsaid = {path for path in declared_numbers(cls) if path not in stated}
     spared = frozenset(path for path in unsaid if _is_spared(cls, path))
     unsaid -= spared
     if unsaid:
@@ -260,23 +260,23 @@ def _is_spared(cls: type[Part], path: str) -> bool:
 
 def _told(cls: type[Part], saying: Saying) -> set[str]:
     """Return the numbers that a line states; TypeError if its wordings with the given optional number state fewer."""
-    *without, found = (_common(cls, templates) for templates in variants(saying))
-    if isinstance(saying, Wordings) and saying.given and saying.given not in found:
+    *without, stated = (_common(cls, templates) for templates in variants(saying))
+    if isinstance(saying, Wordings) and saying.given and saying.given not in stated:
         raise TypeError(f"{cls.__name__}: a line is said so where {saying.given} is given, and does not tell it")
-    for told in without:
-        lost = (told - found) & declared_numbers(cls)
+    for numbers in without:
+        lost = (numbers - stated) & declared_numbers(cls)
         if lost:
             raise TypeError(f"{cls.__name__}: no line tells {', '.join(sorted(lost))} where another number is given")
-    return found
+    return stated
 
 
 def parts_at(part: Part, field: str) -> dict[str, Part]:
     """Return the parts in a field, one or several, by path from the part that contains them."""
-    held: Any = getattr(part, field)
-    several = isinstance(held, tuple)
-    members = cast("tuple[Any, ...]", held) if several else (held,)
-    found = {f"{field}.{index}" if several else field: member for index, member in enumerate(members)}
-    return {path: member for path, member in found.items() if isinstance(member, Part)}
+    value: Any = getattr(part, field)
+    several = isinstance(value, tuple)
+    members = cast("tuple[Any, ...]", value) if several else (value,)
+    members_by_path = {f"{field}.{index}" if several else field: member for index, member in enumerate(members)}
+    return {path: member for path, member in members_by_path.items() if isinstance(member, Part)}
 
 
 def _clauses(cls: type[Part], port: Port) -> set[str]:
@@ -297,22 +297,26 @@ def phrase_of(port: Port) -> str:
 
 
 def _common(cls: type[Part], templates: tuple[str, ...]) -> set[str]:
-    told = [set[str]().union(*(stated_numbers(cls, slot) for slot in slots(template))) for template in templates]
-    return set[str].intersection(*told) if told else set()
+    number_sets = [set[str]().union(*(stated_numbers(cls, slot) for slot in slots(template))) for template in templates]
+    return set[str].intersection(*number_sets) if number_sets else set()
 
 
 def declared_numbers(cls: type[Part]) -> set[str]:
     """Return the numbers that the lines of a class itself must state, without those of its parts."""
-    found: set[str] = set()
+    numbers: set[str] = set()
     for name, kind in field_types(cls).items():
         if (kind.measure is not None or kind.words) and not kind.hidden:
-            found.add(name)
+            numbers.add(name)
         for model in kind.models:
             if issubclass(model, Part):
                 continue
             inner = field_types(model).items()
-            found |= {f"{name}.{field}" for field, held in inner if held.measure is not None and not held.hidden}
-    return found
+            numbers |= {
+                f"{name}.{field}"
+                for field, field_kind in inner
+                if field_kind.measure is not None and not field_kind.hidden
+            }
+    return numbers
 
 
 def stated_numbers(cls: type[Part], slot: Slot) -> set[str]:
@@ -331,10 +335,10 @@ def stated_numbers(cls: type[Part], slot: Slot) -> set[str]:
         raise TypeError(f"{cls.__name__}: a line names {slot.path!r}, which is not declared")
     if (kind.measure is not None or kind.words) and not rest:
         return {head}
-    told: set[str] = set()
+    numbers: set[str] = set()
     for model in kind.models:
-        told |= _told_by_body(cls, head, model, rest, whole="first" not in slot.path and "last" not in slot.path)
-    return told
+        numbers |= _told_by_body(cls, head, model, rest, whole="first" not in slot.path and "last" not in slot.path)
+    return numbers
 
 
 def _texts(word: Word) -> tuple[str, ...]:

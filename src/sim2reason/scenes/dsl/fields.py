@@ -41,15 +41,15 @@ class Profile:
 
     def at(self, place: Triple, time: Number, maths: Maths) -> Number:
         """Return the strength at a place, m, and a time, s."""
-        found: Number = self.value
+        strength: Number = self.value
         if self.slope:
-            found = found + self.slope * dot(self.axis, place)
+            strength = strength + self.slope * dot(self.axis, place)
         if self.rate:
-            found = found + self.rate * time
+            strength = strength + self.rate * time
         if not self.frequency:
-            return found
+            return strength
         angle = self.frequency * time
-        return found * maths.cos(angle + self.phase if self.phase else angle)
+        return strength * maths.cos(angle + self.phase if self.phase else angle)
 
     def moved(self, by: Vector) -> "Profile":
         """Return the profile about an origin that is displaced by `by`, m."""
@@ -244,16 +244,16 @@ class Central:
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
         """Return the force along the line from the centre, N."""
         del velocity, time
-        apart = minus(place, self.center)
-        square = dot(apart, apart)
-        return times(self.strength / _power(square, self.power + 1, maths), apart)
+        separation = minus(place, self.center)
+        square = dot(separation, separation)
+        return times(self.strength / _power(square, self.power + 1, maths), separation)
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
         """Return the potential energy strength / ((p − 1) rᵖ⁻¹), zero at infinity, J; None for p = 1."""
         if self.power == 1:
             return None
-        apart = minus(place, self.center)
-        return self.strength / (self.power - 1) / _power(dot(apart, apart), self.power - 1, maths)
+        separation = minus(place, self.center)
+        return self.strength / (self.power - 1) / _power(dot(separation, separation), self.power - 1, maths)
 
     @property
     def constant(self) -> bool:
@@ -267,7 +267,7 @@ class Central:
 
 def _power(square: Number, power: int, maths: Maths) -> Number:
     """Return an integer power of a distance, given its square."""
-    found: Number = maths.sqrt(square) if power % 2 else 1.0
+    product: Number = maths.sqrt(square) if power % 2 else 1.0
     for _ in range(abs(power) // 2):
-        found = found * square
-    return found if power >= 0 else 1.0 / found
+        product = product * square
+    return product if power >= 0 else 1.0 / product

@@ -80,15 +80,15 @@ class BodyFrame:
     def point(self, at: Triple = ZERO) -> Point:
         """Return a point fixed in this frame."""
         arm = self.turned(at)
-        place = plus(self.origin, arm)
+        position = plus(self.origin, arm)
         if self.spin is None:
-            return Point(place, self.velocity, self.bias, {step.number: step.axis for step in self.steps}, self.lift)
+            return Point(position, self.velocity, self.bias, {step.number: step.axis for step in self.steps}, self.lift)
         gradient = {
-            step.number: step.axis if step.pivot is None else cross(step.axis, minus(place, step.pivot))
+            step.number: step.axis if step.pivot is None else cross(step.axis, minus(position, step.pivot))
             for step in self.steps
         }
         velocity, bias = self.carried(arm)
-        return Point(place, velocity, bias, gradient, self.lift)
+        return Point(position, velocity, bias, gradient, self.lift)
 
     def carried(self, arm: Triple) -> tuple[Triple, Triple]:
         """Return velocity and bias (acceleration at q̈ = 0) of a point at `arm` from the origin, in the room's axes."""
@@ -140,50 +140,50 @@ class Frames:
 
     def __getitem__(self, body: str | None) -> BodyFrame:
         """Return the frame of a body, computed on demand; None gives that of the room."""
-        found = self._frames.get(body)
-        if found is None:
+        frame = self._frames.get(body)
+        if frame is None:
             assert body is not None
-            held = self._mechanism.body[body]
-            found = self._frames[body] = self._at_rest(held) if self._still else self._of(held)
-        return found
+            rigid_body = self._mechanism.body[body]
+            frame = self._frames[body] = self._at_rest(rigid_body) if self._still else self._of(rigid_body)
+        return frame
 
     def center(self, body: str) -> Point:
         """Return the centre of mass of a body as a point."""
-        found = self._centers.get(body)
-        if found is None:
-            found = self._centers[body] = self[body].point(self._mechanism.body[body].center)
-        return found
+        point = self._centers.get(body)
+        if point is None:
+            point = self._centers[body] = self[body].point(self._mechanism.body[body].center)
+        return point
 
     def site(self, name: str) -> Point:
         """Return a site as a point."""
-        found = self._sites.get(name)
-        if found is None:
+        point = self._sites.get(name)
+        if point is None:
             site = self._mechanism.site[name]
-            found = self._sites[name] = self[site.body].point(site.at)
-        return found
+            point = self._sites[name] = self[site.body].point(site.at)
+        return point
 
     def distance(self, first: str, last: str) -> Distance:
         """Return the distance between two sites; raise ZeroDivisionError if they coincide and can separate."""
-        found = self._distances.get((first, last))
-        if found is None:
+        separation = self._distances.get((first, last))
+        if separation is None:
             steady = self._steady.get((first, last))
-            found = self._distances[first, last] = distance(self.site(first), self.site(last), self._maths, steady)
-        return found
+            separation = self._distances[first, last] = distance(self.site(first), self.site(last), self._maths, steady)
+        return separation
 
     def pieces(self, line: Line) -> tuple[Distance, ...]:
         """Return the straight segments of a line, end to end; ZeroDivisionError if the ends of one coincide."""
-        found = self._pieces.get(line.name)
-        if found is None:
-            found = tuple([self.distance(first, last) for first, last in pairwise(line.through)])
-            self._pieces[line.name] = found
-        return found
+        segments = self._pieces.get(line.name)
+        if segments is None:
+            segments = tuple([self.distance(first, last) for first, last in pairwise(line.through)])
+            self._pieces[line.name] = segments
+        return segments
 
     def length(self, line: Line) -> Number:
         """Return the sum of the distances between the sites of a line, m."""
         total: Number = 0.0
         for first, last in pairwise(line.through):
-            apart = minus(self.site(last).place, self.site(first).place)
-            total = total + self._maths.sqrt(dot(apart, apart))
+            separation = minus(self.site(last).place, self.site(first).place)
+            total = total + self._maths.sqrt(dot(separation, separation))
         return total
 
     def normal(self, subject: str) -> Triple:
@@ -278,8 +278,8 @@ def rotated(rotation: Rotation | None, axis: Vector, angle: Number, maths: Maths
 
     def entry(i: int, j: int, skew: float) -> Number:
         both, same = axis[i] * axis[j], 1.0 if i == j else 0.0
-        found: Number = both if same - both == 0.0 else (same - both) * c + both
-        return found + skew * s if skew else found
+        element: Number = both if same - both == 0.0 else (same - both) * c + both
+        return element + skew * s if skew else element
 
     turn = (
         (entry(0, 0, 0.0), entry(0, 1, -z), entry(0, 2, y)),

@@ -142,8 +142,8 @@ def _heavy_planets(mechanism: Mechanism) -> Iterator[str]:
 
 def natural_lengths(scene: Scene) -> dict[str, float]:
     """Return the natural lengths of springs that a scene states, m, by the name of the spring."""
-    found = ((parameter.path.rpartition(".")[0], parameter) for parameter in scene.parameters)
-    return {name: p.value for name, p in found if p.measure.name == "natural length" and p.value is not None}
+    named_parameters = ((parameter.path.rpartition(".")[0], parameter) for parameter in scene.parameters)
+    return {name: p.value for name, p in named_parameters if p.measure.name == "natural length" and p.value is not None}
 
 
 def implausible_spring_lengths(
@@ -158,9 +158,9 @@ def implausible_spring_lengths(
         line = mechanism.line.get(name)
         if line is None or not isinstance(line.law, Elastic) or name not in lengths:
             continue
-        least, greatest = (length / own for length in lengths[name])
-        if line.law.side <= 0.0 and least < STRETCH[0]:
-            yield f"{name} is squeezed to {least:.2g} of its natural length"
+        smallest, greatest = (length / own for length in lengths[name])
+        if line.law.side <= 0.0 and smallest < STRETCH[0]:
+            yield f"{name} is squeezed to {smallest:.2g} of its natural length"
         if line.law.side >= 0.0 and greatest > STRETCH[1]:
             yield f"{name} is stretched to {greatest:.2g} of its natural length"
 

@@ -247,9 +247,9 @@ MIN_PLAIN_NUMBER, VAST = 1e-5, 1e7  # smaller or larger numbers are written with
 def in_powers(value: float, unit: str) -> str:
     """Write a nonzero number in scientific notation, in a unit without prefixes: ``9.109 × 10^−31 kg``."""
     bare, size = coherent(unit)
-    sign, digits, _ = (told := (Decimal(repr(value)) * size).normalize()).as_tuple()
+    sign, digits, _ = (scaled := (Decimal(repr(value)) * size).normalize()).as_tuple()
     first, rest = str(digits[0]), "".join(map(str, digits[1:])) or "0"
-    text = f"{'-' * sign}{first}.{rest} \N{MULTIPLICATION SIGN} 10^{told.adjusted()}"
+    text = f"{'-' * sign}{first}.{rest} \N{MULTIPLICATION SIGN} 10^{scaled.adjusted()}"
     return join_unit(text.replace("-", "\N{MINUS SIGN}"), bare)
 
 
@@ -348,8 +348,8 @@ def relations(model: type[Any], types: Callable[[type[Any]], Mapping[str, Relate
     own = [("", name, kind.member) for name, kind in kinds.items() if kind.member in kinds]
     inner = [
         (holder, name, kind.member)
-        for holder, held in kinds.items()
-        for part in held.models
+        for holder, holder_kind in kinds.items()
+        for part in holder_kind.models
         for name, kind in types(part).items()
         if kind.member in kinds
     ]
@@ -361,23 +361,23 @@ def relations(model: type[Any], types: Callable[[type[Any]], Mapping[str, Relate
 def violated_relation(value: Any, declared: Relations) -> str:
     """Return a message for a violated relation of a value; empty if all hold."""
     for name, demanded in declared.sizes:
-        found, wanted = len(getattr(value, name)), demanded(value.__dict__)
-        if found != wanted:
-            return f"{name}: what stands beside them demands {wanted}, not {found}"
+        size, wanted = len(getattr(value, name)), demanded(value.__dict__)
+        if size != wanted:
+            return f"{name}: what stands beside them demands {wanted}, not {size}"
     for name, less in declared.greater:
         one, other = getattr(value, name), getattr(value, less)
         if one is not None and not 0.0 < other < one:
             return f"{name}: {one} is not greater than {less}, {other}, or that is zero; leave it out"
     for holder, name, field in declared.indices:
         count = len(getattr(value, field))
-        for held in _each_of(getattr(value, holder)) if holder else (value,):
-            index = getattr(held, name, None)
+        for item in _each_of(getattr(value, holder)) if holder else (value,):
+            index = getattr(item, name, None)
             if index is not None and not 0 <= index < count:
-                place = f"{holder}.{name}" if holder else name
-                return f"{place}: {field} has no member {index}, count from 0 to {count - 1}"
+                location = f"{holder}.{name}" if holder else name
+                return f"{location}: {field} has no member {index}, count from 0 to {count - 1}"
     return ""
 
 
-def _each_of(held: Any) -> tuple[Any, ...]:
+def _each_of(value: Any) -> tuple[Any, ...]:
     """Return a value, or the members of a tuple."""
-    return held if isinstance(held, tuple) else (held,)  # type: ignore[reportUnknownVariableType]
+    return value if isinstance(value, tuple) else (value,)  # type: ignore[reportUnknownVariableType]

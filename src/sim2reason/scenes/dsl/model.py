@@ -29,17 +29,17 @@ from sim2reason.scenes.dsl.measures import (
 
 def bounds(metadata: Iterable[object]) -> tuple[float, float]:
     """Return the least and the greatest float that satisfy all bounds in an annotation's metadata."""
-    least, most = -inf, inf
+    lower, most = -inf, inf
     for bound in metadata:
         if isinstance(bound, Ge):
-            least = max(least, cast("float", bound.ge))
+            lower = max(lower, cast("float", bound.ge))
         elif isinstance(bound, Gt):
-            least = max(least, nextafter(cast("float", bound.gt), inf))
+            lower = max(lower, nextafter(cast("float", bound.gt), inf))
         elif isinstance(bound, Le):
             most = min(most, cast("float", bound.le))
         elif isinstance(bound, Lt):
             most = min(most, nextafter(cast("float", bound.lt), -inf))
-    return float(least), float(most)
+    return float(lower), float(most)
 
 
 class Model(BaseModel):
@@ -135,11 +135,11 @@ def _is_model(leaf: object) -> TypeGuard[type[Model]]:
 @cache
 def field_types(model: type[Model]) -> dict[str, FieldType]:
     """Return the fields of a model class by name; a later `Range` of one field replaces an earlier one."""
-    found: dict[str, FieldType] = {}
+    fields: dict[str, FieldType] = {}
     for name, info in model.model_fields.items():
         leaves = [*_flatten(info.annotation), *info.metadata]
-        least, most = bounds(leaves)
-        found[name] = FieldType(
+        lower, most = bounds(leaves)
+        fields[name] = FieldType(
             measure=next((leaf for leaf in leaves if isinstance(leaf, Measure)), None),
             drawn=next((leaf for leaf in reversed(leaves) if isinstance(leaf, Range)), None),
             count=next((leaf for leaf in leaves if isinstance(leaf, Count)), None),
@@ -152,10 +152,10 @@ def field_types(model: type[Model]) -> dict[str, FieldType]:
             chance=next((leaf.likelihood for leaf in leaves if isinstance(leaf, Chance)), None),
             above=next((leaf.field for leaf in leaves if isinstance(leaf, Above)), ""),
             usual=next((leaf.present for leaf in leaves if isinstance(leaf, Usually)), None),
-            least=least,
+            least=lower,
             most=most,
         )
-    return found
+    return fields
 
 
 def round_as_stated(model: type[Model], name: str, value: float) -> float:
@@ -167,13 +167,13 @@ def round_as_stated(model: type[Model], name: str, value: float) -> float:
 def parameters(value: Model, prefix: str = "") -> Iterator[Parameter]:
     """Yield every declared number under a value, with its address, in the order of declaration."""
     for name, kind in field_types(type(value)).items():
-        address, held = f"{prefix}.{name}" if prefix else name, getattr(value, name)
+        address, field_value = f"{prefix}.{name}" if prefix else name, getattr(value, name)
         if kind.measure is not None:
-            yield Parameter(address, held, kind.measure.of(value), kind.hidden, kind.least < 0.0)
-        elif isinstance(held, Model):
-            yield from parameters(held, address)
-        elif isinstance(held, tuple):
-            for index, member in enumerate(held):  # type: ignore[reportUnknownArgumentType]
+            yield Parameter(address, field_value, kind.measure.of(value), kind.hidden, kind.least < 0.0)
+        elif isinstance(field_value, Model):
+            yield from parameters(field_value, address)
+        elif isinstance(field_value, tuple):
+            for index, member in enumerate(field_value):  # type: ignore[reportUnknownArgumentType]
                 if isinstance(member, Model):
                     yield from parameters(member, f"{address}.{index}")
 
@@ -265,11 +265,11 @@ def _draw_field(
     kind = field_types(model)[name]
     picks = _chosen(model, name, kind, choices)
     if kind.measure is not None:
-        found = kind.drawn if picks is None else picks  # a choice of 0.0 is a choice
-        if isinstance(found, Range):
-            return kind.measure.draw(rng, found.low, found.high)
-        if isinstance(found, float | int):
-            return float(found)
+        choice = kind.drawn if picks is None else picks  # a choice of 0.0 is a choice
+        if isinstance(choice, Range):
+            return kind.measure.draw(rng, choice.low, choice.high)
+        if isinstance(choice, float | int):
+            return float(choice)
         remedy = "declare a Range or let the recipe choose"
         raise SceneError(f"{model.__name__}.{name}", "has no range to be drawn from", remedy)
     if kind.words:
@@ -277,8 +277,8 @@ def _draw_field(
         return words[int(rng.integers(len(words)))]
     if kind.member:
         return int(rng.integers(max(len(known[kind.member]), 1)))  # one that nothing has is refused, and drawn again
-    names = picks if isinstance(picks, tuple) else tuple(held.__name__ for held in kind.models)
-    allowed = [held for name in names for held in kind.models if held.__name__ == name]
+    names = picks if isinstance(picks, tuple) else tuple(variant.__name__ for variant in kind.models)
+    allowed = [variant for name in names for variant in kind.models if variant.__name__ == name]
 
     def one() -> Model:
         return _accepted(allowed[int(rng.integers(len(allowed)))], rng, choices, {}, known)
@@ -294,5 +294,5 @@ def _draw_field(
 
 def replace_validated(value: M, **fields: object) -> M:
     """Return a copy with some fields replaced, validated again."""
-    held = {name: getattr(value, name) for name in type(value).model_fields}
-    return type(value)(**{**held, **fields})
+    current = {name: getattr(value, name) for name in type(value).model_fields}
+    return type(value)(**{**current, **fields})

@@ -96,17 +96,17 @@ class Scene(Model):
         used: set[tuple[str, str]] = set()
         for number, connection in enumerate(self.connections):
             for index, link in enumerate(connection.links):
-                place = f"connections.{number}"
-                ports = outer_ports(type(self.entity(link.entity, place)))
+                location = f"connections.{number}"
+                ports = outer_ports(type(self.entity(link.entity, location)))
                 if link.port not in ports:
                     known = ", ".join(ports) or "none"
-                    raise SceneError(place, f"{link.entity!r} has no port {link.port!r}", f"its ports: {known}")
+                    raise SceneError(location, f"{link.entity!r} has no port {link.port!r}", f"its ports: {known}")
                 if not connection.admits(ports[link.port], index, len(connection.links) - 1):
                     problem = f"a {connection.key} can not be joined to {link}, which is for other connections"
-                    raise SceneError(place, problem, f"it takes a {connection.joins.__name__}")
-                self._check_place(ports[link.port], link, place)
+                    raise SceneError(location, problem, f"it takes a {connection.joins.__name__}")
+                self._check_place(ports[link.port], link, location)
                 if (link.entity, link.port) in used:
-                    raise SceneError(place, f"port {link} is used twice", "use each port once")
+                    raise SceneError(location, f"port {link} is used twice", "use each port once")
                 used.add((link.entity, link.port))
             self._check_order(connection, f"connections.{number}")
         for named in self.entities:
@@ -119,11 +119,11 @@ class Scene(Model):
 
     def _check_place(self, port: Port, link: Link, place: str) -> None:
         """Raise SceneError if optional fields of the entity exclude the port to which a link leads."""
-        held = self.entity(link.entity)
-        if port.needs and getattr(held, port.needs) is None:
+        entity = self.entity(link.entity)
+        if port.needs and getattr(entity, port.needs) is None:
             problem = f"{link} needs {port.needs}, which {link.entity!r} leaves out"
             raise SceneError(place, problem, f"give {port.needs}")
-        if port.unless and getattr(held, port.unless) is not None:
+        if port.unless and getattr(entity, port.unless) is not None:
             problem = f"{port.unless} of {link.entity!r} has the place of {link}"
             raise SceneError(place, problem, f"leave {port.unless} out")
 
@@ -179,14 +179,16 @@ class Scene(Model):
     @cached_property
     def joints(self) -> dict[str, Joint]:
         """Return all connections by address, including those within entities."""
-        found: list[Joint] = []
+        all_joints: list[Joint] = []
         for named in self.entities:
             for name, inner in inside(type(named.entity)).items():
                 stops = [stop for port in inner.stops for stop in stops_of(named.entity, port, named.name)]
-                found.append(Joint(f"{named.name}.{name}", inner.made(), tuple(travelled(stops))))
+                all_joints.append(Joint(f"{named.name}.{name}", inner.made(), tuple(travelled(stops))))
         for number, connection in enumerate(self.connections, start=1):
-            found.append(Joint(f"{connection.key}_{number}", connection, tuple(path_stops(self, connection.links))))
-        return {joint.name: joint for joint in found}
+            all_joints.append(
+                Joint(f"{connection.key}_{number}", connection, tuple(path_stops(self, connection.links)))
+            )
+        return {joint.name: joint for joint in all_joints}
 
     @cached_property
     def builder(self) -> Builder:
@@ -201,26 +203,26 @@ class Scene(Model):
     @property
     def units(self) -> UnitSystem:
         """Return the units of the text and the mechanism; SceneError if the entities have several systems."""
-        found = {named.entity.units for named in self.entities}
-        if len(found) > 1:
-            names = " and ".join(sorted(units.name for units in found))
+        systems = {named.entity.units for named in self.entities}
+        if len(systems) > 1:
+            names = " and ".join(sorted(units.name for units in systems))
             raise SceneError("entities", f"some speak in {names} units", "let entities of one scene share their units")
-        return found.pop()
+        return systems.pop()
 
     @property
     def horizon(self) -> float:
         """Return the default duration of a simulation, in the unit of time of the text."""
-        found = horizon((named.entity for named in self.entities), self.world.gravity)
-        return within_oscillations(found, self.mechanism)
+        duration = horizon((named.entity for named in self.entities), self.world.gravity)
+        return within_oscillations(duration, self.mechanism)
 
     @cached_property
     def mechanism(self) -> Mechanism:
         """Return the mechanism for engines; SceneError if parts do not fit together or nothing can move."""
-        found = self.builder.finish()
-        if not found.coordinates:
-            place = "glued" if self.glued else "entities"
-            raise SceneError(place, "nothing in this scene can move", "leave something free to move")
-        return found
+        built = self.builder.finish()
+        if not built.coordinates:
+            location = "glued" if self.glued else "entities"
+            raise SceneError(location, "nothing in this scene can move", "leave something free to move")
+        return built
 
     @property
     def starts_from_rest(self) -> bool:
@@ -235,12 +237,12 @@ class Scene(Model):
     @cached_property
     def bodies(self) -> dict[str, Body]:
         """Return all bodies that the text can mention, by address, including those of strings."""
-        found: dict[str, Body] = {}
+        all_bodies: dict[str, Body] = {}
         for named in self.entities:
-            found.update(_bodies(named.entity, named.name))
+            all_bodies.update(_bodies(named.entity, named.name))
         for joint in self.joints.values():
-            found.update(joint.brings(self.builder))
-        return found
+            all_bodies.update(joint.brings(self.builder))
+        return all_bodies
 
     @cached_property
     def parameters(self) -> tuple[Parameter, ...]:
@@ -317,8 +319,8 @@ class Scene(Model):
             elif head in connections:
                 connections[head] = with_values(connections[head], news)
             else:
-                held = entities[head].entity if head in entities else self.entity(head, f"{head}.{next(iter(news))}")
-                entities[head] = Named(name=head, entity=with_values(held, news))
+                current = entities[head].entity if head in entities else self.entity(head, f"{head}.{next(iter(news))}")
+                entities[head] = Named(name=head, entity=with_values(current, news))
         return replace_validated(
             self, world=world, entities=tuple(entities.values()), connections=tuple(connections.values())
         )
@@ -374,24 +376,24 @@ def _line(value: Model, name: str) -> str:
 
 
 def _bodies(value: Model, address: str) -> dict[str, Body]:
-    found: dict[str, Body] = {}
+    bodies: dict[str, Body] = {}
     for name in type(value).model_fields:
-        held: Any = getattr(value, name)
-        inside = isinstance(held, tuple)
-        for index, member in enumerate(cast("tuple[Any, ...]", held) if inside else (held,)):
+        field_value: Any = getattr(value, name)
+        inside = isinstance(field_value, tuple)
+        for index, member in enumerate(cast("tuple[Any, ...]", field_value) if inside else (field_value,)):
             where = f"{address}.{name}.{index}" if inside else f"{address}.{name}"
             if isinstance(member, Body):
-                found[where] = member
+                bodies[where] = member
             elif isinstance(member, Part):
-                found.update(_bodies(member, where))
-    return found
+                bodies.update(_bodies(member, where))
+    return bodies
 
 
 def path_stops(scene: Scene, links: tuple[Link, ...]) -> list[Stop]:
     """Return the stops of a path of links in the order of travel."""
-    found: list[Stop] = []
+    path: list[Stop] = []
     for index, link in enumerate(links):
         stops = stops_of(scene.entity(link.entity), link.port, link.entity, flipped=link.flipped)
         last = index == len(links) - 1
-        found.extend(reversed_stops(stops) if last and index > 0 else stops)
-    return found
+        path.extend(reversed_stops(stops) if last and index > 0 else stops)
+    return path

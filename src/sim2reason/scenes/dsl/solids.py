@@ -55,11 +55,13 @@ class Solid:
         size = self.size + other.size
         if size == 0.0:
             return NOTHING
-        apart = add(other.center, scale(-1.0, self.center))
+        separation = add(other.center, scale(-1.0, self.center))
         share = self.size * other.size / size
         parts = (a + b for a, b in zip(self.second, other.second, strict=True))
-        xx, yy, zz, xy, xz, yz = (p + share * apart[i] * apart[j] for p, (i, j) in zip(parts, PAIRS, strict=True))
-        return Solid(size, add(self.center, scale(other.size / size, apart)), (xx, yy, zz, xy, xz, yz))
+        xx, yy, zz, xy, xz, yz = (
+            p + share * separation[i] * separation[j] for p, (i, j) in zip(parts, PAIRS, strict=True)
+        )
+        return Solid(size, add(self.center, scale(other.size / size, separation)), (xx, yy, zz, xy, xz, yz))
 
     def __neg__(self) -> "Solid":
         """Return the mass distribution with negative density, as a hole."""
@@ -94,9 +96,9 @@ def transposed(axes: Axes) -> Axes:
     return (x, y, z)
 
 
-def seen(way: Vector, axes: Axes) -> Vector:
+def seen(direction: Vector, axes: Axes) -> Vector:
     """Return the components of a direction along the given axes, those of a rotated body."""
-    return (inner(way, axes[0]), inner(way, axes[1]), inner(way, axes[2]))
+    return (inner(direction, axes[0]), inner(direction, axes[1]), inner(direction, axes[2]))
 
 
 def _even(size: float, xx: float, yy: float, zz: float, height: float = 0.0) -> Solid:

@@ -153,18 +153,18 @@ class State:
 
     def mass(self, body: str) -> Array | float:
         """Return the mass of a body; for a body that burns, the remaining mass at each instant, (n,)."""
-        found: Array | float = self.mechanism.body[body].mass
+        remaining: Array | float = self.mechanism.body[body].mass
         for burn in self.mechanism.burns:
             if burn.body == body:
-                found = found - burn.rate * np.minimum(self.times, burn.until)
-        return found
+                remaining = remaining - burn.rate * np.minimum(self.times, burn.until)
+        return remaining
 
     def vector(self, components: Triple) -> Array:
         """Return three components as one array, (n, 3)."""
-        found = np.empty((len(self.times), 3))
+        array = np.empty((len(self.times), 3))
         for number, part in enumerate(components):
-            found[:, number] = part
-        return found
+            array[:, number] = part
+        return array
 
     def length(self, line: Line) -> tuple[Array, Array]:
         """Return the total distance between the sites of a line, m, and its rate, m/s; both (n,).
@@ -174,11 +174,11 @@ class State:
         length, rate = np.zeros(len(self.times)), np.zeros(len(self.times))
         for first, last in pairwise(line.through):
             one, other = self.frames.site(first), self.frames.site(last)
-            apart = minus(other.place, one.place)
+            separation = minus(other.place, one.place)
             parting = minus(other.velocity, one.velocity)
-            distance = np.sqrt(dot(apart, apart)) + length * 0.0
+            distance = np.sqrt(dot(separation, separation)) + length * 0.0
             length = length + distance
-            rate = rate + dot(apart, parting) / np.where(distance > 0.0, distance, 1.0)
+            rate = rate + dot(separation, parting) / np.where(distance > 0.0, distance, 1.0)
         return length, rate
 
     def free_length(self, line: Line) -> tuple[Array, Array]:

@@ -246,8 +246,8 @@ def _swung(frame: BodyFrame, point: Point) -> list[Triple]:
     return [point.gradient[step.number] for step in frame.steps if step.pivot is not None]
 
 
-def _moved(way: Triple) -> bool:
-    return hypot(*way) > ALIGNED
+def _moved(vector: Triple) -> bool:
+    return hypot(*vector) > ALIGNED
 
 
 def _parallel(one: Vector, other: Vector) -> bool:
@@ -280,16 +280,16 @@ def straight(mechanism: Mechanism, frames: Frames, first: str, last: str) -> Tri
 
 def steady(mechanism: Mechanism) -> dict[tuple[str, str], Triple]:
     """Return the constant unit vectors, by end sites, of straight segments of variable length."""
-    frames, found = initial_frames(mechanism), dict[tuple[str, str], Triple]()
+    frames, directions = initial_frames(mechanism), dict[tuple[str, str], Triple]()
     for ends in dict.fromkeys(ends for line in mechanism.lines for ends in pairwise(line.through)):
         try:
-            parts, way = bool(frames.distance(*ends).moved), straight(mechanism, frames, *ends)
+            parts, direction = bool(frames.distance(*ends).moved), straight(mechanism, frames, *ends)
         except ZeroDivisionError:  # two sites coincide, which engines refuse for themselves
             continue
         slides = any(_slides_after_a_hinge(frames[mechanism.site[site].body]) for site in ends)
-        if parts and way is not None and not slides:  # ends that never part have no direction, only a length
-            found[ends] = way
-    return found
+        if parts and direction is not None and not slides:  # ends that never part have no direction, only a length
+            directions[ends] = direction
+    return directions
 
 
 def _slides_after_a_hinge(frame: BodyFrame) -> bool:

@@ -303,25 +303,25 @@ def slots(template: str) -> tuple[Slot, ...]:
 
     Forms of a slot may contain slots.
     """
-    found: list[Slot] = []
+    pieces: list[Slot] = []
     depth, begin = 0, 0
-    for place, character in enumerate(template):
+    for index, character in enumerate(template):
         if character == "{":
             if depth == 0:
-                found.append(Slot("text", template[begin:place]))
-                begin = place + 1
+                pieces.append(Slot("text", template[begin:index]))
+                begin = index + 1
             depth += 1
         elif character == "}":
             depth -= 1
             if depth == 0:
-                found.append(_slot(template[begin:place]))
-                begin = place + 1
+                pieces.append(_slot(template[begin:index]))
+                begin = index + 1
         if depth < 0:
             break
     if depth != 0:
         raise ValueError(f"a brace that belongs to no slot in {template!r}")
-    found.append(Slot("text", template[begin:]))
-    return tuple(slot for slot in found if slot.kind != "text" or slot.text)
+    pieces.append(Slot("text", template[begin:]))
+    return tuple(slot for slot in pieces if slot.kind != "text" or slot.text)
 
 
 def _slot(inside: str) -> Slot:
@@ -347,14 +347,14 @@ def _slot(inside: str) -> Slot:
 
 def _forms(text: str) -> list[str]:
     """Split the forms of a word, such as *is/are*, at slashes that are not within nested slots."""
-    found, depth = [""], 0
+    forms, depth = [""], 0
     for character in text:
         depth += (character == "{") - (character == "}")
         if character == "/" and depth == 0:
-            found.append("")
+            forms.append("")
         else:
-            found[-1] += character
-    return found
+            forms[-1] += character
+    return forms
 
 
 def paths(template: str) -> tuple[str, ...]:

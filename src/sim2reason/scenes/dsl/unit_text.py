@@ -159,9 +159,9 @@ def factors(text: str) -> list[tuple[str, int]]:
     if len(text) > MAX_LENGTH:
         raise UnitError("too long for a unit")
     reader = _UnitReader(text)
-    found = reader.quotient()
-    if reader.peek() != "end" or (text.strip() and not found):
+    words = reader.quotient()
+    if reader.peek() != "end" or (text.strip() and not words):
         raise UnitError(f"{text.strip()!r} is no unit")
-    if any(first[0] == "deg" and second[0] in {"C", "F", "K"} for first, second in pairwise(found)):
+    if any(first[0] == "deg" and second[0] in {"C", "F", "K"} for first, second in pairwise(words)):
         raise UnitError("a temperature scale is not in the table of units")
-    return found
+    return words

@@ -149,12 +149,12 @@ def _words() -> dict[str, Unit]:
     table: dict[str, Unit] = {}
     for entries, prefixes in ((_PREFIXED, _PREFIXES), (_PLAIN, {"": ("", 1.0)})):
         for symbol, names, size, dimension in entries:
-            for prefix, (spoken, scale) in prefixes.items():
+            for prefix, (prefix_name, scale) in prefixes.items():
                 unit = Unit(prefix + symbol, size * scale, dimension)
                 table[unit.name] = unit
                 for name in names.split():
                     short = len(name) == 1 or name == "AU"
-                    forms = [prefix + name] if short else [f"{spoken}{name}", f"{spoken}{name}s"]
+                    forms = [prefix + name] if short else [f"{prefix_name}{name}", f"{prefix_name}{name}s"]
                     table.update(dict.fromkeys(forms, unit))
                     table.update({form.capitalize(): unit for form in forms if not short})
     return table

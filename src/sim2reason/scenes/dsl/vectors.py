@@ -180,21 +180,21 @@ def distance(one: Point, other: Point, maths: Maths, steady: Triple | None = Non
     `steady` is the unit vector from one to the other if it is constant: it also applies where they meet, and beyond,
     where their distance counts as negative.
     """
-    apart = x, y, z = minus(other.place, one.place)
-    value = maths.sqrt(x * x + y * y + z * z) if steady is None else dot(steady, apart)
+    separation = x, y, z = minus(other.place, one.place)
+    value = maths.sqrt(x * x + y * y + z * z) if steady is None else dot(steady, separation)
     moved, risen = relative(one.gradient, other.gradient), relative(one.lift, other.lift)
     if not moved and not risen:
         return Distance(value, 0.0, 0.0, NONE, {}, {}, {})
-    way = x, y, z = times(1.0 / value, apart) if steady is None else steady
+    direction = x, y, z = times(1.0 / value, separation) if steady is None else steady
     along = {i: x * dx + y * dy + z * dz for i, (dx, dy, dz) in moved.items()}
-    lift = {i: dot(way, normal) for i, normal in risen.items()} if risen else {}
+    lift = {i: dot(direction, normal) for i, normal in risen.items()} if risen else {}
     if one.velocity is other.velocity and one.bias is other.bias:  # above all where nothing moves yet
-        return Distance(value, 0.0, 0.0, way, moved, along, lift)
+        return Distance(value, 0.0, 0.0, direction, moved, along, lift)
     parting = minus(other.velocity, one.velocity)
-    rate = dot(way, parting)
-    bend = dot(way, minus(other.bias, one.bias))
+    rate = dot(direction, parting)
+    bend = dot(direction, minus(other.bias, one.bias))
     bias = bend if steady is not None else bend + (dot(parting, parting) - rate * rate) / value
-    return Distance(value, rate, bias, way, moved, along, lift)
+    return Distance(value, rate, bias, direction, moved, along, lift)
 
 
 def relative(one: Gradient, other: Gradient) -> dict[int, Triple]:
@@ -202,17 +202,17 @@ def relative(one: Gradient, other: Gradient) -> dict[int, Triple]:
     if not one:
         return dict(other)
     if not other:
-        return {i: (-way[0], -way[1], -way[2]) for i, way in one.items()}
-    found: dict[int, Triple] = {}
+        return {i: (-vector[0], -vector[1], -vector[2]) for i, vector in one.items()}
+    difference: dict[int, Triple] = {}
     for i in sorted(one.keys() | other.keys()):
         mine, its = one.get(i), other.get(i)
         if mine is None:
-            found[i] = other[i]
+            difference[i] = other[i]
         elif its is None:
-            found[i] = (-mine[0], -mine[1], -mine[2])
+            difference[i] = (-mine[0], -mine[1], -mine[2])
         elif mine != its:
-            found[i] = minus(its, mine)
-    return found
+            difference[i] = minus(its, mine)
+    return difference
 
 
 class Region(Protocol):
@@ -253,11 +253,11 @@ class BoxRegion:
     def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
         """Return the distances to the sides, m, positive inside."""
         del maths
-        found: list[Number] = []
+        distances: list[Number] = []
         for axis, low, high in self.sides:
             along = dot(axis, place)
-            found += [along - low, high - along]
-        return tuple(found)
+            distances += [along - low, high - along]
+        return tuple(distances)
 
     def moved(self, by: Vector) -> "BoxRegion":
         """Return the region translated by a vector, m."""
@@ -274,9 +274,9 @@ class DiscRegion:
 
     def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
         """Return the distance to the border, m, positive inside."""
-        apart = minus(place, self.center)
-        along = dot(self.axis, apart)
-        aside = minus(apart, times(along, self.axis))
+        offset = minus(place, self.center)
+        along = dot(self.axis, offset)
+        aside = minus(offset, times(along, self.axis))
         return (self.radius - maths.sqrt(dot(aside, aside)),)
 
     def moved(self, by: Vector) -> "DiscRegion":

@@ -111,7 +111,7 @@ class Projectile(Entity):
             return given
         numbers = cast("dict[str, object]", given)
         still = ("speed", "angle", "side") if numbers.get("speed") == 0 else ()
-        return {name: held for name, held in numbers.items() if name not in still}
+        return {name: value for name, value in numbers.items() if name not in still}
 
     @model_validator(mode="after")
     def _thrown(self) -> Self:
@@ -214,8 +214,8 @@ class EmEntity(Entity):
     @property
     def fields(self) -> dict[str, ForceField]:
         """Return all fields and media by name."""
-        found = {"magnetic": self.magnetic, "electric": self.electric, "medium": self.medium}
-        return {name: field for name, field in found.items() if field is not None}
+        fields_by_name = {"magnetic": self.magnetic, "electric": self.electric, "medium": self.medium}
+        return {name: field for name, field in fields_by_name.items() if field is not None}
 
     @property
     def clocked(self) -> bool:

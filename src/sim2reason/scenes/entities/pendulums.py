@@ -188,8 +188,8 @@ class LightRodPendulum(Entity):
     def build(self, room: Frame) -> None:
         """Build the ball on an arm about the hinge; a right-handed rotation about y is clockwise for the reader."""
         length, angle = self.rod.length, radians(self.angle) * (1.0 if self.side == "right" else -1.0)
-        place = (length * sin(angle), 0.0, -length * cos(angle))
-        room.body("bob", self.bob.mass, center=place).hinge(Y, (self.speed or 0.0) / length)
+        position = (length * sin(angle), 0.0, -length * cos(angle))
+        room.body("bob", self.bob.mass, center=position).hinge(Y, (self.speed or 0.0) / length)
 
 
 @entity
@@ -238,12 +238,12 @@ class Pendulum(Entity):
     def build(self, room: Frame) -> None:
         """Build the bob on a hinged rod, or free in the plane and held by a string."""
         length, angle, speed = self.hanger.length, radians(self.angle), self.speed or 0.0
-        place = (length * sin(angle), 0.0, -length * cos(angle))
+        position = (length * sin(angle), 0.0, -length * cos(angle))
         room.site("point")
         if isinstance(self.hanger, LightRod):
-            room.body("hanger").hinge(Y, speed / length).body("bob", self.bob.mass, at=place)
+            room.body("hanger").hinge(Y, speed / length).body("bob", self.bob.mass, at=position)
             return
-        bob = room.body("bob", self.bob.mass, at=place)
+        bob = room.body("bob", self.bob.mass, at=position)
         bob.slide(X, -speed * cos(angle), name="across").slide(Z, -speed * sin(angle), name="rise").site("hook")
         room.string("hanger", room.address("point"), room.address("hook"))
 

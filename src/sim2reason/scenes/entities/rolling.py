@@ -318,5 +318,5 @@ class TumblingPrism(Entity):
             uphill, rate * apothem
         )
         frame.slide(normal, rate * sense * inner(edges[0], uphill), name="rise").hinge(Y, rate)
-        for number, place in enumerate(edges):
-            frame.stand(f"edge{number}", place, uphill, normal, on=scale(-apothem, normal))
+        for number, position in enumerate(edges):
+            frame.stand(f"edge{number}", position, uphill, normal, on=scale(-apothem, normal))

@@ -86,11 +86,11 @@ class MassBoxPlane(Entity):
             frame.rest(X, Z, self.box.friction, name="right", static=self.box.static_friction).site(f"hook{index}")
         link(box, len(self.blocks))
         edge = self.length + 0.5 * last * BLOCK_SPACING
-        for name, block, way, hook in (("left", self.left, -1.0, "hook0"), ("right", self.right, 1.0, f"hook{last}")):
-            box.site(f"{name}_eye", at=(way * edge, 0.0, -EYE * self.length), faces=scale(way, X))
+        for name, block, sign, hook in (("left", self.left, -1.0, "hook0"), ("right", self.right, 1.0, f"hook{last}")):
+            box.site(f"{name}_eye", at=(sign * edge, 0.0, -EYE * self.length), faces=scale(sign, X))
             if block is not None:
-                box.site(f"{name}_corner", at=(way * edge, 0.0, 0.0))
-                box.body(name, block.mass, at=(way * edge, 0.0, -self.length)).slide(Z).site(f"{name}_hook")
+                box.site(f"{name}_corner", at=(sign * edge, 0.0, 0.0))
+                box.body(name, block.mass, at=(sign * edge, 0.0, -self.length)).slide(Z).site(f"{name}_hook")
                 stops = (hook, f"{name}_corner", f"{name}_hook")
                 box.string(f"{name}_rope", *map(box.address, stops))
 

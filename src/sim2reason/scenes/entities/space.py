@@ -110,15 +110,15 @@ class RocketEntity(Entity):
 
         The initial support is a strut that it may leave; its motion ends when it returns to the ground.
         """
-        way = Z if isinstance(self.place, LevelGround) else X
+        direction = Z if isinstance(self.place, LevelGround) else X
         rocket = room.body("rocket", self.rocket.mass)
         if isinstance(self.place, DeepSpace):
-            rocket.slide(way, name="along")
+            rocket.slide(direction, name="along")
         else:
-            rocket.slide(way, limits=(0.0, float("inf")), name="rise").site("tail")
-            room.site("pad", at=(-way[0], -way[1], -way[2]))
+            rocket.slide(direction, limits=(0.0, float("inf")), name="rise").site("tail")
+            room.site("pad", at=(-direction[0], -direction[1], -direction[2]))
             room.prop("stand", room.address("pad"), room.address("tail"))
-        rocket.burn(self.rate, KILO * self.exhaust, self.burning_time, way)
+        rocket.burn(self.rate, KILO * self.exhaust, self.burning_time, direction)
         if isinstance(self.place, AirlessPlanet):
             radius = KILO * self.place.radius
             planet = room.body("place", self.place.gravity * radius**2 / GRAVITATION, at=(-radius, 0.0, 0.0))
@@ -236,11 +236,11 @@ def orbiting(
     With p = a(1 − e²), at the angle ν from the perihelion, r = p/(1 + e cos ν), and the velocity is √(GM/p) times
     (−sin ν, e + cos ν) in axes of which the first points to the perihelion.
     """
-    found: list[AnyPlanet] = []
+    placed: list[AnyPlanet] = []
     nearest = rng.uniform(INNERMOST.low, INNERMOST.high)
     for planet in planets:
         e, turn, angle = rng.uniform((eccentricities.low, 0.0, 0.0), (eccentricities.high, 2.0 * pi, 2.0 * pi))
-        if not found:
+        if not placed:
             angle = pi * float(rng.integers(2)) if rng.random() < APSIS else angle
             turn = -angle
         p = nearest * (1.0 + e)
@@ -252,7 +252,7 @@ def orbiting(
             name: round_as_stated(type(planet), name, part)
             for name, part in (("x", x), ("y", y), ("vx", vx), ("vy", vy))
         }
-        apart = FAR_APART if isinstance(planet, HeavyPlanet) else ORBIT_SPACING
-        nearest *= (1.0 + e) / (1.0 - e) * rng.uniform(apart.low, apart.high)
-        found.append(replace_validated(planet, **orbit))
-    return tuple(found)
+        spacing = FAR_APART if isinstance(planet, HeavyPlanet) else ORBIT_SPACING
+        nearest *= (1.0 + e) / (1.0 - e) * rng.uniform(spacing.low, spacing.high)
+        placed.append(replace_validated(planet, **orbit))
+    return tuple(placed)

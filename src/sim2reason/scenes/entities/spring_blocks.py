@@ -206,10 +206,10 @@ class AnchoredSpring(Entity):
 
     def build(self, room: Frame) -> None:
         """Build the support at the origin, and the block at the initial length of the spring from it."""
-        way = {"wall": X, "ceiling": scale(-1.0, Z), "floor": Z}[self.support]
+        direction = {"wall": X, "ceiling": scale(-1.0, Z), "floor": Z}[self.support]
         room.site("anchor")
-        block = room.body("block", self.block.mass, at=scale(self.start, way))
-        block.site("clasp").site("hook", faces=way)
+        block = room.body("block", self.block.mass, at=scale(self.start, direction))
+        block.site("clasp").site("hook", faces=direction)
         if self.support == "wall":
             block.rest(X, Z)
         else:

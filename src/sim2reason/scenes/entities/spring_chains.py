@@ -272,8 +272,8 @@ class SpringMassRing(Entity):
         for index, bead in enumerate(self.beads):
             turn, struck = 2.0 * pi * index / len(self.beads), self.tap if self.tap and self.tap.bead == index else None
             speed = 0.0 if struck is None else struck.speed if struck.toward == "anticlockwise" else -struck.speed
-            place = (self.radius * cos(turn), self.radius * sin(turn), 0.0)
-            frames.append(room.body(f"beads.{index}", bead.mass, center=place).hinge(Z, speed / self.radius))
+            position = (self.radius * cos(turn), self.radius * sin(turn), 0.0)
+            frames.append(room.body(f"beads.{index}", bead.mass, center=position).hinge(Z, speed / self.radius))
         for index, spring in enumerate(self.springs):
             ends = frames[index], frames[(index + 1) % len(frames)]
             length = self._arc - self.strain.of(index)

@@ -276,10 +276,10 @@ class DirectedMass(Entity):
     def build(self, room: Frame) -> None:
         """Build the block with a horizontal sliding coordinate, and the two points round which its strings pass."""
         room.body("block", self.block.mass).slide(X).site("left_hook").site("right_hook")
-        for way, name in ((-1.0, "left"), (1.0, "right")):
+        for sign, name in ((-1.0, "left"), (1.0, "right")):
             distance, angle, side = (getattr(self, f"{name}_{field}") for field in ("distance", "angle", "side"))
             across, rise = distance * cos(radians(angle)), distance * sin(radians(angle))
-            room.site(f"{name}_wheel", (way * across, 0.0, rise if side == "above" else -rise), faces=scale(way, X))
+            room.site(f"{name}_wheel", (sign * across, 0.0, rise if side == "above" else -rise), faces=scale(sign, X))
 
 
 @entity

@@ -99,16 +99,16 @@ def _firm(pairs: Sequence[Sprung], gliders: Sequence[Glider]) -> tuple[Sprung, .
 
     With a reduced mass µ and a relative speed of at most twice the largest, ½µ(2v)² = ½kd² where d is 0.45 of the room.
     """
-    fastest, found = 2.0 * max(abs(glider.v) for glider in gliders), list[Sprung]()
+    fastest, firm_pairs = 2.0 * max(abs(glider.v) for glider in gliders), list[Sprung]()
     for pair in pairs:
         one, other = gliders[pair.first], gliders[pair.second]
         room = pair.buffer.length if isinstance(pair, Buffered) else other.x - one.x
         spring = pair.buffer if isinstance(pair, Buffered) else pair.spring
-        least = one.mass * other.mass / (one.mass + other.mass) * (fastest / (MAX_COMPRESSION * room)) ** 2
-        if least <= HARDEST[type(pair)]:
-            stiff = replace_validated(spring, stiffness=max(spring.stiffness, 10.0 * ceil(0.1 * least)))
-            found.append(replace_validated(pair, **{"buffer" if isinstance(pair, Buffered) else "spring": stiff}))
-    return tuple(found)
+        min_stiffness = one.mass * other.mass / (one.mass + other.mass) * (fastest / (MAX_COMPRESSION * room)) ** 2
+        if min_stiffness <= HARDEST[type(pair)]:
+            stiff = replace_validated(spring, stiffness=max(spring.stiffness, 10.0 * ceil(0.1 * min_stiffness)))
+            firm_pairs.append(replace_validated(pair, **{"buffer" if isinstance(pair, Buffered) else "spring": stiff}))
+    return tuple(firm_pairs)
 
 
 class OwnRestitution(Pair):
@@ -239,8 +239,8 @@ class ComplexCollisionPlane(Entity):
             raise ValueError("joined, buffers, pairs: two entries name the same pair")
         if len(self.joined) + len(self.buffers) == len(self._places) - 1:
             raise ValueError("joined, buffers: a spring keeps every pair apart; nothing can collide")
-        for index, held in enumerate(self.buffers):
-            if held.buffer.length >= self.gliders[held.second].x - self.gliders[held.first].x:
+        for index, buffered in enumerate(self.buffers):
+            if buffered.buffer.length >= self.gliders[buffered.second].x - self.gliders[buffered.first].x:
                 raise ValueError(f"buffers.{index}: it is longer than the gap at the start; shorten it")
         for index, pair in enumerate(self.pairs):
             if pair.restitution in (0.0, self.restitution):
@@ -265,7 +265,11 @@ class ComplexCollisionPlane(Entity):
     @property
     def _places(self) -> list[float]:
         """Return the positions of walls and gliders, from left to right, m."""
-        return [place for place in (self.left, *(glider.x for glider in self.gliders), self.right) if place is not None]
+        return [
+            position
+            for position in (self.left, *(glider.x for glider in self.gliders), self.right)
+            if position is not None
+        ]
 
     def build(self, room: Frame) -> None:
         """Build gliders on the track; neighbours collide unless a spring is between them."""
@@ -279,16 +283,16 @@ class ComplexCollisionPlane(Entity):
             if all(index != pair.first for pair in sprung):
                 e = special.get(index, self.restitution)
                 room.bump(one, other, along, 0.0, e, sticks=e == 0.0)
-        for wall, frame, way in ((self.left, frames[0], 1.0), (self.right, frames[-1], -1.0)):
+        for wall, frame, sign in ((self.left, frames[0], 1.0), (self.right, frames[-1], -1.0)):
             if wall is not None:
                 e = self.restitution
-                room.bump(room, frame, scale(way, along), way * wall, e, sticks=e == 0.0)
+                room.bump(room, frame, scale(sign, along), sign * wall, e, sticks=e == 0.0)
 
     def _springs(self, room: Frame) -> None:
         hooks = [room.address(f"hook{number}") for number in range(len(self.gliders))]
         for index, pair in enumerate(self.joined):
             stiffness = pair.spring.stiffness
             room.spring(f"joined.{index}.spring", *hooks[pair.first : pair.second + 1], stiffness=stiffness)
-        for index, held in enumerate(self.buffers):
-            ends, spring = (hooks[held.first], hooks[held.second]), held.buffer
+        for index, buffered in enumerate(self.buffers):
+            ends, spring = (hooks[buffered.first], hooks[buffered.second]), buffered.buffer
             room.buffer(f"buffers.{index}.buffer", *ends, stiffness=spring.stiffness, length=spring.length)

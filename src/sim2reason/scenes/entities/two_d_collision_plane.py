@@ -151,9 +151,9 @@ class TwoDCollisionPlane(Entity):
         for (i, a), (j, b) in combinations(enumerate(self.pucks), 2):
             if hypot(a.x - b.x, a.y - b.y) < 2.0 * self.radius - TOUCHING:
                 raise ValueError(f"pucks.{i} and pucks.{j} overlap; move them apart by two radii or more")
-        for axis, side, place in self._walls:
+        for axis, side, position in self._walls:
             if any(
-                side * (place - (puck.x if axis == "x" else puck.y)) < self.radius - TOUCHING for puck in self.pucks
+                side * (position - (puck.x if axis == "x" else puck.y)) < self.radius - TOUCHING for puck in self.pucks
             ):
                 name = WALLS[axis, side]
                 raise ValueError(f"{name}: a puck is in the wall or beyond it; move it a radius or more into the table")
@@ -166,10 +166,11 @@ class TwoDCollisionPlane(Entity):
         first, second, *rest = drawn["pucks"] if len(drawn["pucks"]) > 1 else (*drawn["pucks"], None)
         if second is None:
             return {}
-        way = first.x - second.x, first.y - second.y
-        share = max(SLOWEST, hypot(second.vx, second.vy)) / max(hypot(*way), SLOWEST)
+        displacement = first.x - second.x, first.y - second.y
+        share = max(SLOWEST, hypot(second.vx, second.vy)) / max(hypot(*displacement), SLOWEST)
         velocity = (
-            round_as_stated(Puck, "vx", own + share * part) for own, part in zip((first.vx, first.vy), way, strict=True)
+            round_as_stated(Puck, "vx", own + share * part)
+            for own, part in zip((first.vx, first.vy), displacement, strict=True)
         )
         aimed = replace_validated(second, **dict(zip(("vx", "vy"), velocity, strict=True)))
         return {"pucks": (first, aimed, *rest)}
@@ -184,13 +185,13 @@ class TwoDCollisionPlane(Entity):
     @property
     def _walls(self) -> list[tuple[str, float, float]]:
         """Return the walls, each with its axis, its side of the table (−1 or 1) and its position, m."""
-        found = (
+        walls = (
             ("x", -1.0, self.left),
             ("x", 1.0, self.right),
             ("y", -1.0, self.bottom),
             ("y", 1.0, self.top),
         )
-        return [(axis, side, place) for axis, side, place in found if place is not None]
+        return [(axis, side, position) for axis, side, position in walls if position is not None]
 
     def build(self, room: Frame) -> None:
         """Build pucks with two sliding coordinates each on the table, y up the slope; every two pucks may collide."""
@@ -203,10 +204,10 @@ class TwoDCollisionPlane(Entity):
             frame = room.body(f"pucks.{index}", puck.mass, at=at)
             frame.slide(X, puck.vx, name="x", stated=("x", puck.x))
             frames.append(frame.slide(upslope, puck.vy, name="y", stated=("y", puck.y)))
-        for axis, side, place in self._walls:
+        for axis, side, position in self._walls:
             inward = scale(-side, X if axis == "x" else upslope)
             for frame in frames:
-                room.bump(room, frame, inward, self.radius - side * place, self.restitution)
+                room.bump(room, frame, inward, self.radius - side * position, self.restitution)
         for i, j in combinations(range(len(frames)), 2):
             restitution = special.get((i, j), self.restitution)
             room.collide(frames[i], frames[j], 2.0 * self.radius, restitution)

@@ -36,8 +36,8 @@ class DipoleForce:
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
         """Return the force, which is perpendicular to velocity and field and does no work."""
         del time
-        apart = minus(place, self.center)
-        square = dot(apart, apart)
+        separation = minus(place, self.center)
+        square = dot(separation, separation)
         return times(self.strength / (square * maths.sqrt(square)), cross(velocity, self.direction))
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:

@@ -123,9 +123,9 @@ def dump(scene: Scene, wording: Wording | None = None) -> str:
 
 
 def _told_entity(named: Named) -> dict[str, Plain]:
-    found: dict[str, Plain] = {"name": named.name, "type": type(named.entity).__name__}
+    entry: dict[str, Plain] = {"name": named.name, "type": type(named.entity).__name__}
     parameters = to_plain(named.entity)
-    return found | ({"parameters": parameters} if parameters else {})
+    return entry | ({"parameters": parameters} if parameters else {})
 
 
 def to_plain(value: Any, *, kind: bool = False) -> Plain:
@@ -134,12 +134,12 @@ def to_plain(value: Any, *, kind: bool = False) -> Plain:
         return [to_plain(member, kind=kind) for member in value]  # type: ignore[reportUnknownVariableType]
     if not isinstance(value, Model):
         return value
-    found: dict[str, Plain] = {"kind": snake(type(value).__name__)} if kind else {}
+    mapping: dict[str, Plain] = {"kind": snake(type(value).__name__)} if kind else {}
     for name, slot in _slots(type(value)).items():
-        held = getattr(value, name)
-        if held not in (None, ()) or held != slot.default:
-            found[name] = to_plain(held, kind=len(slot.models) > 1)
-    return found
+        field_value = getattr(value, name)
+        if field_value not in (None, ()) or field_value != slot.default:
+            mapping[name] = to_plain(field_value, kind=len(slot.models) > 1)
+    return mapping
 
 
 class _Slot(NamedTuple):
@@ -154,11 +154,11 @@ class _Slot(NamedTuple):
 @cache
 def _slots(cls: type[Model]) -> dict[str, _Slot]:
     kinds = field_types(cls)
-    found: dict[str, _Slot] = {}
+    slots: dict[str, _Slot] = {}
     for name, info in cls.model_fields.items():
         many, models = is_many(info.annotation), {snake(model.__name__): model for model in kinds[name].models}
-        found[name] = _Slot(models, many, kinds[name].optional and not many, info.default)
-    return found
+        slots[name] = _Slot(models, many, kinds[name].optional and not many, info.default)
+    return slots
 
 
 def _scene(data: Plain) -> Scene:
@@ -170,11 +170,11 @@ def _scene(data: Plain) -> Scene:
     entities = tuple(_entity(entry, f"scene.entities[{i}]") for i, entry in enumerate(_list(body, "entities")))
     classes = _classes(entities)
     pairs = [read_pair(e, f"scene.connections[{i}]", classes) for i, e in enumerate(_list(body, "connections"))]
-    found = list(paths(pairs))
-    connections = tuple(_made(path.kind, path.own, path.first, {"links": path.links}) for path in found)
+    connection_paths = list(paths(pairs))
+    connections = tuple(_made(path.kind, path.own, path.first, {"links": path.links}) for path in connection_paths)
     world = _made(World, body.get("world", {}), "scene.world")
     glued = _glued(body)
-    places = {f"{c.key}_{i + 1}": found[i].first for i, c in enumerate(connections)}
+    places = {f"{c.key}_{i + 1}": connection_paths[i].first for i, c in enumerate(connections)}
     try:
         scene = Scene(
             name=plain_name(body.get("name", "scene")),  # type: ignore[arg-type]  # pydantic says what is wrong with it
@@ -191,33 +191,33 @@ def _scene(data: Plain) -> Scene:
     return scene
 
 
-def _entity(entry: Plain, place: str) -> Named:
-    held = _mapping(entry, place, ENTITY_KEYS)
+def _entity(entry: Plain, location: str) -> Named:
+    fields = _mapping(entry, location, ENTITY_KEYS)
     for key in ("name", "type"):
-        if not isinstance(held.get(key), str):
-            problem = f"it is {shown(held[key])}, not a word" if key in held else "it is missing"
-            raise SceneError(f"{place}.{key}", problem, "give each entity a name and a type")
-    cls = _class(str(held["type"]), f"{place}.type")
-    if "position" in held:
-        check_position(held["position"], f"{place}.position")
-    spelled = canonical_parameters(cls, held.get("parameters", {}), f"{place}.parameters")
+        if not isinstance(fields.get(key), str):
+            problem = f"it is {shown(fields[key])}, not a word" if key in fields else "it is missing"
+            raise SceneError(f"{location}.{key}", problem, "give each entity a name and a type")
+    cls = _class(str(fields["type"]), f"{location}.type")
+    if "position" in fields:
+        check_position(fields["position"], f"{location}.position")
+    spelled = canonical_parameters(cls, fields.get("parameters", {}), f"{location}.parameters")
     try:
-        entity = _made(cls, spelled.parameters, f"{place}.parameters")
+        entity = _made(cls, spelled.parameters, f"{location}.parameters")
     except SceneError as error:
         raise SceneError(spelled.in_file(error.place), error.problem, error.remedy) from None
     try:
-        return Named(name=str(held["name"]), entity=entity)
+        return Named(name=str(fields["name"]), entity=entity)
     except ValidationError as error:
-        raise explain_error(Named, error, place) from None
+        raise explain_error(Named, error, location) from None
 
 
 def _classes(entities: tuple[Named, ...]) -> dict[str, type[Entity]]:
-    found: dict[str, type[Entity]] = {}
+    classes: dict[str, type[Entity]] = {}
     for index, named in enumerate(entities):
-        if named.name in found:
+        if named.name in classes:
             raise SceneError(f"scene.entities[{index}].name", f"two entities are called {named.name}", "rename one")
-        found[named.name] = type(named.entity)
-    return found
+        classes[named.name] = type(named.entity)
+    return classes
 
 
 def _types() -> dict[str, type[Entity]]:
@@ -225,65 +225,65 @@ def _types() -> dict[str, type[Entity]]:
     return {snake(name): cls for name, cls in ENTITIES.items()} | dict(ENTITIES)
 
 
-def _class(name: str, place: str) -> type[Entity]:
+def _class(name: str, location: str) -> type[Entity]:
     known = _types()
     if name not in known:
         near = nearest(name, known)
         remedy = f"did you mean: {', '.join(near)}" if near else "run: sim2reason list entities"
-        raise SceneError(place, f"there is no type {shown(name)}", remedy)
+        raise SceneError(location, f"there is no type {shown(name)}", remedy)
     return known[name]
 
 
-def _made(cls: type[M], data: Plain, place: str, given: dict[str, object] | None = None) -> M:
+def _made(cls: type[M], data: Plain, location: str, given: dict[str, object] | None = None) -> M:
     """Return a model from its data in a file and other known fields."""
     slots = _slots(cls)
-    held = _mapping(data, place, tuple(name for name in slots if name not in (given or {})))
-    values: dict[str, object] = {name: _value(slots[name], v, f"{place}.{name}") for name, v in held.items()}
+    fields = _mapping(data, location, tuple(name for name in slots if name not in (given or {})))
+    values: dict[str, object] = {name: _value(slots[name], v, f"{location}.{name}") for name, v in fields.items()}
     try:
         return cls(**values, **(given or {}))
     except ValidationError as error:
-        raise explain_error(cls, error, place) from None
+        raise explain_error(cls, error, location) from None
 
 
-def _value(slot: _Slot, data: Plain, place: str) -> object:
+def _value(slot: _Slot, data: Plain, location: str) -> object:
     if not slot.many:
-        return _one(slot, data, place)
+        return _one(slot, data, location)
     if not isinstance(data, list):
-        raise SceneError(place, f"it is {shown(data)}, not a list", "begin each member with a dash, or write [ ]")
-    return tuple(_one(slot, member, f"{place}[{index}]") for index, member in enumerate(data))
+        raise SceneError(location, f"it is {shown(data)}, not a list", "begin each member with a dash, or write [ ]")
+    return tuple(_one(slot, member, f"{location}[{index}]") for index, member in enumerate(data))
 
 
-def _one(slot: _Slot, data: Plain, place: str) -> object:
+def _one(slot: _Slot, data: Plain, location: str) -> object:
     if not slot.models or (data is None and slot.optional):
         return data
     if len(slot.models) == 1:
-        return _made(next(iter(slot.models.values())), data, place)
+        return _made(next(iter(slot.models.values())), data, location)
     kinds = ", ".join(slot.models)
     if not isinstance(data, dict):
-        raise SceneError(place, f"it is {shown(data)}, not a mapping", f"write it with a kind: {kinds}")
+        raise SceneError(location, f"it is {shown(data)}, not a mapping", f"write it with a kind: {kinds}")
     kind = data.get("kind")
     if not isinstance(kind, str) or kind not in slot.models:
         problem = f"there is no kind {shown(kind)}" if "kind" in data else "it does not say its kind"
-        raise SceneError(f"{place}.kind", problem, f"give it one of: {kinds}")
+        raise SceneError(f"{location}.kind", problem, f"give it one of: {kinds}")
     rest = {key: value for key, value in data.items() if key != "kind"}
-    return _made(slot.models[kind], rest, place)
+    return _made(slot.models[kind], rest, location)
 
 
-def _mapping(data: Plain, place: str, keys: tuple[str, ...], *, root: bool = False) -> dict[str, Plain]:
+def _mapping(data: Plain, location: str, keys: tuple[str, ...], *, root: bool = False) -> dict[str, Plain]:
     """Return `data` if it is a mapping with known keys alone; raise SceneError otherwise."""
     listed = ", ".join(keys) or "none"
     if not isinstance(data, dict):
         problem = "it is missing" if data is None else f"it is {shown(data)}, not a mapping"
-        raise SceneError(place, problem, f"give it these keys: {listed}")
+        raise SceneError(location, problem, f"give it these keys: {listed}")
     for key in data:
         if key not in keys:
             near = get_close_matches(key, keys, n=1)
-            _refuse_key(key if root else f"{place}.{key}", f"did you mean: {near[0]}" if near else f"keys: {listed}")
+            _refuse_key(key if root else f"{location}.{key}", f"did you mean: {near[0]}" if near else f"keys: {listed}")
     return data
 
 
-def _refuse_key(place: str, remedy: str) -> NoReturn:
-    raise SceneError(place, "there is no such key here", remedy)
+def _refuse_key(location: str, remedy: str) -> NoReturn:
+    raise SceneError(location, "there is no such key here", remedy)
 
 
 def _list(body: dict[str, Plain], key: str) -> list[Plain]:
@@ -300,9 +300,9 @@ def _glued(body: dict[str, Plain]) -> tuple[str, ...]:
     return tuple(map(str, _list(body, "glued")))
 
 
-def _file_place(place: str, entities: tuple[Named, ...], connections: dict[str, str]) -> str:
+def _file_place(location: str, entities: tuple[Named, ...], connections: dict[str, str]) -> str:
     """Return the path in the scene file of a value that an error names by its path in the scene."""
-    head, *rest = place.split(".")
+    head, *rest = location.split(".")
     if head in connections:
         return connections[head]
     if head in ("entities", "connections") and rest:
@@ -314,7 +314,7 @@ def _file_place(place: str, entities: tuple[Named, ...], connections: dict[str, 
     names = [named.name for named in entities]
     if head in names:
         return f"scene.entities[{names.index(head)}]"
-    return f"scene.{place}" if head in SCENE_KEYS else "scene"
+    return f"scene.{location}" if head in SCENE_KEYS else "scene"
 
 
 @runtime_checkable
@@ -347,11 +347,11 @@ def given_scene(source: SceneLike, function: str) -> GivenScene:
     """
     if isinstance(source, Scene):
         return GivenScene(source)
-    held = source.scene if isinstance(source, AboutScene) and not isinstance(source, type) else source
-    if isinstance(held, Scene):
-        return GivenScene(held)
-    if isinstance(held, str | Path):
-        text = source_text(held)
+    unwrapped = source.scene if isinstance(source, AboutScene) and not isinstance(source, type) else source
+    if isinstance(unwrapped, Scene):
+        return GivenScene(unwrapped)
+    if isinstance(unwrapped, str | Path):
+        text = source_text(unwrapped)
         return GivenScene(loads(text), text)
     raise TypeError(
         f"{function}() takes a scene, the path of its file, its YAML text or an item; "

@@ -76,50 +76,50 @@ def format_page() -> str:
 
 
 def _page() -> Iterator[str]:
-    found: dict[str, type[Model]] = {}
+    classes: dict[str, type[Model]] = {}
     yield "## Entities"
     for name, cls in ENTITIES.items():
-        yield from _section(f"{name} · `{snake(name)}`", cls, found)
+        yield from _section(f"{name} · `{snake(name)}`", cls, classes)
         yield from _ports(cls)
-    parts = {name: cls for name, cls in found.items() if issubclass(cls, Part)}
-    for title, chosen in (("Parts", parts), ("Bodies", {n: c for n, c in found.items() if issubclass(c, Body)})):
+    parts = {name: cls for name, cls in classes.items() if issubclass(cls, Part)}
+    for title, chosen in (("Parts", parts), ("Bodies", {n: c for n, c in classes.items() if issubclass(c, Body)})):
         yield f"\n## {title}"
         for name, cls in sorted(chosen.items()):
-            yield from _section(name, cls, found)
+            yield from _section(name, cls, classes)
     yield "\n## Connections"
     for name, cls in CONNECTIONS.items():
-        yield from _section(f"`{name}`", cls, found, only=own_fields(cls))
+        yield from _section(f"`{name}`", cls, classes, only=own_fields(cls))
     yield "\n## World"
-    yield from _table(World, found)
+    yield from _table(World, classes)
 
 
 def _section(
-    title: str, cls: type[Model], found: dict[str, type[Model]], only: list[str] | None = None
+    title: str, cls: type[Model], classes: dict[str, type[Model]], only: list[str] | None = None
 ) -> Iterator[str]:
     yield f"\n### {title}\n\n{summary(cls)}"
-    yield from _table(cls, found, only)
+    yield from _table(cls, classes, only)
 
 
-def _table(cls: type[Model], found: dict[str, type[Model]], only: list[str] | None = None) -> Iterator[str]:
-    """Yield the lines of a table of the fields of a class; add the classes that the fields hold to `found`."""
+def _table(cls: type[Model], classes: dict[str, type[Model]], only: list[str] | None = None) -> Iterator[str]:
+    """Yield the lines of a table of the fields of a class; add the classes that the fields hold to `classes`."""
     known = [field for field in fields(cls) if only is None or field.name in only]
     if not known:
         return
     yield "\n| parameter | what | unit | valid | default |\n| --- | --- | --- | --- | --- |"
     for field in known:
-        cells = (f"`{field.name}`", _what(cls, field, found), _unit(field), _valid(field), _default(cls, field))
+        cells = (f"`{field.name}`", _what(cls, field, classes), _unit(field), _valid(field), _default(cls, field))
         yield f"| {' | '.join(cells)} |"
 
 
-def _what(cls: type[Model], field: Field, found: dict[str, type[Model]]) -> str:
+def _what(cls: type[Model], field: Field, classes: dict[str, type[Model]]) -> str:
     hidden = ", hidden" if field.hidden else ""
     if field.measure is not None:
         return f"{field.measure.name}, ${field.measure.symbol}${hidden}"
     models = field_types(cls)[field.name].models
     for model in models:
-        if model.__name__ not in found:
-            found[model.__name__] = model
-            list(_table(model, found))  # for the classes that it holds
+        if model.__name__ not in classes:
+            classes[model.__name__] = model
+            list(_table(model, classes))  # for the classes that it holds
     if not models:
         return "number of a member, from 0" if field.schema.get("type") == "integer" else ""
     many = is_many(cls.model_fields[field.name].annotation)
@@ -136,8 +136,8 @@ def _unit(field: Field) -> str:
 
 def _valid(field: Field) -> str:
     """Return the limits or the allowed words of a field, without facts in other columns."""
-    said = words(field.schema)
-    return said if said.startswith("one of: ") else said.partition(", ")[2]
+    text = words(field.schema)
+    return text if text.startswith("one of: ") else text.partition(", ")[2]
 
 
 def _default(cls: type[Model], field: Field) -> str:
@@ -153,9 +153,9 @@ def _ports(cls: type[Entity]) -> Iterator[str]:
     if not ports:
         return
     yield "\n| direction | port | must be used |\n| --- | --- | --- |"
-    for (said, point), (port, _) in directions(cls).items():
+    for (name, point), (port, _) in directions(cls).items():
         if not point:
-            yield f"| `{said}` | {_use(ports[port], port)} | {'yes' if ports[port].required else 'no'} |"
+            yield f"| `{name}` | {_use(ports[port], port)} | {'yes' if ports[port].required else 'no'} |"
 
 
 def _use(port: Port, name: str) -> str:

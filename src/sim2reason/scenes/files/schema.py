@@ -52,10 +52,10 @@ def snake(name: str) -> str:
 @cache
 def holders(cls: type[Entity]) -> dict[str, dict[str, type[Model]]]:
     """Return the fields that hold a system of blocks, each with its allowed kinds."""
-    found = {name: {snake(m.__name__): m for m in kind.models} for name, kind in field_types(cls).items()}
+    kinds_by_field = {name: {snake(m.__name__): m for m in kind.models} for name, kind in field_types(cls).items()}
     return {
         name: kinds
-        for name, kinds in found.items()
+        for name, kinds in kinds_by_field.items()
         if kinds and all("blocks" in field_types(model) for model in kinds.values())
     }
 
@@ -144,9 +144,9 @@ class _Definitions:
             known = list(fields(cls, self))
             own = {field.name: field.schema for field in known}
             needed = [field.name for field in known if field.required]
-            said = {"kind": {"const": snake(cls.__name__)}} if kind else {}
+            kind_schema = {"kind": {"const": snake(cls.__name__)}} if kind else {}
             described = {"description": summary(cls)}
-            self.found[name] = described | _object(said | own, required=[*said, *needed])
+            self.found[name] = described | _object(kind_schema | own, required=[*kind_schema, *needed])
         return {"$ref": f"#/$defs/{name}"}
 
 
@@ -225,19 +225,21 @@ def _constrained(found: Json, metadata: Any) -> Json:
 def _entity(cls: type[Entity], parts: _Definitions) -> Json:
     known = list(fields(cls, parts))
     parameters = _object({f.name: f.schema for f in known}, required=[f.name for f in known if f.required])
-    said: Json = {
+    properties: Json = {
         "name": {"type": "string", "pattern": NAME},
         "type": {"enum": [cls.__name__, snake(cls.__name__)]},
         "position": {"type": "array", "items": BASIC[float], "minItems": 3, "maxItems": 3},
         "parameters": {"anyOf": [parameters, MASSES]} if holders(cls) else parameters,
     }
     needed = ["name", "type", *(["parameters"] if "required" in parameters else [])]
-    return {"description": summary(cls)} | _object(said, required=needed)
+    return {"description": summary(cls)} | _object(properties, required=needed)
 
 
 def _connection(cls: type[Connection], parts: _Definitions) -> Json:
     own = {field.name: field.schema for field in fields(cls, parts) if field.name in own_fields(cls)}
-    words = sorted({word for entity in ENTITIES.values() for said in directions(entity) for word in said if word})
+    words = sorted(
+        {word for entity in ENTITIES.values() for spelling in directions(entity) for word in spelling if word}
+    )
     ways = {"enum": [*words, *WAYS]}
     end = _object(
         {"entity": {"type": "string"}, "direction": ways, "connecting_point": {"enum": words}},
@@ -263,7 +265,7 @@ def words(found: Json) -> str:
 
 def _limits(found: Json) -> list[str]:
     """Return the limits of a number or a list, in words."""
-    said = {
+    templates = {
         "exclusiveMinimum": "greater than {}",
         "minimum": "at least {}",
         "exclusiveMaximum": "less than {}",
@@ -271,4 +273,4 @@ def _limits(found: Json) -> list[str]:
         "minItems": "of at least {}",
         "maxItems": "of at most {}",
     }
-    return [text.format(f"{found[key]:.15g}") for key, text in said.items() if found.get(key) is not None]
+    return [text.format(f"{found[key]:.15g}") for key, text in templates.items() if found.get(key) is not None]

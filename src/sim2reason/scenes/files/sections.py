@@ -55,25 +55,25 @@ def directions(cls: type[Entity]) -> dict[tuple[str, str], tuple[str, int | None
     it, or as connecting_point beside the port's name.
     """
     ports = outer_ports(cls)
-    found: dict[tuple[str, str], tuple[str, int | None]] = {
+    spellings: dict[tuple[str, str], tuple[str, int | None]] = {
         (name, ""): (name, None) for name, port in ports.items() if not isinstance(port, Pass)
     }
     passes = [(name, port) for name, port in ports.items() if isinstance(port, Pass)]
     names = [*ports, *(side for _, port in passes for side in port.sides)]
     for name, port in passes:
         for number, side in enumerate(port.sides):
-            found[name, side] = (name, number)
+            spellings[name, side] = (name, number)
             if names.count(side) == 1:
-                found[side, ""] = (name, number)
-    return found
+                spellings[side, ""] = (name, number)
+    return spellings
 
 
 def end_to_plain(entity: str, cls: type[Entity], port: str, side: int | None) -> dict[str, Plain]:
     """Return an end as in a scene file, by its shortest name."""
-    names = [said for said, meant in directions(cls).items() if meant == (port, side)]
-    direction, point = min(names, key=lambda said: bool(said[1]))
-    found: dict[str, Plain] = {"entity": entity, "direction": direction}
-    return found | {"connecting_point": point} if point else found
+    names = [spelling for spelling, end in directions(cls).items() if end == (port, side)]
+    direction, point = min(names, key=lambda spelling: bool(spelling[1]))
+    mapping: dict[str, Plain] = {"entity": entity, "direction": direction}
+    return mapping | {"connecting_point": point} if point else mapping
 
 
 def pairs_to_plain(connection: Connection, classes: Mapping[str, type[Entity]]) -> list[list[Plain]]:
@@ -87,46 +87,46 @@ def pairs_to_plain(connection: Connection, classes: Mapping[str, type[Entity]]) 
     return [[ends[index], ends[index + 1]] for index in range(0, len(ends), 2)]
 
 
-def read_pair(entry: Plain, place: str, classes: Mapping[str, type[Entity]]) -> FilePair:
+def read_pair(entry: Plain, location: str, classes: Mapping[str, type[Entity]]) -> FilePair:
     """Return an entry of `connections`, without validating the values of its parameters."""
     if not isinstance(entry, dict):
-        raise SceneError(place, "it is no mapping", "write it as: - tendon: [{entity: …, direction: …}, …]")
+        raise SceneError(location, "it is no mapping", "write it as: - tendon: [{entity: …, direction: …}, …]")
     keys = [key for key in entry if key in CONNECTIONS]
     if len(keys) != 1:
         problem = (
             "it says more than one kind of connection" if keys else "it does not say which kind of connection it is"
         )
-        raise SceneError(place, problem, f"give it one of: {', '.join(CONNECTIONS)}")
+        raise SceneError(location, problem, f"give it one of: {', '.join(CONNECTIONS)}")
     ends = entry[keys[0]]
-    where = f"{place}.{keys[0]}"
+    where = f"{location}.{keys[0]}"
     if not isinstance(ends, list) or len(ends) != 2:
         raise SceneError(where, "a connection joins two ends", "list two: [{entity: …, direction: …}, …]")
     first, last = (_end(end, f"{where}[{index}]", classes) for index, end in enumerate(ends))
     own = {key: value for key, value in entry.items() if key != keys[0]}
-    return FilePair(CONNECTIONS[keys[0]], (first, last), own, place)
+    return FilePair(CONNECTIONS[keys[0]], (first, last), own, location)
 
 
-def _end(end: Plain, place: str, classes: Mapping[str, type[Entity]]) -> FileEnd:
+def _end(end: Plain, location: str, classes: Mapping[str, type[Entity]]) -> FileEnd:
     if not isinstance(end, dict):
-        raise SceneError(place, "it is no mapping", "write it as {entity: …, direction: …}")
+        raise SceneError(location, "it is no mapping", "write it as {entity: …, direction: …}")
     for key in end:
         if key not in END_KEYS:
-            raise SceneError(f"{place}.{key}", "there is no such key", f"an end has: {', '.join(END_KEYS)}")
-    entity = _text(end, "entity", place)
-    direction = _text(end, "direction", place)
-    point = _text(end, "connecting_point", place) if "connecting_point" in end else ""
+            raise SceneError(f"{location}.{key}", "there is no such key", f"an end has: {', '.join(END_KEYS)}")
+    entity = _text(end, "entity", location)
+    direction = _text(end, "direction", location)
+    point = _text(end, "connecting_point", location) if "connecting_point" in end else ""
     if entity not in classes:
         near = nearest(entity, classes) or list(classes)
-        raise SceneError(f"{place}.entity", f"no entity is called {shown(entity)}", f"there are: {', '.join(near)}")
+        raise SceneError(f"{location}.entity", f"no entity is called {shown(entity)}", f"there are: {', '.join(near)}")
     known = directions(classes[entity])
     direction, point = _named(direction, point, known)
     if (direction, point) not in known:
         short = [name for name, side in known if not side]
         names = ", ".join(short or [f"{name} with connecting_point {side}" for name, side in known])
-        said = shown(direction) + (f" with connecting_point {shown(point)}" if point else "")
+        spelling = shown(direction) + (f" with connecting_point {shown(point)}" if point else "")
         kind = classes[entity].__name__
-        raise SceneError(f"{place}.direction", f"{kind} has no direction {said}", f"it has: {names}")
-    return FileEnd(entity, *known[direction, point], place)
+        raise SceneError(f"{location}.direction", f"{kind} has no direction {spelling}", f"it has: {names}")
+    return FileEnd(entity, *known[direction, point], location)
 
 
 def _named(direction: str, point: str, known: Mapping[tuple[str, str], tuple[str, int | None]]) -> tuple[str, str]:
@@ -137,11 +137,11 @@ def _named(direction: str, point: str, known: Mapping[tuple[str, str], tuple[str
     return point or ends[0], ""
 
 
-def _text(end: dict[str, Plain], key: str, place: str) -> str:
+def _text(end: dict[str, Plain], key: str, location: str) -> str:
     value = end.get(key)
     if not isinstance(value, str):
         problem = f"it is {shown(value)}, not a word" if key in end else "it is missing"
-        raise SceneError(f"{place}.{key}", problem, "write each end as {entity: …, direction: …}")
+        raise SceneError(f"{location}.{key}", problem, "write each end as {entity: …, direction: …}")
     return value
 
 
@@ -171,7 +171,7 @@ def _onward(
     number: int, leaves: int, pairs: list[FilePair], by_end: Mapping[tuple[str, str, int | None], tuple[int, int]]
 ) -> list[tuple[int, int]]:
     """Return the pairs, by index, by which a string goes on beyond one end of a pair, each with its entering end."""
-    found: list[tuple[int, int]] = []
+    steps: list[tuple[int, int]] = []
     end = pairs[number].ends[leaves]
     while end.side is not None:
         other = by_end.get((end.entity, end.port, 1 - end.side))
@@ -181,9 +181,9 @@ def _onward(
             )
         if other[0] == number:
             raise SceneError(end.place, "the string closes on itself", "give it two ends")
-        found.append(other)
+        steps.append(other)
         end = pairs[other[0]].ends[1 - other[1]]
-    return found
+    return steps
 
 
 def _path(first: FilePair, travelled: list[tuple[FilePair, int]]) -> Path:
@@ -258,12 +258,12 @@ class Wording:
     @property
     def plain(self) -> dict[str, Plain]:
         """Return the mapping under the key ``text`` of a file."""
-        found: dict[str, Plain] = {"wording": self.seed}
+        mapping: dict[str, Plain] = {"wording": self.seed}
         if self.symbols:
-            found["symbols"] = list[Plain](self.symbols)
+            mapping["symbols"] = list[Plain](self.symbols)
         if self.without:
-            found["without"] = list[Plain](self.without)
-        return found
+            mapping["without"] = list[Plain](self.without)
+        return mapping
 
 
 def wording_of(text: str) -> Wording | None:
@@ -292,9 +292,9 @@ def wording_from(data: Plain) -> Wording:
     return Wording(seed, _words(data.get("symbols", []), "text.symbols"), cast("tuple[Topic, ...]", without))
 
 
-def _words(data: Plain, place: str) -> tuple[str, ...]:
+def _words(data: Plain, location: str) -> tuple[str, ...]:
     if not isinstance(data, Sequence) or isinstance(data, str) or not all(isinstance(word, str) for word in data):
-        raise SceneError(place, f"it is {shown(data)}, not a list of words", "give a list, perhaps an empty one")
+        raise SceneError(location, f"it is {shown(data)}, not a list of words", "give a list, perhaps an empty one")
     return tuple(cast("Sequence[str]", data))
 
 

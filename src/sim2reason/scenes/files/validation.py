@@ -65,32 +65,32 @@ def with_line(place: str, text: str) -> str:
     return f"{place} (line {lines.get(known, 1)})"
 
 
-def explain_error(cls: type[Model], error: ValidationError, place: str) -> SceneError:
-    """Return a SceneError for the first error in a value of `cls` at `place`, with the number of further errors."""
+def explain_error(cls: type[Model], error: ValidationError, location: str) -> SceneError:
+    """Return a SceneError for the first error in a value of `cls` at `location`, with the number of further errors."""
     details = error.errors(include_url=False)
     first = details[0]
-    where = place + "".join(f"[{step}]" if isinstance(step, int) else f".{step}" for step in first["loc"])
+    where = location + "".join(f"[{step}]" if isinstance(step, int) else f".{step}" for step in first["loc"])
     if first["type"] == "value_error":
         return _own(str(first["msg"]).removeprefix("Value error, "), where)
     more = f" (and {len(details) - 1} more mistakes here)" if len(details) > 1 else ""
     return SceneError(where, _problem(first) + more, _remedy(cls, first))
 
 
-def _own(message: str, place: str) -> SceneError:
+def _own(message: str, location: str) -> SceneError:
     """Return the error of a validator's message, which may begin with a path and end with a remedy."""
-    if found := _SUBPATH.fullmatch(message):
-        steps, message = found.groups()
-        place += "".join(f"[{step}]" if step.isdigit() else f".{step}" for step in steps.split("."))
+    if match := _SUBPATH.fullmatch(message):
+        steps, message = match.groups()
+        location += "".join(f"[{step}]" if step.isdigit() else f".{step}" for step in steps.split("."))
     problem, _, remedy = message.partition("; ")
-    return SceneError(place, problem, remedy or "mend it")
+    return SceneError(location, problem, remedy or "mend it")
 
 
 def _problem(detail: ErrorDetails) -> str:
     context: dict[str, Any] = dict(detail.get("ctx", {}))
-    held: Any = detail["input"]
-    said = "the list" if isinstance(held, tuple) else shown(held)
+    value: Any = detail["input"]
+    label = "the list" if isinstance(value, tuple) else shown(value)
     text = PROBLEMS.get(detail["type"])
-    return text.format(input=said, **context) if text else f"{said}: {detail['msg'].lower()}"
+    return text.format(input=label, **context) if text else f"{label}: {detail['msg'].lower()}"
 
 
 def _remedy(cls: type[Model], detail: ErrorDetails) -> str:
@@ -128,35 +128,35 @@ def plain_name(name: Plain) -> Plain:
     return re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_")[:MAX_NAME_LENGTH] if re.search(r"[A-Z ]", name) else name
 
 
-def check_position(position: Plain, place: str) -> None:
+def check_position(position: Plain, location: str) -> None:
     """Raise SceneError unless a position consists of three numbers, m; positions have no effect."""
     numbers = position if isinstance(position, list) else []
     if len(numbers) != 3 or not all(isinstance(n, int | float) and not isinstance(n, bool) for n in numbers):
-        raise SceneError(place, f"it is {shown(position)}, not a place", "give three numbers, as [0, 2, 0]")
+        raise SceneError(location, f"it is {shown(position)}, not a place", "give three numbers, as [0, 2, 0]")
 
 
-def canonical_parameters(cls: type[Entity], parameters: Plain, place: str) -> CanonicalParameters:
+def canonical_parameters(cls: type[Entity], parameters: Plain, location: str) -> CanonicalParameters:
     """Return parameters with ``mass_type`` and ``mass_values`` replaced by the fields of the entity class."""
     if not isinstance(parameters, dict) or not {MASS_TYPE, MASS_VALUES} & set(parameters):
         return CanonicalParameters(parameters, {})
-    held = holders(cls)
-    if not held:
+    systems = holders(cls)
+    if not systems:
         key = MASS_VALUES if MASS_VALUES in parameters else MASS_TYPE
-        raise SceneError(f"{place}.{key}", f"{cls.__name__} has no masses of a type", "give its own parameters")
-    for name in held:
+        raise SceneError(f"{location}.{key}", f"{cls.__name__} has no masses of a type", "give its own parameters")
+    for name in systems:
         if name in parameters:
-            raise SceneError(f"{place}.{name}", f"{MASS_VALUES} says the same", "give one of the two")
+            raise SceneError(f"{location}.{name}", f"{MASS_VALUES} says the same", "give one of the two")
     own = {key: value for key, value in parameters.items() if key in field_types(cls)}
     beside = {key: value for key, value in parameters.items() if key not in (*own, MASS_TYPE, MASS_VALUES)}
-    kinds = _shared(parameters.get(MASS_TYPE, HANGING), len(held), f"{place}.{MASS_TYPE}")
-    masses = _masses(parameters.get(MASS_VALUES), len(held), f"{place}.{MASS_VALUES}")
-    known = {key for models in held.values() for model in models.values() for key in field_types(model)}
+    kinds = _shared(parameters.get(MASS_TYPE, HANGING), len(systems), f"{location}.{MASS_TYPE}")
+    masses = _masses(parameters.get(MASS_VALUES), len(systems), f"{location}.{MASS_VALUES}")
+    known = {key for models in systems.values() for model in models.values() for key in field_types(model)}
     places: dict[str, str] = {}
-    for (name, models), kind, (told, values) in zip(held.items(), kinds, masses, strict=True):
-        system = _system(models, kind, f"{place}.{MASS_TYPE}")
+    for (name, models), kind, (mass_location, values) in zip(systems.items(), kinds, masses, strict=True):
+        system = _system(models, kind, f"{location}.{MASS_TYPE}")
         fits = {key: value for key, value in beside.items() if key in system.keys or key not in known}
         own[name] = system.said | fits | {"blocks": _blocks(values)}
-        places |= {f"{place}.{name}.blocks": told, f"{place}.{name}": place}
+        places |= {f"{location}.{name}.blocks": mass_location, f"{location}.{name}": location}
     light: dict[str, Plain] = {name: {} for name in field_types(cls) if name == "pulley" and name not in own}
     return CanonicalParameters({**own, **light}, places)
 
@@ -165,28 +165,28 @@ def _blocks(masses: list[Plain]) -> Plain:
     return [{"mass": mass} for mass in masses]
 
 
-def _shared(value: Plain, count: int, place: str) -> list[str]:
+def _shared(value: Plain, count: int, location: str) -> list[str]:
     """Return a kind for each of `count` systems of blocks, from one word for all or a list with one for each."""
     words = value if isinstance(value, list) else [value] * count
     if len(words) != count:
-        raise SceneError(place, f"it has {len(words)} members for {count} systems", "give one word, or one for each")
+        raise SceneError(location, f"it has {len(words)} members for {count} systems", "give one word, or one for each")
     for word in words:
         if not isinstance(word, str):
-            raise SceneError(place, f"it is {shown(word)}, not a word", f"write {HANGING}, or a kind")
+            raise SceneError(location, f"it is {shown(word)}, not a word", f"write {HANGING}, or a kind")
     return [str(word) for word in words]
 
 
-def _masses(value: Plain, count: int, place: str) -> list[tuple[str, list[Plain]]]:
+def _masses(value: Plain, count: int, location: str) -> list[tuple[str, list[Plain]]]:
     """Return the masses of each of `count` systems of blocks with their path in the file, from numbers or lists."""
     if not isinstance(value, list):
         problem = "it is missing" if value is None else f"it is {shown(value)}, not a list"
-        raise SceneError(place, problem, "list the masses in kg, as [10] or [2.0, 3.0]")
+        raise SceneError(location, problem, "list the masses in kg, as [10] or [2.0, 3.0]")
     if count == 1:
-        return [(place, value)]
+        return [(location, value)]
     if len(value) != count:
         problem = f"it has {len(value)} members for {count} systems"
-        raise SceneError(place, problem, "give each its mass or a list of masses, as [1.0, [2.0, 3.0]]")
-    return [(f"{place}[{i}]", one if isinstance(one, list) else [one]) for i, one in enumerate(value)]
+        raise SceneError(location, problem, "give each its mass or a list of masses, as [1.0, [2.0, 3.0]]")
+    return [(f"{location}[{i}]", one if isinstance(one, list) else [one]) for i, one in enumerate(value)]
 
 
 class _System(NamedTuple):
@@ -196,10 +196,10 @@ class _System(NamedTuple):
     keys: Collection[str]
 
 
-def _system(models: dict[str, type[Model]], word: str, place: str) -> _System:
+def _system(models: dict[str, type[Model]], word: str, location: str) -> _System:
     kind = "hanging" if word == HANGING else snake(word)
     if kind not in models:
         raise SceneError(
-            place, f"there is no type {shown(word)} here", f"give it one of: {HANGING}, {', '.join(models)}"
+            location, f"there is no type {shown(word)} here", f"give it one of: {HANGING}, {', '.join(models)}"
         )
     return _System({"kind": kind} if len(models) > 1 else {}, field_types(models[kind]))

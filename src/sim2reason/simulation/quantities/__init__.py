@@ -156,10 +156,10 @@ def _remembered(name: str, evaluate: Callable[[State, str], Array]) -> Callable[
 
     @wraps(evaluate)
     def read(state: State, subject: str) -> Array:
-        found = state.known.get((name, subject))
-        if found is None:
-            found = state.known[name, subject] = evaluate(state, subject)
-        return found
+        values = state.known.get((name, subject))
+        if values is None:
+            values = state.known[name, subject] = evaluate(state, subject)
+        return values
 
     return read
 
@@ -176,4 +176,4 @@ def quantity(cls: type[Q]) -> type[Q]:
 
 def ordered() -> list[Quantity]:
     """Return all quantities, sorted by kind of subject and by order."""
-    return sorted(QUANTITIES.values(), key=lambda found: (found.of.name, found.order))
+    return sorted(QUANTITIES.values(), key=lambda entry: (entry.of.name, entry.order))

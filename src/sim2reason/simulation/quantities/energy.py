@@ -129,9 +129,9 @@ def _pulls(mechanism: Mechanism, name: str) -> list[tuple[Attraction, str]]:
 
 def _attracted(state: State, pull: Attraction, name: str, other: str) -> Array:
     """Return −G m M/((p − 1) rᵖ⁻¹) minus its initial value in J, (n,); for p = 1 the logarithm."""
-    apart = minus(state.frames.center(name).place, state.frames.center(other).place)
+    separation = minus(state.frames.center(name).place, state.frames.center(other).place)
     began = minus(state.began.center(name).place, state.began.center(other).place)
-    far, near = np.sqrt(dot(apart, apart)), float(np.sqrt(dot(began, began)))
+    far, near = np.sqrt(dot(separation, separation)), float(np.sqrt(dot(began, began)))
     strength = pull.constant * state.mass(name) * state.mass(other)
     if pull.power == 1.0:
         return strength * np.log(far / near)

@@ -177,11 +177,11 @@ class ElectricPotentialEnergy(Quantity):
         return total
 
 
-def _potential(force: Force, place: Triple) -> Number:
+def _potential(force: Force, position: Triple) -> Number:
     """Return the potential energy of a force in J; it must have a potential."""
-    found: Number = force.law.potential(place, np)
-    assert found is not None
-    return found
+    energy: Number = force.law.potential(position, np)
+    assert energy is not None
+    return energy
 
 
 def _electric(mechanism: Mechanism, name: str) -> list[Force]:
@@ -217,16 +217,16 @@ def _total(state: State, subject: str, law: type[Law]) -> Array:
     center = state.frames.center(subject)
     total = np.zeros((len(state.times), 3))
     for force in forces_with_law(state.mechanism, subject, law):
-        found = state.vector(force.law.force(center.place, center.velocity, state.times, np))
-        total = total + found * _inside(force, state, center.place)[:, None]
+        force_vectors = state.vector(force.law.force(center.place, center.velocity, state.times, np))
+        total = total + force_vectors * _inside(force, state, center.place)[:, None]
     return total
 
 
-def _inside(force: Force, state: State, place: Triple) -> Array:
+def _inside(force: Force, state: State, position: Triple) -> Array:
     """Return whether a place is in the region of a force, its border included, (n,); true for a force without one."""
     if force.region is None:
         return np.ones(len(state.times), dtype=bool)
-    margins = [state.vector((margin, 0.0, 0.0))[:, 0] for margin in force.region.margins(place, np)]
+    margins = [state.vector((margin, 0.0, 0.0))[:, 0] for margin in force.region.margins(position, np)]
     return np.min(margins, axis=0) >= -BORDER
 
 

@@ -120,9 +120,9 @@ def _guided(mechanism: Mechanism, name: str) -> bool:
     carrier = mechanism.body[body.parent] if body.parent is not None else None
     if carrier is None or name in mechanism.contacts:
         return False
-    own, held = body.coordinates, carrier.coordinates
-    slides = [c.kind for c in own] == ["slide"] and [c.kind for c in held] == ["slide"]
-    return slides and upright(own[0].axis) and abs(held[0].axis[2]) <= DIRECTION_TOL
+    own, carrier_coordinates = body.coordinates, carrier.coordinates
+    slides = [c.kind for c in own] == ["slide"] and [c.kind for c in carrier_coordinates] == ["slide"]
+    return slides and upright(own[0].axis) and abs(carrier_coordinates[0].axis[2]) <= DIRECTION_TOL
 
 
 FORCE = "force that the axle exerts on {body}"
@@ -150,8 +150,8 @@ class AxleForce(Quantity):
     def signed_along(self, sense: Sense, mechanism: Mechanism, name: str) -> str:
         """Return *the upward component* or *the rightward component*, so that the phrase fixes the sign."""
         del mechanism, name
-        way = "upward" if sense.axis == VERTICAL else "rightward"
-        return f"the {way} component of the {FORCE}"
+        direction = "upward" if sense.axis == VERTICAL else "rightward"
+        return f"the {direction} component of the {FORCE}"
 
 
 @quantity

@@ -68,8 +68,10 @@ class Displacement(Quantity):
 
 def _falls_in_a_plane(mechanism: Mechanism, name: str) -> bool:
     """Return whether a body can move both up and sideways in a uniform gravitational field."""
-    ways = [way[2] for way in center_path(mechanism, name).ways]
-    upright = any(abs(way) > 1.0 - DIRECTION_TOL for way in ways) and any(abs(way) < DIRECTION_TOL for way in ways)
+    ways = [direction[2] for direction in center_path(mechanism, name).ways]
+    upright = any(abs(direction) > 1.0 - DIRECTION_TOL for direction in ways) and any(
+        abs(direction) < DIRECTION_TOL for direction in ways
+    )
     return upright and mechanism.gravity != ZERO
 
 
@@ -126,8 +128,8 @@ class Acceleration(Quantity):
         """Return J q̈ + J̇ q̇ of the centre of mass in m/s², (n, 3)."""
         point = state.frames.center(subject)
         total = point.bias
-        for number, way in point.gradient.items():
-            total = plus(total, times(state.a[:, number], way))
+        for number, jacobian_column in point.gradient.items():
+            total = plus(total, times(state.a[:, number], jacobian_column))
         return state.vector(total)
 
 

@@ -153,8 +153,8 @@ class MomentOfInertia(CentralQuantity):
     def evaluate(state: State, subject: str) -> Array:
         """Return n·I n in kg m², (n,), with the axis n of the innermost hinge."""
         _, axis = turning_axes(state.mechanism, subject)[0]
-        held = dot(axis, applied(state.mechanism.body[subject].inertia, axis))
-        return np.full(len(state.times), held)
+        moment = dot(axis, applied(state.mechanism.body[subject].inertia, axis))
+        return np.full(len(state.times), moment)
 
 
 class InertiaTensor(CentralQuantity):
@@ -231,8 +231,8 @@ class InertiaAboutAxle(CentralQuantity):
         """Return n·I n + m d² in kg m², with the distance d of the centre of mass from the axis of the hinge, (n,)."""
         mechanism = state.mechanism
         _, axis = turning_axes(mechanism, subject)[0]
-        held = dot(axis, applied(mechanism.body[subject].inertia, axis))
-        return held + mechanism.body[subject].mass * AxleDistance.evaluate(state, subject) ** 2
+        moment = dot(axis, applied(mechanism.body[subject].inertia, axis))
+        return moment + mechanism.body[subject].mass * AxleDistance.evaluate(state, subject) ** 2
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
         """Return whether the body has a mass and turns about one fixed hinge."""

@@ -18,16 +18,16 @@ from sim2reason.simulation.quantities.subjects.rotating_parts import SwingingLin
 
 def stated_on(axis: str, mechanism: Mechanism, name: str) -> Coordinate | None:
     """Return the coordinate of a body along an axis of the text; None if the text states no initial value."""
-    found = mechanism.body[name].coordinates if name in mechanism.body else ()
-    return next((each for each in found if each.stated is not None and each.stated[0] == axis), None)
+    coordinates = mechanism.body[name].coordinates if name in mechanism.body else ()
+    return next((each for each in coordinates if each.stated is not None and each.stated[0] == axis), None)
 
 
 def _place(axis: str, state: State, name: str) -> Array:
     """Return the position of a body on an axis in m, (n,): initial value plus displacement."""
-    found = stated_on(axis, state.mechanism, name)
-    assert found is not None
-    assert found.stated is not None
-    return np.asarray(found.stated[1] + state.q[:, state.mechanism.number[found.name]])
+    coordinate = stated_on(axis, state.mechanism, name)
+    assert coordinate is not None
+    assert coordinate.stated is not None
+    return np.asarray(coordinate.stated[1] + state.q[:, state.mechanism.number[coordinate.name]])
 
 
 class AxisCoordinate(Quantity):
@@ -92,8 +92,8 @@ class OriginDistance(Quantity):
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
         """Return whether the text states all coordinates at the start."""
-        found = mechanism.body[name].coordinates
-        return bool(found) and all(each.stated is not None for each in found)
+        coordinates = mechanism.body[name].coordinates
+        return bool(coordinates) and all(each.stated is not None for each in coordinates)
 
 
 UPRIGHT = 1.0 - 1e-9  # vertical component of a direction that counts as vertical
@@ -205,5 +205,5 @@ def _slack(state: State, subject: str) -> Array:
     line = state.mechanism.line.get(subject)
     if line is None or not isinstance(line.law, Inextensible):
         return np.zeros(len(state.times), dtype=bool)
-    whole = state.began.length(line) + line.law.slack - line.law.reel * state.times
-    return state.length(line)[0] < whole * (1.0 - SLACK)
+    full_length = state.began.length(line) + line.law.slack - line.law.reel * state.times
+    return state.length(line)[0] < full_length * (1.0 - SLACK)

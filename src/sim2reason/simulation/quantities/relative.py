@@ -39,8 +39,8 @@ class DistanceBetween(Quantity):
     def evaluate(state: State, subject: str) -> Array:
         """Return |r − r′| in m, (n,)."""
         a, b = members(subject)
-        apart = minus(state.frames.center(a).place, state.frames.center(b).place)
-        return np.sqrt(dot(apart, apart)) + 0.0 * state.times
+        separation = minus(state.frames.center(a).place, state.frames.center(b).place)
+        return np.sqrt(dot(separation, separation)) + 0.0 * state.times
 
 
 @quantity
@@ -248,9 +248,9 @@ class Eccentricity(OrbitShape):
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
         """Return |v × (r × v) / μ − r / |r||, dimensionless, (n,), with μ = G M of the fixed body."""
-        place, velocity, strength = _relative(state, subject)
-        turning = np.cross(velocity, np.cross(place, velocity)) / strength
-        return np.linalg.norm(turning - place / np.linalg.norm(place, axis=1)[:, None], axis=1)
+        position, velocity, strength = _relative(state, subject)
+        turning = np.cross(velocity, np.cross(position, velocity)) / strength
+        return np.linalg.norm(turning - position / np.linalg.norm(position, axis=1)[:, None], axis=1)
 
 
 @quantity
@@ -262,8 +262,8 @@ class SemiMajorAxis(OrbitShape):
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
         """Return 1 / (2 / r − v² / μ) in m, (n,), with μ = G M of the fixed body."""
-        place, velocity, strength = _relative(state, subject)
-        return 1.0 / (2.0 / np.linalg.norm(place, axis=1) - np.sum(velocity**2, axis=1) / strength)
+        position, velocity, strength = _relative(state, subject)
+        return 1.0 / (2.0 / np.linalg.norm(position, axis=1) - np.sum(velocity**2, axis=1) / strength)
 
 
 @quantity
@@ -275,8 +275,8 @@ class CircularSpeed(OrbitShape):
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
         """Return √(μ / r) in m/s, (n,), with μ = G M of the fixed body."""
-        place, _, strength = _relative(state, subject)
-        return np.sqrt(strength / np.linalg.norm(place, axis=1))
+        position, _, strength = _relative(state, subject)
+        return np.sqrt(strength / np.linalg.norm(position, axis=1))
 
 
 def _alone(mechanism: Mechanism, pull: Attraction) -> bool:
@@ -290,5 +290,5 @@ def _relative(state: State, subject: str) -> tuple[Array, Array, float]:
     mechanism = state.mechanism
     pull = next(pull for pull in mechanism.attractions if PAIR_SEPARATOR.join((pull.a, pull.b)) == subject)
     planet, star = (pull.a, pull.b) if can_move(mechanism, pull.a) else (pull.b, pull.a)
-    apart = state.vector(state.frames.center(planet).place) - state.vector(state.frames.center(star).place)
-    return apart, Velocity.evaluate(state, planet), pull.constant * mechanism.body[star].mass
+    position = state.vector(state.frames.center(planet).place) - state.vector(state.frames.center(star).place)
+    return position, Velocity.evaluate(state, planet), pull.constant * mechanism.body[star].mass

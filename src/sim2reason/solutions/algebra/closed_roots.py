@@ -74,47 +74,47 @@ class PolynomialFraction:
         )
 
 
-def fraction(held: Expression) -> PolynomialFraction:
+def fraction(expression: Expression) -> PolynomialFraction:
     """Convert a formula to a single fraction; OverflowError if it has too many terms."""
-    match held:
+    match expression:
         case Number():
-            return PolynomialFraction(Polynomial.of(held.x))
+            return PolynomialFraction(Polynomial.of(expression.x))
         case Sum():
-            return reduce(add, map(fraction, held.terms))
+            return reduce(add, map(fraction, expression.terms))
         case Product():
-            return reduce(mul, map(fraction, held.factors))
+            return reduce(mul, map(fraction, expression.factors))
         case Quotient():
-            above, below = fraction(held.above), fraction(held.below)
+            above, below = fraction(expression.above), fraction(expression.below)
             shared = _without(below.below, _without(below.below, above.below))
             above, below = (PolynomialFraction(f.above, _without(f.below, shared)) for f in (above, below))
             return above * below.inverted()
-        case Power() if held.exponent > 0:
-            return reduce(mul, [fraction(held.base)] * held.exponent)
+        case Power() if expression.exponent > 0:
+            return reduce(mul, [fraction(expression.base)] * expression.exponent)
         case _:
-            return PolynomialFraction(Polynomial.of(held))
+            return PolynomialFraction(Polynomial.of(expression))
 
 
-def _without(held: tuple[Polynomial, ...], others: tuple[Polynomial, ...]) -> tuple[Polynomial, ...]:
+def _without(polynomials: tuple[Polynomial, ...], others: tuple[Polynomial, ...]) -> tuple[Polynomial, ...]:
     """Remove polynomials from a tuple of factors, each as often as it occurs in `others`."""
-    left = list(held)
+    left = list(polynomials)
     for other in others:
         if other in left:
             left.remove(other)
     return tuple(left)
 
 
-def _times(held: Polynomial, factors: tuple[Polynomial, ...]) -> Polynomial:
+def _times(polynomial: Polynomial, factors: tuple[Polynomial, ...]) -> Polynomial:
     """Multiply a polynomial by several factors; OverflowError if it gets too long."""
     for factor in factors:
-        held = _short(held * factor)
-    return held
+        polynomial = _short(polynomial * factor)
+    return polynomial
 
 
-def _short(held: Polynomial) -> Polynomial:
+def _short(polynomial: Polynomial) -> Polynomial:
     """Return a polynomial unchanged; OverflowError if it has more terms than a solvable equation may have."""
-    if len(held.terms) > MAX_TERMS:
+    if len(polynomial.terms) > MAX_TERMS:
         raise OverflowError("an equation of too many terms")
-    return held
+    return polynomial
 
 
 # ---- square roots
@@ -130,8 +130,8 @@ def without_radicals(zero: Polynomial, name: str) -> Polynomial:
     if len(radicals) > MAX_SQUARE_ROOTS or (len(radicals) > 1 and len(zero.terms) > MAX_TERMS_WITH_ROOTS):
         raise OverflowError("an equation of too many roots")
     for _ in range(MAX_SQUARE_ROOTS + 1):
-        held = (atom for monomial in zero.terms for atom, _ in monomial if isinstance(atom, Root))
-        root = next((atom for atom in held if name in atom.symbols()), None)
+        candidates = (atom for monomial in zero.terms for atom, _ in monomial if isinstance(atom, Root))
+        root = next((atom for atom in candidates if name in atom.symbols()), None)
         if root is None:
             return zero
         inside = fraction(root.inside)
@@ -152,26 +152,26 @@ def without_radicals(zero: Polynomial, name: str) -> Polynomial:
 # ---- powers of one atom
 
 
-def coefficient(held: Polynomial, atom: Expression, power: int) -> Polynomial:
+def coefficient(polynomial: Polynomial, atom: Expression, power: int) -> Polynomial:
     """Return the coefficient of a power of an atom (a symbol, function or root) in a polynomial."""
-    found = {
+    terms = {
         tuple(pair for pair in monomial if pair[0] != atom): part
-        for monomial, part in held.terms.items()
+        for monomial, part in polynomial.terms.items()
         if dict(monomial).get(atom, 0) == power
     }
-    return Polynomial(found)
+    return Polynomial(terms)
 
 
 def _powers(zero: Polynomial, atom: Expression, written: CoefficientWriter) -> Iterator[Expression]:
     """Yield the roots of an equation that is linear or quadratic in a symbol or function, or in its square."""
     powers = sorted({dict(monomial).get(atom, 0) for monomial in zero.terms})
-    least, steps = powers[0], [power - powers[0] for power in powers]
+    lowest, steps = powers[0], [power - powers[0] for power in powers]
     step = 2 if all(power % 2 == 0 for power in steps) and max(steps) > QUADRATIC else 1
     if max(steps) > QUADRATIC * step:
         return
-    rest, linear, square = (coefficient(zero, atom, least + step * n) for n in range(QUADRATIC + 1))
-    for found in _quadratic(rest, linear, square, written):
-        yield from [found] if step == 1 else [Root(found), -Root(found)]
+    rest, linear, square = (coefficient(zero, atom, lowest + step * n) for n in range(QUADRATIC + 1))
+    for root in _quadratic(rest, linear, square, written):
+        yield from [root] if step == 1 else [Root(root), -Root(root)]
 
 
 def _quadratic(
@@ -216,7 +216,7 @@ def _angles(zero: Polynomial, sine: Call, cosine: Call, written: CoefficientWrit
     alone: tuple[tuple[Call, Function, int], ...] = ((sine, "arcsin", 1), (cosine, "arccos", 0))
     for atom, inverse, other in alone:
         if all(pair[other] == 0 for pair in pairs):
-            yield from (Call(inverse, found) for found in _powers(zero, atom, written))
+            yield from (Call(inverse, root) for root in _powers(zero, atom, written))
             return
     rest = _constant(zero, sine, cosine)
     if all(sum(pair) <= 1 for pair in pairs):
@@ -262,14 +262,14 @@ def _sizes(a: Polynomial, b: Polynomial, written: CoefficientWriter) -> Iterator
     shares = cancel_common_sum(b, a) if b and written is Polynomial.factored else None
     if shares is not None:  # b/a is a single term, or one over it
         above, below = shares
-        whole, rest = (a, above) if below.number is not None else (b, below)
-        yield multiplied(written(whole), Root(written(Polynomial.of(1.0) + rest * rest)))
+        outer, rest = (a, above) if below.number is not None else (b, below)
+        yield multiplied(written(outer), Root(written(Polynomial.of(1.0) + rest * rest)))
     shared = common_monomial([*a.terms, *b.terms]) if b and written is Polynomial.factored else ()
-    parts = [divide_by_term(held, shared, 1.0) for held in (a, b)] if shared else []
+    parts = [divide_by_term(item, shared, 1.0) for item in (a, b)] if shared else []
     if parts and None not in parts:
         one, other = (part for part in parts if part is not None)
         yield multiplied(
-            reduce(multiplied, (power_of(*held) for held in shared)), Root(written(one * one + other * other))
+            reduce(multiplied, (power_of(*item) for item in shared)), Root(written(one * one + other * other))
         )
     yield Root(written(a * a + b * b)) if b else written(a)
 
@@ -279,10 +279,10 @@ def power_of(atom: Expression, power: int) -> Expression:
     return atom if power == 1 else Power(atom, power)
 
 
-def expand_numbers(held: Expression, name: str) -> Expression:
+def expand_numbers(expression: Expression, name: str) -> Expression:
     """Replace rounded numbers whose formulas contain a symbol by those formulas."""
-    if isinstance(held, NumericFormula):
-        return expand_numbers(held.inner, name) if name in held.symbols() else held
-    if name not in held.symbols() or not held.parts:
-        return held
-    return held.built_of([expand_numbers(part, name) for part in held.parts])
+    if isinstance(expression, NumericFormula):
+        return expand_numbers(expression.inner, name) if name in expression.symbols() else expression
+    if name not in expression.symbols() or not expression.parts:
+        return expression
+    return expression.built_of([expand_numbers(part, name) for part in expression.parts])

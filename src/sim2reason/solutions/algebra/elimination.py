@@ -93,8 +93,8 @@ class Elimination:
         self, equations: Sequence[Equation], left: set[str], wanted: Sequence[str]
     ) -> tuple[Equation, str] | None:
         """Return the shortest equation with one unknown, and that unknown; goals come first."""
-        found = [(e, names[0]) for e in equations if len(names := sorted(e.zero.names() & left)) == 1]
-        return min(found, key=lambda pair: (pair[1] not in wanted, len(pair[0].zero.terms)), default=None)
+        candidates = [(e, names[0]) for e in equations if len(names := sorted(e.zero.names() & left)) == 1]
+        return min(candidates, key=lambda pair: (pair[1] not in wanted, len(pair[0].zero.terms)), default=None)
 
     def _solve_single(self, equation: Equation, name: str) -> None:
         """Write the step that solves an equation for its only unknown."""
@@ -107,7 +107,9 @@ class Elimination:
         if len(formula.latex()) <= MAX_FORMULA_LENGTH or self.book.is_hidden(formula):
             step.add_text(f"{where}{step.result(Symbol(name), formula, self.units[name])}.")
         else:
-            left, right = (self.book.worked(held.expression()) for held in split_linear(equation.zero, name))
+            left, right = (
+                self.book.worked(polynomial.expression()) for polynomial in split_linear(equation.zero, name)
+            )
             numbers = step.derived(right, multiplied(left, Symbol(name)))
             result = step.result(Symbol(name), self.book.worked(right / left), self.units[name])
             step.add_text(f"In numbers, {numbers}, so {result}.")
@@ -122,10 +124,10 @@ class Elimination:
         if not weights or not all(weights):
             self._solve_single(self._isolating_sum(equations, left, wanted[0]), wanted[0])
             return
-        sums = (total(e.zero * weight for e, weight in held) for held in weights)
-        hidden = any(self.book.is_hidden(held.coefficient(n).expression()) for held in sums for n in free)
+        sums = (total(e.zero * weight for e, weight in combination) for combination in weights)
+        hidden = any(self.book.is_hidden(combination.coefficient(n).expression()) for combination in sums for n in free)
         labelled = len(weights) > 1 and hidden
-        combined = [self._sum(held, free, labelled=labelled) for held in weights]
+        combined = [self._sum(combination, free, labelled=labelled) for combination in weights]
         if len(combined) == 1:
             self._solve_single(combined[0], free[0])
             return
@@ -140,15 +142,15 @@ class Elimination:
         rows = [[e.zero.coefficient(name).value(known) for name in names] for e in equations]
         target = np.array([1.0 if name == goal else 0.0 for name in names])
         weights = np.linalg.lstsq(np.array(rows).T, target, rcond=1e-12)[0]
-        least = min((abs(w) for w in weights if abs(w) > WEIGHT_RTOL * np.abs(weights).max()), default=1.0)
-        whole = [round(float(w) / least) for w in weights]
-        if any(abs(w / least - n) > WEIGHT_RTOL for w, n in zip(weights, whole, strict=True)):
+        smallest = min((abs(w) for w in weights if abs(w) > WEIGHT_RTOL * np.abs(weights).max()), default=1.0)
+        integers = [round(float(w) / smallest) for w in weights]
+        if any(abs(w / smallest - n) > WEIGHT_RTOL for w, n in zip(weights, integers, strict=True)):
             raise UnsolvedError("no sum of the equations is free of forces")
-        weighted = [(e, Polynomial.of(float(n))) for e, n in zip(equations, whole, strict=True) if n]
-        found = self._combined(weighted, [goal])
-        if found.zero.names() & (left - {goal}):
+        weighted = [(e, Polynomial.of(float(n))) for e, n in zip(equations, integers, strict=True) if n]
+        combined = self._combined(weighted, [goal])
+        if combined.zero.names() & (left - {goal}):
             raise UnsolvedError("no sum of the equations is free of forces")
-        return found
+        return combined
 
     def _combined(
         self, weighted: Sequence[tuple[Equation, Polynomial]], names: Sequence[str], *, labelled: bool = False
@@ -157,20 +159,20 @@ class Elimination:
         forces = total(e.forces * weight for e, weight in weighted)
         inertia = total(e.inertia * weight for e, weight in weighted)
         step = self._open("combine")
-        told = [_times(weight, e.label) for e, weight in weighted]
-        if told[0].startswith("-"):
-            told.sort(key=lambda part: part.startswith("-"))  # no sum begins with a sign
-        how = " + ".join(told).replace("+ -", "− ")
+        terms = [_times(weight, e.label) for e, weight in weighted]
+        if terms[0].startswith("-"):
+            terms.sort(key=lambda part: part.startswith("-"))  # no sum begins with a sign
+        how = " + ".join(terms).replace("+ -", "− ")
         left = total(e.told * weight for e, weight in weighted).names()  # names that cancel need no other equation
         links = (labels for e, _ in weighted for name, labels in e.links.items() if name in left)
         among = sorted(frozenset[str]().union(*links))
         how += f", with {join_words(among)}" if among else ""
-        whole = Equation(self.book.labels.next() if labelled else "", forces, inertia, NIL)
+        equation = Equation(self.book.labels.next() if labelled else "", forces, inertia, NIL)
         law = step.derived(forces.expression(), inertia.collected(names))
-        step.add_text(f"{how}: {f'{whole.label} {law}'.strip()}.")
-        step.label(_key(whole))
+        step.add_text(f"{how}: {f'{equation.label} {law}'.strip()}.")
+        step.label(_key(equation))
         step.close()
-        return whole
+        return equation
 
     def _weights(
         self, equations: Sequence[Equation], name: str, left: set[str], free: Sequence[str]
@@ -215,8 +217,8 @@ class Elimination:
 
     def _number(self, formula: Expression) -> Expression:
         """Return the numerical value of a formula with guard digits; the formula itself if it has unknowns."""
-        found = self.book.worked(formula)
-        return replace(found, guarded=True) if isinstance(found, NumericFormula) else found
+        number = self.book.worked(formula)
+        return replace(number, guarded=True) if isinstance(number, NumericFormula) else number
 
     def _reduce(self, equations: list[NumericEquation], names: list[str]) -> None:
         """Write the steps of Gaussian elimination of numerical equations."""
@@ -253,18 +255,20 @@ class Elimination:
             if name != last
         }
         right = self._number(equation.right - multiplied(ratio, pivot.right))
-        found = NumericEquation(self.book.labels.next(), left, right)
+        difference = NumericEquation(self.book.labels.next(), left, right)
         step = self._open("combine")
         step.rest_on(equation.label)
         step.rest_on(pivot.label)
-        step.label(found.label)
+        step.label(difference.label)
         turned = isinstance(ratio, NumericFormula) and ratio.comes_to < 0.0
         sign = "+" if turned else "−"
         size = (-ratio).latex() if isinstance(ratio, NumericFormula) and turned else ratio.latex()
         size = size if isinstance(ratio, NumericFormula) else f"${size}$"
-        step.add_text(f"{equation.label} {sign} {size}·{pivot.label}: {found.label} {step.derived(found.sum, right)}.")
+        step.add_text(
+            f"{equation.label} {sign} {size}·{pivot.label}: {difference.label} {step.derived(difference.sum, right)}."
+        )
         step.close()
-        return found
+        return difference
 
 
 def _key(equation: Equation) -> str:
@@ -285,8 +289,8 @@ def _whole(weighted: list[tuple[Equation, Polynomial]]) -> list[tuple[Equation, 
     numbers = [weight.number for _, weight in weighted]
     if not numbers or any(number is None for number in numbers):
         return weighted
-    least = min((number for number in numbers if number), key=abs)
-    return [(e, weight.scaled(1.0 / least)) for e, weight in weighted]
+    smallest = min((number for number in numbers if number), key=abs)
+    return [(e, weight.scaled(1.0 / smallest)) for e, weight in weighted]
 
 
 def split_linear(zero: Polynomial, name: str) -> tuple[Polynomial, Polynomial]:

@@ -106,13 +106,13 @@ def _means(modulus: Scalar) -> list[tuple[complex, complex]]:
     """Return the successive arithmetic and geometric means, from 1 and √(1 − k²); ValueError unless 0 ≤ k < 1."""
     if not 0.0 <= modulus.real < 1.0:
         raise ValueError(f"an elliptic integral of the modulus {modulus.real:g}")
-    found = [(complex(1.0), cmath.sqrt(1.0 - complex(modulus) ** 2))]
-    while len(found) < MEANS and abs(found[-1][0] - found[-1][1]) > MEANS_ATOL:
-        a, b = found[-1]
-        found.append((0.5 * (a + b), cmath.sqrt(a * b)))
-        if found[-1][0] == a:  # the limit of floating-point precision
+    means = [(complex(1.0), cmath.sqrt(1.0 - complex(modulus) ** 2))]
+    while len(means) < MEANS and abs(means[-1][0] - means[-1][1]) > MEANS_ATOL:
+        a, b = means[-1]
+        means.append((0.5 * (a + b), cmath.sqrt(a * b)))
+        if means[-1][0] == a:  # the limit of floating-point precision
             break
-    return found
+    return means
 
 
 def _real_if(value: complex) -> Scalar:
@@ -135,8 +135,8 @@ class NumericFormula(Expression):
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
         """Return the value of the formula, rounded if `digits` are given."""
-        found = self.inner.value(at, digits)
-        return found if digits is None or isinstance(found, complex) else round_to_digits(found, digits)
+        result = self.inner.value(at, digits)
+        return result if digits is None or isinstance(result, complex) else round_to_digits(result, digits)
 
     def latex(self) -> str:
         """Return the number in LaTeX."""
@@ -238,38 +238,40 @@ class Chain(Expression):
         return (name for _, formula in self.formulas for name in formula.symbols() if name not in own)
 
 
-def numeric_parts(held: Expression) -> Iterator[Expression]:
+def numeric_parts(expression: Expression) -> Iterator[Expression]:
     """Yield the outermost parts of a formula that the text writes as numbers instead of symbols."""
-    if isinstance(held, NumericFormula | NumericRoot):
-        if not isinstance(held, ImplicitRoot):
-            yield held
+    if isinstance(expression, NumericFormula | NumericRoot):
+        if not isinstance(expression, ImplicitRoot):
+            yield expression
         return
-    for part in held.parts:
+    for part in expression.parts:
         yield from numeric_parts(part)
 
 
-def loses_digits(held: Expression, at: Values) -> bool:
+def loses_digits(expression: Expression, at: Values) -> bool:
     """Return whether the rounded numbers in a formula change its result within five significant digits."""
-    exact = held.value(at).real
-    return abs(_as_written(held).value(at).real - exact) > ROUNDED_RESULT_RTOL * abs(exact)
+    exact = expression.value(at).real
+    return abs(_as_written(expression).value(at).real - exact) > ROUNDED_RESULT_RTOL * abs(exact)
 
 
-def _as_written(held: Expression) -> Expression:
+def _as_written(expression: Expression) -> Expression:
     """Return a formula with its numbers rounded as in the text."""
-    if isinstance(held, NumericFormula):
-        return Number(round_to_digits(held.comes_to))
-    return held.built_of([_as_written(part) for part in held.parts]) if held.parts else held
+    if isinstance(expression, NumericFormula):
+        return Number(round_to_digits(expression.comes_to))
+    return expression.built_of([_as_written(part) for part in expression.parts]) if expression.parts else expression
 
 
-def is_special(held: Expression) -> bool:
+def is_special(expression: Expression) -> bool:
     """Return whether a formula contains a special function; symbolic problems allow none."""
-    return isinstance(held, SpecialFunction) or any(map(is_special, held.parts))
+    return isinstance(expression, SpecialFunction) or any(map(is_special, expression.parts))
 
 
-def gradient(held: Expression, at: Mapping[str, float], names: Mapping[str, int]) -> list[float]:
+def gradient(expression: Expression, at: Mapping[str, float], names: Mapping[str, int]) -> list[float]:
     """Return the exact partial derivatives of an analytic formula; `names` has each symbol's index in the list."""
-    found = [0.0] * len(names)
-    for name in dict.fromkeys(held.symbols()):
+    derivatives = [0.0] * len(names)
+    for name in dict.fromkeys(expression.symbols()):
         if name in names:
-            found[names[name]] = complex(held.value({**at, name: at[name] + COMPLEX_STEP * 1j})).imag / COMPLEX_STEP
-    return found
+            derivatives[names[name]] = (
+                complex(expression.value({**at, name: at[name] + COMPLEX_STEP * 1j})).imag / COMPLEX_STEP
+            )
+    return derivatives

@@ -265,9 +265,9 @@ class Product(Expression):
         parts = [p if factor.rank else rf"\left({p}\right)" for factor, p in zip(self.factors, plain, strict=True)]
         text = plain[0] if isinstance(first, Number) else parts[0]
         for before, part in zip(plain, parts[1:], strict=False):
-            apart = text[-1].isdigit() or before.startswith(FUNCTIONS)  # sin θ m would be the sine of θ m
+            needs_space = text[-1].isdigit() or before.startswith(FUNCTIONS)  # sin θ m would be the sine of θ m
             mixed = text[-1].isdigit() and part.startswith(FRACTION) and part[len(FRACTION)].isdigit()  # 4 ⅖
-            joint = r" \cdot " if mixed or part[0].isdigit() or part.startswith("-") else r"\," if apart else " "
+            joint = r" \cdot " if mixed or part[0].isdigit() or part.startswith("-") else r"\," if needs_space else " "
             text += joint + part
         return text
 
@@ -349,6 +349,6 @@ def multiplied(*parts: Expression) -> Expression:
     return Product(tuple(factors)) if len(factors) > 1 else factors[0]
 
 
-def parenthesized(held: Expression, rank: int) -> str:
+def parenthesized(expression: Expression, rank: int) -> str:
     """Return the LaTeX of a formula, in parentheses if its precedence is lower than `rank`."""
-    return held.latex() if held.rank >= rank else rf"\left({held.latex()}\right)"
+    return expression.latex() if expression.rank >= rank else rf"\left({expression.latex()}\right)"

@@ -40,33 +40,35 @@ def reduced_quotient(above: Polynomial, below: Polynomial, *, grouped: bool = Fa
 
 def _common_number(factors: list[float]) -> float:
     """Return the greatest common divisor of integer coefficients; 1 if a coefficient is no integer."""
-    whole = [round(factor) for factor in factors]
-    if any(abs(factor - number) > INTEGER_ATOL for factor, number in zip(factors, whole, strict=True)):
+    integers = [round(factor) for factor in factors]
+    if any(abs(factor - number) > INTEGER_ATOL for factor, number in zip(factors, integers, strict=True)):
         return 1.0
-    return float(gcd(*whole)) or 1.0
+    return float(gcd(*integers)) or 1.0
 
 
 def _shared_number(factors: list[float]) -> float:
     """Return the coefficient of smallest magnitude if it divides all others, else 1."""
-    least = min(map(abs, factors), default=1.0)
-    whole = len(factors) > 1 and all(abs(factor / least - round(factor / least)) <= INTEGER_ATOL for factor in factors)
-    return least if whole else 1.0
+    smallest = min(map(abs, factors), default=1.0)
+    divides_all = len(factors) > 1 and all(
+        abs(factor / smallest - round(factor / smallest)) <= INTEGER_ATOL for factor in factors
+    )
+    return smallest if divides_all else 1.0
 
 
 def cancel_common_sum(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial] | None:
     """Cancel two polynomials whose ratio is a single term: return the new numerator and denominator; else None."""
-    for whole, part in ((above, below), (below, above)):
-        if not whole.terms or len(whole.terms) != len(part.terms):
+    for dividend, part in ((above, below), (below, above)):
+        if not dividend.terms or len(dividend.terms) != len(part.terms):
             continue
         (monomial, factor), *_ = part.terms.items()
-        for term, value in whole.terms.items():
+        for term, value in dividend.terms.items():
             powers = dict(term)
             for atom, power in monomial:
                 powers[atom] = powers.get(atom, 0) - power
             ratio = Polynomial({tuple((atom, power) for atom, power in powers.items() if power): value / factor})
-            if min(powers.values(), default=0) >= 0 and not ratio * part - whole:
+            if min(powers.values(), default=0) >= 0 and not ratio * part - dividend:
                 one = Polynomial.of(1.0)
-                return (ratio, one) if whole is above else (one, ratio)
+                return (ratio, one) if dividend is above else (one, ratio)
     return None
 
 
@@ -84,14 +86,14 @@ def _cancelled(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polyno
     return above, below
 
 
-def _lowered(held: Polynomial, atom: Expression, power: int) -> Polynomial:
+def _lowered(polynomial: Polynomial, atom: Expression, power: int) -> Polynomial:
     """Divide a polynomial by a power of a symbol, function or root that all of its terms contain."""
-    found = dict[tuple[tuple[Expression, int], ...], float]()
-    for monomial, part in held.terms.items():
+    terms = dict[tuple[tuple[Expression, int], ...], float]()
+    for monomial, part in polynomial.terms.items():
         powers = dict(monomial)
         powers[atom] -= power
-        found[tuple((a, p) for a, p in powers.items() if p)] = part
-    return Polynomial(found)
+        terms[tuple((a, p) for a, p in powers.items() if p)] = part
+    return Polynomial(terms)
 
 
 Rows = Sequence[Sequence[Polynomial]]
@@ -100,16 +102,16 @@ Rows = Sequence[Sequence[Polynomial]]
 def cramer(rows: Rows, right: Sequence[Polynomial]) -> list[Expression]:
     """Return the solution, (n,), of n linear equations by Cramer's rule; the determinant must not be zero."""
     below = determinant(rows)
-    found: list[Expression] = []
+    solution: list[Expression] = []
     for n in range(len(rows)):
-        above = determinant([_put(row, n, held) for row, held in zip(rows, right, strict=True)])
-        found.append(reduced_quotient(above, below) if above else ZERO)
-    return found
+        above = determinant([_put(row, n, constant) for row, constant in zip(rows, right, strict=True)])
+        solution.append(reduced_quotient(above, below) if above else ZERO)
+    return solution
 
 
-def _put(row: Sequence[Polynomial], place: int, held: Polynomial) -> list[Polynomial]:
+def _put(row: Sequence[Polynomial], column: int, entry: Polynomial) -> list[Polynomial]:
     """Return a row of a matrix with the coefficient at one place replaced."""
-    return [held if n == place else part for n, part in enumerate(row)]
+    return [entry if n == column else part for n, part in enumerate(row)]
 
 
 def determinant(rows: Rows) -> Polynomial:
@@ -147,8 +149,8 @@ class SymbolicEquation:
     @property
     def sides(self) -> tuple[Expression, Expression]:
         """Return both sides as formulas, with the unknowns on the right."""
-        whole = total(part * Polynomial.of(Symbol(name)) for name, part in self.left.items())
-        return self.rest.expression(), whole.collected(self.left)
+        linear_form = total(part * Polynomial.of(Symbol(name)) for name, part in self.left.items())
+        return self.rest.expression(), linear_form.collected(self.left)
 
 
 class CrossElimination:
@@ -161,11 +163,11 @@ class CrossElimination:
     def reduce(self, equations: Sequence[SymbolicEquation], names: Sequence[str]) -> None:
         """Write the steps that solve the equations for all unknowns in `names`, the first unknown first."""
         last = names[-1]
-        having = [held for held in equations if last in held.left]
-        pivot = min(having, key=lambda held: (len(held.left[last].terms), len(held.left)))
+        having = [equation for equation in equations if last in equation.left]
+        pivot = min(having, key=lambda equation: (len(equation.left[last].terms), len(equation.left)))
         if len(names) > 1:
-            rest = [held for held in equations if held is not pivot]
-            reduced = [self._without(held, pivot, last) if last in held.left else held for held in rest]
+            rest = [equation for equation in equations if equation is not pivot]
+            reduced = [self._without(equation, pivot, last) if last in equation.left else equation for equation in rest]
             self.reduce(reduced, names[:-1])
         step = self._opened("solve")
         step.rest_on(pivot.label)
@@ -190,24 +192,26 @@ class CrossElimination:
             if name != last
         }
         rest = held.rest * mine[1] + (pivot.rest * other[1]).scaled(sign)
-        found = SymbolicEquation(self.book.labels.next(), {n: part for n, part in left.items() if part}, rest)
+        difference = SymbolicEquation(self.book.labels.next(), {n: part for n, part in left.items() if part}, rest)
         step = self._opened("combine")
         step.rest_on(held.label)
         step.rest_on(pivot.label)
-        step.label(found.label)
-        told = [_times(mine[1], held.label), _times(other[1], pivot.label)]
-        if sign < 0.0 and sum(part for held in found.left.values() for part in held.terms.values()) < 0.0:
-            found = found.turned
-            told.reverse()
-        step.add_text(f"{(' + ' if sign > 0.0 else ' − ').join(told)}: {found.label} {step.derived(*found.sides)}.")
+        step.label(difference.label)
+        terms = [_times(mine[1], held.label), _times(other[1], pivot.label)]
+        if sign < 0.0 and sum(part for held in difference.left.values() for part in held.terms.values()) < 0.0:
+            difference = difference.turned
+            terms.reverse()
+        step.add_text(
+            f"{(' + ' if sign > 0.0 else ' − ').join(terms)}: {difference.label} {step.derived(*difference.sides)}."
+        )
         step.close()
-        return found
+        return difference
 
 
-def _signed(held: Polynomial) -> tuple[float, Polynomial]:
+def _signed(polynomial: Polynomial) -> tuple[float, Polynomial]:
     """Return the common sign of all terms and the polynomial without it."""
-    negative = all(part < 0.0 for part in held.terms.values())
-    return (-1.0, held.scaled(-1.0)) if negative else (1.0, held)
+    negative = all(part < 0.0 for part in polynomial.terms.values())
+    return (-1.0, polynomial.scaled(-1.0)) if negative else (1.0, polynomial)
 
 
 def _times(weight: Polynomial, label: str) -> str:
@@ -226,10 +230,10 @@ class NumericEquation:
     @property
     def sum(self) -> Expression:
         """Return the left side as one formula."""
-        found: Expression = ZERO
+        expression: Expression = ZERO
         for name, part in self.left.items():
-            found = added(found, signed_term(part, name, 1.0))
-        return found
+            expression = added(expression, signed_term(part, name, 1.0))
+        return expression
 
 
 def signed_term(part: Expression, name: str, sign: float) -> Expression:

@@ -72,9 +72,9 @@ class Power(Expression):
         """Return the power in LaTeX; the exponent of a sine stands before its argument."""
         if isinstance(self.base, Call) and self.base.function != "exp":
             return rf"\{self.base.function}^{{{self.exponent}}} {parenthesized(self.base.argument, 2)}"
-        held = -self.base if self.exponent % 2 == 0 and self.base.negative else self.base  # (−x)² is x²
-        base = rf"\left({held.latex()}\right)" if isinstance(held, Power | Number | Call) else parenthesized(held, 2)
-        if isinstance(held, Symbol) and "'" in held.name:
+        inner = -self.base if self.exponent % 2 == 0 and self.base.negative else self.base  # (−x)² is x²
+        base = rf"\left({inner.latex()}\right)" if isinstance(inner, Power | Number | Call) else parenthesized(inner, 2)
+        if isinstance(inner, Symbol) and "'" in inner.name:
             base = f"{{{base}}}"  # in TeX a prime is a superscript, and a second one is an error
         return f"{base}^{{{self.exponent}}}"
 
@@ -171,12 +171,12 @@ class Pi(Expression):
 PI = Pi()
 
 
-def simplify_inverse(held: Expression) -> Expression:
+def simplify_inverse(expression: Expression) -> Expression:
     """Simplify a function of an inverse function, such as sin(arccos x) to √(1 − x²); return others unchanged."""
-    if not isinstance(held, Call) or not isinstance(held.argument, Call):
-        return held
-    x = held.argument.argument
-    beside = Root(ONE - Power(x, 2)) if held.argument.function != "arctan" else Root(ONE + Power(x, 2))
+    if not isinstance(expression, Call) or not isinstance(expression.argument, Call):
+        return expression
+    x = expression.argument.argument
+    beside = Root(ONE - Power(x, 2)) if expression.argument.function != "arctan" else Root(ONE + Power(x, 2))
     undone: dict[tuple[Function, Function], Expression] = {
         ("sin", "arcsin"): x,
         ("cos", "arccos"): x,
@@ -188,7 +188,7 @@ def simplify_inverse(held: Expression) -> Expression:
         ("sin", "arctan"): x / beside,
         ("cos", "arctan"): ONE / beside,
     }
-    return undone.get((held.function, held.argument.function), held)
+    return undone.get((expression.function, expression.argument.function), expression)
 
 
 def summed(parts: Iterable[Expression]) -> Expression:
@@ -210,29 +210,29 @@ def vector_length(parts: Iterable[Expression]) -> Expression:
     return Absolute(-lone if lone.negative else lone)
 
 
-def array_values(held: Expression, at: Mapping[str, Array]) -> Array:
+def array_values(expression: Expression, at: Mapping[str, Array]) -> Array:
     """Return the values of a formula, (m,), for arrays of values of its symbols; NaN where it is undefined."""
     with np.errstate(all="ignore"):
-        found = held.value(cast("Values", at))
-    return np.where(np.isfinite(found), found, np.nan) * np.ones_like(next(iter(at.values())))
+        values = expression.value(cast("Values", at))
+    return np.where(np.isfinite(values), values, np.nan) * np.ones_like(next(iter(at.values())))
 
 
 ODD_FUNCTIONS = ("sin", "tan", "arcsin", "arctan")
 
 
-def with_plain_signs(held: Expression) -> Expression:
+def with_plain_signs(expression: Expression) -> Expression:
     """Rewrite a formula with as few minus signs as in handwriting; its value is unchanged."""
-    if not held.parts or isinstance(held, NumericFormula):
-        return held
-    found = held.built_of([with_plain_signs(part) for part in held.parts])
-    if isinstance(found, Power) and found.base.negative and found.exponent % 2 == 0:
-        return Power(_opposite(found.base), found.exponent)
-    if isinstance(found, Call) and found.argument.negative and found.function in (*ODD_FUNCTIONS, "cos"):
-        turned = Call(found.function, _opposite(found.argument))
-        return turned if found.function == "cos" else -turned
-    if isinstance(found, Product):
-        return _product(found.factors)
-    return _fraction(found) if isinstance(found, Quotient) else found
+    if not expression.parts or isinstance(expression, NumericFormula):
+        return expression
+    rebuilt = expression.built_of([with_plain_signs(part) for part in expression.parts])
+    if isinstance(rebuilt, Power) and rebuilt.base.negative and rebuilt.exponent % 2 == 0:
+        return Power(_opposite(rebuilt.base), rebuilt.exponent)
+    if isinstance(rebuilt, Call) and rebuilt.argument.negative and rebuilt.function in (*ODD_FUNCTIONS, "cos"):
+        turned = Call(rebuilt.function, _opposite(rebuilt.argument))
+        return turned if rebuilt.function == "cos" else -turned
+    if isinstance(rebuilt, Product):
+        return _product(rebuilt.factors)
+    return _fraction(rebuilt) if isinstance(rebuilt, Quotient) else rebuilt
 
 
 def _product(factors: Sequence[Expression]) -> Expression:
@@ -242,34 +242,34 @@ def _product(factors: Sequence[Expression]) -> Expression:
         turned = factor.negative if not isinstance(factor, NumericFormula) else factor.comes_to < 0.0
         sign = -sign if turned else sign
         kept.append(_opposite(factor) if turned else factor)
-    whole = reduce(multiplied, kept)
-    return whole if sign > 0.0 else _negated(whole)
+    product = reduce(multiplied, kept)
+    return product if sign > 0.0 else _negated(product)
 
 
-def _negated(held: Expression) -> Expression:
+def _negated(expression: Expression) -> Expression:
     """Return the negative of a formula; in a fraction, a difference in the denominator is reversed."""
-    if isinstance(held, Quotient) and is_difference(held.below):
-        return Quotient(held.above, -held.below)
-    return multiplied(Number(-1.0), held)
+    if isinstance(expression, Quotient) and is_difference(expression.below):
+        return Quotient(expression.above, -expression.below)
+    return multiplied(Number(-1.0), expression)
 
 
-def _fraction(held: Quotient) -> Expression:
+def _fraction(quotient: Quotient) -> Expression:
     """Return a fraction with its minus sign in front, or removed by reversing a difference in the denominator."""
-    if held.above.negative and is_difference(held.below):
-        return Quotient(_opposite(held.above), -held.below)
-    if isinstance(held.above, Sum) and held.above.negative:
-        return multiplied(Number(-1.0), Quotient(-held.above, held.below))
-    return held
+    if quotient.above.negative and is_difference(quotient.below):
+        return Quotient(_opposite(quotient.above), -quotient.below)
+    if isinstance(quotient.above, Sum) and quotient.above.negative:
+        return multiplied(Number(-1.0), Quotient(-quotient.above, quotient.below))
+    return quotient
 
 
-def is_difference(held: Expression) -> bool:
+def is_difference(expression: Expression) -> bool:
     """Return whether a formula is a sum with positive and negative terms."""
-    return isinstance(held, Sum) and len({term.negative for term in held.terms}) > 1
+    return isinstance(expression, Sum) and len({term.negative for term in expression.terms}) > 1
 
 
-def _opposite(held: Expression) -> Expression:
+def _opposite(expression: Expression) -> Expression:
     """Return a formula without its leading minus sign."""
-    return ratio(_opposite(held.above), held.below) if isinstance(held, Quotient) else -held
+    return ratio(_opposite(expression.above), expression.below) if isinstance(expression, Quotient) else -expression
 
 
 OPERATIONS: Mapping[type[Expression], Need] = {
@@ -296,14 +296,14 @@ LEAVES = frozenset[type[Expression]]({Number, Symbol, Pi})
 DIRECT = frozenset[Function]({"sin", "cos", "tan"})  # functions of known angles; all other functions are inverse ones
 
 
-def need_of(held: Expression) -> Need:
+def need_of(expression: Expression) -> Need:
     """Return the most advanced mathematics that the evaluation of an expression needs."""
-    cls = type(held)
+    cls = type(expression)
     if cls in LEAVES:
         return Need.ARITHMETIC
-    direct = isinstance(held, Call) and held.function in DIRECT
+    direct = isinstance(expression, Call) and expression.function in DIRECT
     own = Need.ARITHMETIC if direct else operation(cls)
-    return max(own, most_advanced(map(need_of, _inside(held))))
+    return max(own, most_advanced(map(need_of, _inside(expression))))
 
 
 @cache
@@ -312,16 +312,16 @@ def operation(cls: type[Expression]) -> Need:
     return OPERATIONS[next((base for base in cls.__mro__ if base in OPERATIONS), cls)]
 
 
-def _inside(held: Expression) -> Iterable[Expression]:
+def _inside(expression: Expression) -> Iterable[Expression]:
     """Return the subexpressions that must be evaluated first; for a numerical root, its equation."""
-    match held:
+    match expression:
         case NumericFormula():
-            return (held.inner,)
+            return (expression.inner,)
         case ClosedRoot():
-            return (held.closed,)
+            return (expression.closed,)
         case NumericRoot():
-            return (held.residual,)
+            return (expression.residual,)
         case Chain():
-            return (formula for _, formula in held.formulas)
+            return (formula for _, formula in expression.formulas)
         case _:
-            return held.parts
+            return expression.parts

@@ -29,50 +29,54 @@ from sim2reason.solutions.algebra.transformations import (
 )
 
 
-def without_nested_fractions(held: Expression) -> Expression:
+def without_nested_fractions(expression: Expression) -> Expression:
     """Rewrite a formula without nested fractions; its value is unchanged.
 
     Arguments of functions may contain fractions. A root of a fraction is a separate factor.
     """
-    if not held.parts or isinstance(held, NumericFormula):
-        return held
-    if isinstance(held, Absolute) and isinstance(held.inside, Number):
-        return Number(abs(held.inside.x))
-    parts = [without_nested_fractions(part) for part in held.parts]
-    found = held if all(map(is_, parts, held.parts)) else held.built_of(parts)
-    return _one_storey(found)
+    if not expression.parts or isinstance(expression, NumericFormula):
+        return expression
+    if isinstance(expression, Absolute) and isinstance(expression.inside, Number):
+        return Number(abs(expression.inside.x))
+    parts = [without_nested_fractions(part) for part in expression.parts]
+    rebuilt = expression if all(map(is_, parts, expression.parts)) else expression.built_of(parts)
+    return _one_storey(rebuilt)
 
 
-def _one_storey(held: Expression) -> Expression:
+def _one_storey(expression: Expression) -> Expression:
     """Remove nested fractions from a formula whose parts have none."""
-    match held:
-        case Quotient(above, below) if has_fraction(above) or has_fraction(below) or is_reducible(held):
-            return _reduced(held)
+    match expression:
+        case Quotient(above, below) if has_fraction(above) or has_fraction(below) or is_reducible(expression):
+            return _reduced(expression)
         case Product(factors):
-            return _reduced(held) if is_reducible(held) else reduce(multiplied, sorted(factors, key=factor_rank))
+            return (
+                _reduced(expression)
+                if is_reducible(expression)
+                else reduce(multiplied, sorted(factors, key=factor_rank))
+            )
         case Power(base, exponent) if exponent % 2 == 0 and any(isinstance(f, Root) for f in factors_of(base).powers):
-            return _reduced(held)
+            return _reduced(expression)
         case Root(inside):
-            return _root(held, inside)
+            return _root(expression, inside)
         case Sum():
-            return _with_like_terms_added(held)
+            return _with_like_terms_added(expression)
         case _:
-            return held
+            return expression
 
 
-def has_nested_fraction(held: Expression) -> bool:
+def has_nested_fraction(expression: Expression) -> bool:
     """Return whether a formula contains a nested fraction."""
-    if isinstance(held, NumericFormula):
+    if isinstance(expression, NumericFormula):
         return False
-    here = isinstance(held, Quotient) and (has_fraction(held.above) or has_fraction(held.below))
-    return here or any(map(has_nested_fraction, held.parts))
+    here = isinstance(expression, Quotient) and (has_fraction(expression.above) or has_fraction(expression.below))
+    return here or any(map(has_nested_fraction, expression.parts))
 
 
-def is_reducible(held: Expression) -> bool:
+def is_reducible(expression: Expression) -> bool:
     """Return whether a product or fraction has a repeated factor, or one that cancels with a factor under a root."""
-    if not isinstance(held, Product | Quotient):
+    if not isinstance(expression, Product | Quotient):
         return False
-    factors = [factor for side in _sides(held) for factor in _factors(side)]
+    factors = [factor for side in _sides(expression) for factor in _factors(side)]
     bases = [factor.base if isinstance(factor, Power) else factor for factor in factors]
     plain = [base for base in bases if not isinstance(base, Number)]
     if len(set(plain)) < len(plain) or any(_is_size_of_fraction(base) for base in plain):
@@ -81,89 +85,89 @@ def is_reducible(held: Expression) -> bool:
     return not inside.isdisjoint(plain)
 
 
-def _is_size_of_fraction(held: Expression) -> bool:
+def _is_size_of_fraction(expression: Expression) -> bool:
     """Return whether a formula is the absolute value of a fraction."""
-    return isinstance(held, Absolute) and isinstance(held.inside, Quotient)
+    return isinstance(expression, Absolute) and isinstance(expression.inside, Quotient)
 
 
-def _sides(held: Expression) -> tuple[Expression, ...]:
+def _sides(expression: Expression) -> tuple[Expression, ...]:
     """Return all numerators and denominators of the fractions in a product."""
-    match held:
+    match expression:
         case Quotient(above, below):
             return above, below
         case Product(factors):
             return tuple(side for factor in factors for side in _sides(factor))
         case _:
-            return (held,)
+            return (expression,)
 
 
-def _factors(held: Expression) -> tuple[Expression, ...]:
+def _factors(expression: Expression) -> tuple[Expression, ...]:
     """Return the factors of a product; other formulas are their own only factor."""
-    return held.factors if isinstance(held, Product) else (held,)
+    return expression.factors if isinstance(expression, Product) else (expression,)
 
 
 # ---- one fraction
 
 
-def _reduced(held: Expression) -> Expression:
+def _reduced(expression: Expression) -> Expression:
     """Return a product or fraction as a single fraction, with roots of fractions as separate factors."""
-    whole = _upright(_with_roots_reduced(_unfolded(factors_of(held, _as_fraction))))
-    beside = {base: power for base, power in whole.powers.items() if power > 0 and has_fraction(base)}
-    left = Factors(whole.number, {base: power for base, power in whole.powers.items() if base not in beside})
+    factors = _upright(_with_roots_reduced(_unfolded(factors_of(expression, _as_fraction))))
+    beside = {base: power for base, power in factors.powers.items() if power > 0 and has_fraction(base)}
+    left = Factors(factors.number, {base: power for base, power in factors.powers.items() if base not in beside})
     return multiplied(left.written(), Factors(1.0, beside).product())
 
 
-def _upright(whole: Factors) -> Factors:
+def _upright(factors: Factors) -> Factors:
     """Remove a negative number from factors by reversing a difference among them."""
-    base = next((base for base, power in whole.powers.items() if power % 2 and is_difference(base)), None)
-    if whole.number > 0.0 or base is None:
-        return whole
-    return Factors(-whole.number, {-base if other is base else other: n for other, n in whole.powers.items()})
+    base = next((base for base, power in factors.powers.items() if power % 2 and is_difference(base)), None)
+    if factors.number > 0.0 or base is None:
+        return factors
+    return Factors(-factors.number, {-base if other is base else other: n for other, n in factors.powers.items()})
 
 
-def _unfolded(whole: Factors) -> Factors:
+def _unfolded(factors: Factors) -> Factors:
     """Expand absolute values of fractions and even powers of roots in factors."""
-    found = Factors(whole.number, {})
-    for base, power in whole.powers.items():
+    expanded = Factors(factors.number, {})
+    for base, power in factors.powers.items():
         match base:
             case Root(inside):
                 pairs = int(power / 2)
                 single = power - 2 * pairs
-                found *= factors_of(inside, _as_fraction if power < 0 else _same).raised(pairs)
-                found *= Factors(1.0, {base: single} if single else {})
+                expanded *= factors_of(inside, _as_fraction if power < 0 else _same).raised(pairs)
+                expanded *= Factors(1.0, {base: single} if single else {})
             case Absolute(Quotient(above, below)):
                 sizes = Factors(1.0, {_size(above): 1}) * Factors(1.0, {_size(below): -1})
-                found *= sizes.raised(power)
+                expanded *= sizes.raised(power)
             case _:
-                found *= Factors(1.0, {base: power})
-    return found
+                expanded *= Factors(1.0, {base: power})
+    return expanded
 
 
-def _same(held: Sum) -> Expression:
+def _same(expression: Sum) -> Expression:
     """Return the sum unchanged: the default replacement of sums when a formula is split into factors."""
-    return held
+    return expression
 
 
-def _size(held: Expression) -> Expression:
+def _size(expression: Expression) -> Expression:
     """Return the absolute value of a formula, without bars if it is never negative."""
-    return held if never_negative(held) else Absolute(held)
+    return expression if never_negative(expression) else Absolute(expression)
 
 
 # ---- sums
 
 
-def _as_fraction(held: Sum) -> Expression:
+def _as_fraction(expression: Sum) -> Expression:
     """Return a sum with fractions among its terms as one fraction; other sums are returned unchanged."""
-    terms = [factors_of(term, _as_fraction) for term in held.terms]
+    terms = [factors_of(term, _as_fraction) for term in expression.terms]
     if not any(_is_divided(term) for term in terms):
-        return held
+        return expression
     below: dict[Expression, int] = {}
     for term in terms:
         for base, power in term.powers.items():
             below[base] = max(below.get(base, 0), -power)
     number = float(lcm(*(int(integer_sides(term.number)[1]) for term in terms)))
     if number > LARGEST_DENOMINATOR:  # then the numbers are no fractions, but decimals
-        return held
+        return expression
     common = Factors(number, {base: power for base, power in below.items() if power})
     above = added(*((term * common).product() for term in _together(terms, common)))
     shared = _shared(above)
@@ -173,16 +177,16 @@ def _as_fraction(held: Sum) -> Expression:
 
 def _together(terms: list[Factors], common: Factors) -> list[Factors]:
     """Combine the terms without denominators into one sum if another term has a sum as its denominator."""
-    whole = [term for term in terms if not _is_divided(term)]
-    if len(whole) < 2 or not any(isinstance(base, Sum) for base in common.powers):
+    undivided = [term for term in terms if not _is_divided(term)]
+    if len(undivided) < 2 or not any(isinstance(base, Sum) for base in common.powers):
         return terms
-    both = Factors(1.0, {added(*(term.product() for term in whole)): 1})
+    both = Factors(1.0, {added(*(term.product() for term in undivided)): 1})
     return [*(term for term in terms if _is_divided(term)), both]
 
 
-def _terms(held: Expression) -> tuple[Expression, ...]:
+def _terms(expression: Expression) -> tuple[Expression, ...]:
     """Return the terms of a sum; other formulas are their own only term."""
-    return held.terms if isinstance(held, Sum) else (held,)
+    return expression.terms if isinstance(expression, Sum) else (expression,)
 
 
 def _is_divided(term: Factors) -> bool:
@@ -190,9 +194,9 @@ def _is_divided(term: Factors) -> bool:
     return integer_sides(term.number)[1] != 1.0 or any(power < 0 for power in term.powers.values())
 
 
-def _shared(held: Expression) -> Factors:
+def _shared(expression: Expression) -> Factors:
     """Return the common factors of all terms of a sum; no factors for a single term."""
-    first, *others = (factors_of(term) for term in _terms(held))
+    first, *others = (factors_of(term) for term in _terms(expression))
     if not others:
         return Factors(1.0, {})
     shared = dict(first.powers)
@@ -201,49 +205,49 @@ def _shared(held: Expression) -> Factors:
     return Factors(1.0, shared)
 
 
-def _with_like_terms_added(held: Sum) -> Expression:
+def _with_like_terms_added(expression: Sum) -> Expression:
     """Return a sum with its like terms combined."""
-    found: dict[frozenset[tuple[Expression, int]], tuple[float, Mapping[Expression, int]]] = {}
-    terms = [factors_of(term) for term in held.terms]
+    combined: dict[frozenset[tuple[Expression, int]], tuple[float, Mapping[Expression, int]]] = {}
+    terms = [factors_of(term) for term in expression.terms]
     for term in terms:
         key = frozenset(term.powers.items())
-        before, powers = found.get(key, (0.0, term.powers))
-        found[key] = before + term.number, powers
-    if len(found) == len(terms):
-        return held
-    return added(*(Factors(number, powers).written() for number, powers in found.values() if number))
+        before, powers = combined.get(key, (0.0, term.powers))
+        combined[key] = before + term.number, powers
+    if len(combined) == len(terms):
+        return expression
+    return added(*(Factors(number, powers).written() for number, powers in combined.values() if number))
 
 
 # ---- roots
 
 
-def _root(held: Root, inside: Expression) -> Expression:
+def _root(root: Root, inside: Expression) -> Expression:
     """Simplify the sign of a radicand and take a square number out of the root."""
     if not isinstance(inside, Quotient | Product):
-        return held
-    whole = factors_of(inside)
-    over, under = integer_sides(whole.number)
+        return root
+    factors = factors_of(inside)
+    over, under = integer_sides(factors.number)
     number = sqrt(over) if over > 1.0 and under == 1.0 and sqrt(over).is_integer() else 1.0
     if number == 1.0 and over > 0.0:
-        return held
-    return multiplied(Number(number), Root(_upright(Factors(whole.number / number**2, whole.powers)).written()))
+        return root
+    return multiplied(Number(number), Root(_upright(Factors(factors.number / number**2, factors.powers)).written()))
 
 
-def _with_roots_reduced(whole: Factors) -> Factors:
+def _with_roots_reduced(factors: Factors) -> Factors:
     """Rewrite factors without roots of fractions in the denominator, and cancel factors with roots of the same base."""
-    found = whole
-    for root, power in whole.powers.items():
+    reduced = factors
+    for root, power in factors.powers.items():
         if isinstance(root, Root):
-            found = _with_root_reduced(found, root, power)
-    return found
+            reduced = _with_root_reduced(reduced, root, power)
+    return reduced
 
 
-def _with_root_reduced(whole: Factors, root: Root, power: int) -> Factors:
+def _with_root_reduced(factors: Factors, root: Root, power: int) -> Factors:
     """Invert a root of a fraction in the denominator and cancel its radicand with other factors."""
-    if power < 0 and not (has_fraction(root.inside) or _base_above(whole, root)):
-        return whole
+    if power < 0 and not (has_fraction(root.inside) or _base_above(factors, root)):
+        return factors
     inside = factors_of(root.inside, _as_fraction if power < 0 else _same).raised(1 if power > 0 else -1)
-    rest = whole * Factors(1.0, {root: -power})
+    rest = factors * Factors(1.0, {root: -power})
     for base, outer in rest.powers.items():
         inner = inside.powers.get(base, 0)
         if inner * outer < 0 and _is_positive_in(base, inside):
@@ -251,14 +255,14 @@ def _with_root_reduced(whole: Factors, root: Root, power: int) -> Factors:
             inside *= Factors(1.0, {base: 2 * step})
             rest *= Factors(1.0, {base: -step})
     if inside.raised(power).powers == factors_of(root.inside).powers and power > 0:
-        return whole
+        return factors
     return rest * _root_of(inside)
 
 
-def _base_above(whole: Factors, root: Root) -> bool:
+def _base_above(factors: Factors, root: Root) -> bool:
     """Return whether a factor of a radicand also occurs outside the root, in the numerator."""
     inside = factors_of(root.inside)
-    return any(whole.powers.get(base, 0) > 0 for base, power in inside.powers.items() if power > 0)
+    return any(factors.powers.get(base, 0) > 0 for base, power in inside.powers.items() if power > 0)
 
 
 def _is_positive_in(base: Expression, inside: Factors) -> bool:
@@ -280,13 +284,13 @@ REPEATED_SYMBOL_PATTERN = re.compile(SYMBOL + r"(?:\^\{\d\})? \1(?![\w'])")
 """Matches the LaTeX of products in which a symbol stands twice."""
 
 
-def plain_latex(held: Expression) -> str:
+def plain_latex(expression: Expression) -> str:
     """Return the LaTeX of a formula after simplification of its signs and fractions."""
-    found = held.latex()
-    if SIGN_PATTERN.search(found):
-        found = (held := with_plain_signs(held)).latex()
-    fractions = found.count("frac{")
-    nested = fractions > 1 and has_nested_fraction(held)
-    if nested or (fractions and is_reducible(held)) or REPEATED_SYMBOL_PATTERN.search(found):
-        return without_nested_fractions(held).latex()
-    return found
+    latex = expression.latex()
+    if SIGN_PATTERN.search(latex):
+        latex = (expression := with_plain_signs(expression)).latex()
+    fractions = latex.count("frac{")
+    nested = fractions > 1 and has_nested_fraction(expression)
+    if nested or (fractions and is_reducible(expression)) or REPEATED_SYMBOL_PATTERN.search(latex):
+        return without_nested_fractions(expression).latex()
+    return latex

@@ -61,12 +61,12 @@ class Polynomial:
             return other.scaled(factor)
         if (factor := other.number) is not None:
             return self.scaled(factor)
-        found: dict[Monomial, float] = {}
+        terms: dict[Monomial, float] = {}
         for one, a in self.terms.items():
             for two, b in other.terms.items():
                 joined = _joined(one, two)
-                found[joined] = found.get(joined, 0.0) + a * b
-        return Polynomial(_cleaned(found))
+                terms[joined] = terms.get(joined, 0.0) + a * b
+        return Polynomial(_cleaned(terms))
 
     def scaled(self, factor: float) -> "Polynomial":
         """Return the polynomial times a number."""
@@ -132,9 +132,9 @@ class Polynomial:
 
     def value(self, at: Values) -> float:
         """Evaluate the polynomial directly; its value equals that of `expression` to the last digit."""
-        found = sum((_term_value(monomial, part, at) for monomial, part in self.terms.items()), 0.0)
-        assert not isinstance(found, complex)
-        return found
+        result = sum((_term_value(monomial, part, at) for monomial, part in self.terms.items()), 0.0)
+        assert not isinstance(result, complex)
+        return result
 
     def expression(self) -> Expression:
         """Return the polynomial as a formula, term by term."""
@@ -157,13 +157,13 @@ class Polynomial:
     def collected(self, names: Iterable[str]) -> Expression:
         """Return the polynomial as a formula with its terms collected by symbols: (m + M) a."""
         left = self
-        found: Expression = ZERO
+        expression: Expression = ZERO
         for name in names:
             before = left.coefficient(name)
             if before:
-                found = added(found, _times(before, Symbol(name)))
+                expression = added(expression, _times(before, Symbol(name)))
                 left = left.without((name,))
-        return added(found, left.expression())
+        return added(expression, left.expression())
 
 
 NIL = Polynomial({})
@@ -172,11 +172,11 @@ NIL = Polynomial({})
 def total(parts: Iterable[Polynomial]) -> Polynomial:
     """Return the sum of polynomials."""
     first, *others = [*parts] or [NIL]
-    found = dict(first.terms)
+    terms = dict(first.terms)
     for part in others:
         for monomial, factor in part.terms.items():
-            found[monomial] = found.get(monomial, 0.0) + factor
-    return Polynomial(_cleaned(found))
+            terms[monomial] = terms.get(monomial, 0.0) + factor
+    return Polynomial(_cleaned(terms))
 
 
 def term_expression(monomial: Monomial, part: float) -> Expression:
@@ -184,8 +184,8 @@ def term_expression(monomial: Monomial, part: float) -> Expression:
     above, below = list[Expression]([Number(part)]), list[Expression]()
     for atom, power in monomial:
         (above if power > 0 else below).append(atom if abs(power) == 1 else Power(atom, abs(power)))
-    found = multiplied(*above)
-    return Quotient(found, multiplied(*below)) if below else found
+    numerator = multiplied(*above)
+    return Quotient(numerator, multiplied(*below)) if below else numerator
 
 
 def _term_value(monomial: Monomial, part: float, at: Values) -> Scalar:
@@ -248,7 +248,7 @@ def _cleaned(terms: dict[Monomial, float]) -> dict[Monomial, float]:
         if sine is None or monomial not in kept:  # the partner of an earlier one
             continue
         part = kept[monomial]
-        rest = tuple(held for held in monomial if held[0] != sine)
+        rest = tuple(pair for pair in monomial if pair[0] != sine)
         partner = _joined(rest, ((Call("cos", sine.argument), 2),))
         if abs(kept.get(partner, 0.0) - part) <= COEFFICIENT_ATOL and partner in kept:
             del kept[monomial], kept[partner]
@@ -275,26 +275,26 @@ def _squared_sine(monomial: Monomial) -> Call | None:
     return None
 
 
-def divide_by_term(held: Polynomial, monomial: Monomial, part: float) -> Polynomial | None:
+def divide_by_term(polynomial: Polynomial, monomial: Monomial, part: float) -> Polynomial | None:
     """Divide a polynomial by a single term; return None if a term is not divisible."""
-    found: dict[Monomial, float] = {}
-    for term, factor in held.terms.items():
+    quotient_terms: dict[Monomial, float] = {}
+    for term, factor in polynomial.terms.items():
         powers = dict(term)
         for atom, power in monomial:
             powers[atom] = powers.get(atom, 0) - power
         if any(power < 0 for power in powers.values()):
             return None
-        found[tuple((atom, power) for atom, power in powers.items() if power)] = factor / part
-    return Polynomial(found)
+        quotient_terms[tuple((atom, power) for atom, power in powers.items() if power)] = factor / part
+    return Polynomial(quotient_terms)
 
 
 def common_monomial(monomials: list[Monomial]) -> Monomial:
     """Return the common factors of all monomials in their lowest powers; empty if there are no monomials."""
-    found = dict(monomials[0]) if monomials else {}
+    common = dict(monomials[0]) if monomials else {}
     for monomial in monomials[1:]:
         powers = dict(monomial)
-        found = {atom: min(power, powers[atom]) for atom, power in found.items() if atom in powers}
-    return tuple(sorted(found.items(), key=atom_sort_key))
+        common = {atom: min(power, powers[atom]) for atom, power in common.items() if atom in powers}
+    return tuple(sorted(common.items(), key=atom_sort_key))
 
 
 def _less(monomial: Monomial, shared: Monomial) -> Monomial:
@@ -322,7 +322,7 @@ def square_root(inside: Polynomial, at: Mapping[str, float]) -> Polynomial | Non
         return None
     roots = [Polynomial({tuple((atom, power // 2) for atom, power in m): math.sqrt(part)}) for m, part in plain]
     for signs in product((1.0, -1.0), repeat=len(roots) - 1):
-        found = total(root.scaled(sign) for root, sign in zip(roots, (1.0, *signs), strict=True))
-        if not (found * found - inside):
-            return found if found.value(at) > 0.0 else found.scaled(-1.0)
+        candidate = total(root.scaled(sign) for root, sign in zip(roots, (1.0, *signs), strict=True))
+        if not (candidate * candidate - inside):
+            return candidate if candidate.value(at) > 0.0 else candidate.scaled(-1.0)
     return None

@@ -50,26 +50,26 @@ def solved_for(
 
     `written` converts the coefficients of a quadratic equation to formulas.
     """
-    for held in _branches(name, formula, value, written):
-        found = _real(held, at)
-        if found is not None and abs(found - at[name]) <= BRANCH_RTOL * abs(at[name]):
-            return held
+    for branch in _branches(name, formula, value, written):
+        solution = _real(branch, at)
+        if solution is not None and abs(solution - at[name]) <= BRANCH_RTOL * abs(at[name]):
+            return branch
     return numeric_root(name, formula, value, at)
 
 
 def other_solutions(name: str, formula: Expression, value: Expression, at: Mapping[str, float]) -> list[float]:
     """Return the other values of a symbol that solve formula = value, besides its known value in `at`."""
-    found: list[float] = []
-    for held in _branches(name, formula, value, Polynomial.factored):
-        other = _real(held, at)
-        if other is None or any(abs(other - known) <= BRANCH_RTOL * abs(known) for known in (at[name], *found)):
+    solutions: list[float] = []
+    for branch in _branches(name, formula, value, Polynomial.factored):
+        other = _real(branch, at)
+        if other is None or any(abs(other - known) <= BRANCH_RTOL * abs(known) for known in (at[name], *solutions)):
             continue
         reached, wanted = (_real(side, {**at, name: other}) for side in (formula, value))
         if reached is None or wanted is None:
             continue
         if abs(reached - wanted) <= BRANCH_RTOL * (abs(wanted) or max(1.0, other**2)):
-            found.append(other)
-    return found
+            solutions.append(other)
+    return solutions
 
 
 def numeric_root(name: str, formula: Expression, value: Expression, at: Mapping[str, float]) -> NumericRoot:
@@ -77,44 +77,46 @@ def numeric_root(name: str, formula: Expression, value: Expression, at: Mapping[
     return NumericRoot(added(formula, -value), name, at[name])
 
 
-def substitute(held: Expression, name: str, formula: Expression) -> Expression:
+def substitute(expression: Expression, name: str, formula: Expression) -> Expression:
     """Substitute a formula for a symbol."""
-    if name not in held.symbols():
-        return held
-    if isinstance(held, Symbol):
+    if name not in expression.symbols():
+        return expression
+    if isinstance(expression, Symbol):
         return formula
-    if isinstance(held, NumericFormula):
-        return substitute(held.inner, name, formula)
-    if not held.parts:
-        raise TypeError(f"{type(held).__name__} holds no symbol that could be replaced")
-    return held.built_of([substitute(part, name, formula) for part in held.parts])
+    if isinstance(expression, NumericFormula):
+        return substitute(expression.inner, name, formula)
+    if not expression.parts:
+        raise TypeError(f"{type(expression).__name__} holds no symbol that could be replaced")
+    return expression.built_of([substitute(part, name, formula) for part in expression.parts])
 
 
-def substitute_all(held: Expression, formulas: Mapping[str, Expression]) -> Expression:
+def substitute_all(expression: Expression, formulas: Mapping[str, Expression]) -> Expression:
     """Substitute formulas for symbols, one after the other."""
-    return reduce(lambda whole, pair: substitute(whole, *pair), formulas.items(), held)
+    return reduce(lambda current, pair: substitute(current, *pair), formulas.items(), expression)
 
 
 def evaluate_known_parts(
-    held: Expression, unknown: frozenset[str], worked: Callable[[Expression], Expression]
+    expression: Expression, unknown: frozenset[str], worked: Callable[[Expression], Expression]
 ) -> Expression:
     """Replace the parts of a formula without unknowns by numbers, unless each of them is a single symbol."""
-    found = _Settling(unknown, worked).of(held)
-    return _without_symbols(found, unknown, worked) if next(numeric_parts(found), None) is not None else found
+    evaluated = _Settling(unknown, worked).of(expression)
+    return (
+        _without_symbols(evaluated, unknown, worked) if next(numeric_parts(evaluated), None) is not None else evaluated
+    )
 
 
 def _without_symbols(
-    held: Expression, unknown: frozenset[str], worked: Callable[[Expression], Expression]
+    expression: Expression, unknown: frozenset[str], worked: Callable[[Expression], Expression]
 ) -> Expression:
     """Replace known symbols by their values and put numbers first in products, as in 3.2 v."""
-    if isinstance(held, Symbol):
-        return held if held.name in unknown else worked(held)
-    if not held.parts or isinstance(held, NumericFormula):
-        return held
-    parts = [_without_symbols(part, unknown, worked) for part in held.parts]
-    if isinstance(held, Product):
+    if isinstance(expression, Symbol):
+        return expression if expression.name in unknown else worked(expression)
+    if not expression.parts or isinstance(expression, NumericFormula):
+        return expression
+    parts = [_without_symbols(part, unknown, worked) for part in expression.parts]
+    if isinstance(expression, Product):
         parts.sort(key=lambda part: not isinstance(part, NumericFormula))
-    return held.built_of(parts)
+    return expression.built_of(parts)
 
 
 class _Settling:
@@ -153,13 +155,13 @@ class _Settling:
         return self._open[id(held)]
 
 
-def _real(held: Expression, at: Mapping[str, float]) -> float | None:
+def _real(expression: Expression, at: Mapping[str, float]) -> float | None:
     """Return the real value of a formula; None if it is undefined or complex."""
     try:
-        found = held.value(at)
+        value = expression.value(at)
     except (ValueError, ZeroDivisionError, OverflowError):
         return None
-    return None if isinstance(found, complex) else found
+    return None if isinstance(value, complex) else value
 
 
 def _branches(name: str, formula: Expression, value: Expression, written: CoefficientWriter) -> Iterator[Expression]:
@@ -227,14 +229,14 @@ def values_with(chain: Chain, target: float, unknown: str, book: SolutionBuilder
 
     def off(value: float) -> float:
         try:
-            found = chain.value({**book.values, unknown: value})
+            reached = chain.value({**book.values, unknown: value})
         except (ValueError, ArithmeticError):
             return float("nan")
-        return found - target if isinstance(found, float) else float("nan")
+        return reached - target if isinstance(reached, float) else float("nan")
 
     points = _points(unknown, book)
     sides = [off(point) for point in points]
-    found: list[float] = []
+    reached: list[float] = []
     for n in range(len(points) - 1):
         ends = isfinite(sides[n]) and isfinite(sides[n + 1])
         if ends and (sides[n] * sides[n + 1] < 0.0 or sides[n + 1] == 0.0 or (n == 0 and sides[n] == 0.0)):
@@ -243,8 +245,8 @@ def values_with(chain: Chain, target: float, unknown: str, book: SolutionBuilder
                 middle = 0.5 * (low + high)
                 low, high = (middle, high) if off(middle) * off(low) > 0.0 else (low, middle)
             if abs(off(low)) <= POLE_RATIO * max(abs(sides[n]), abs(sides[n + 1])):
-                found.append(0.5 * (low + high))
-    return found
+                reached.append(0.5 * (low + high))
+    return reached
 
 
 def is_restitution(name: str, book: SolutionBuilder) -> bool:
@@ -279,23 +281,23 @@ SMALLEST = "The smallest positive solution, found numerically, is"
 
 
 def root_sentence(
-    book: SolutionBuilder, step: StepBuilder, name: Symbol, residual: Expression, near: float, unit: str, said: str
+    book: SolutionBuilder, step: StepBuilder, name: Symbol, residual: Expression, near: float, unit: str, text: str
 ) -> str:
     """Return a sentence that gives a name the value of the root of `residual` near a number, in closed form if short.
 
-    If the equation has a short solution, the sentence gives its formula without the words `said`. Otherwise, if the
+    If the equation has a short solution, the sentence gives its formula without the words `text`. Otherwise, if the
     formula depends on the unknown, the sentence is empty: the equation, which was stated, defines the name.
     """
     closed = solved_for(name.name, residual, ZERO, {**book.values, name.name: near})
     if not isinstance(closed, NumericRoot) and len(closed.latex()) <= MAX_FORMULA_LENGTH:
         return f"Hence {step.result(name, closed, unit)}."
-    return roots_sentence(book, step, [(name, residual, near)], unit, said)
+    return roots_sentence(book, step, [(name, residual, near)], unit, text)
 
 
-def roots_sentence(book: SolutionBuilder, step: StepBuilder, roots: Sequence[NamedRoot], unit: str, said: str) -> str:
+def roots_sentence(book: SolutionBuilder, step: StepBuilder, roots: Sequence[NamedRoot], unit: str, text: str) -> str:
     """Return a sentence with the numerical roots of several formulas; empty if they depend on the unknown."""
-    told, hidden = list[str](), False
+    equations, hidden = list[str](), False
     for name, residual, near in roots:
         hidden = hidden or not book.hidden.isdisjoint(residual.symbols())
-        told.append(step.result(name, (ImplicitRoot if hidden else NumericRoot)(residual, name.name, near), unit))
-    return "" if hidden else f"{said} {join_words(told)}."
+        equations.append(step.result(name, (ImplicitRoot if hidden else NumericRoot)(residual, name.name, near), unit))
+    return "" if hidden else f"{text} {join_words(equations)}."

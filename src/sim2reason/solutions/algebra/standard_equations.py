@@ -83,12 +83,12 @@ def as_one_fraction(formula: Expression, name: str, *, always: bool = False) -> 
         return Root(as_one_fraction(formula.inside, name))
     plain = _without_squared_roots(formula)
     try:
-        found = reduced_quotient(*_sides(fraction(expand_numbers(plain, name))), grouped=always)
+        combined = reduced_quotient(*_sides(fraction(expand_numbers(plain, name))), grouped=always)
     except OverflowError:
         return plain
-    again = _without_squared_roots(found)  # squares of roots may appear once other terms have cancelled
-    found = as_one_fraction(again, name) if again != found else found
-    return found if always or len(found.latex()) < len(plain.latex()) else plain
+    again = _without_squared_roots(combined)  # squares of roots may appear once other terms have cancelled
+    combined = as_one_fraction(again, name) if again != combined else combined
+    return combined if always or len(combined.latex()) < len(plain.latex()) else plain
 
 
 def as_power(formula: Expression, name: str, worked: Callable[[Expression], Expression]) -> Expression | None:
@@ -107,10 +107,10 @@ def as_power(formula: Expression, name: str, worked: Callable[[Expression], Expr
     return multiplied(worked(reduced_quotient(rest, below)), power_of(Symbol(name), power))
 
 
-def found_by_double_angle(formula: Expression, found: Expression, name: str) -> bool:
+def found_by_double_angle(formula: Expression, solution: Expression, name: str) -> bool:
     """Return whether an angle is found as half of a double angle, from the squares of its sine and cosine."""
     squares = {Power(Call(function, Symbol(name)), 2) for function in ("sin", "cos")}
-    halved = isinstance(found, Quotient) and found.below == Number(2.0)
+    halved = isinstance(solution, Quotient) and solution.below == Number(2.0)
     return halved and any(part in squares for part in _subexpressions(formula))
 
 
@@ -129,24 +129,24 @@ def _subexpressions(held: Expression) -> Iterator[Expression]:
         yield from _subexpressions(part)
 
 
-def _without_squared_roots(held: Expression) -> Expression:
+def _without_squared_roots(expression: Expression) -> Expression:
     """Replace squares of square roots by their radicands."""
-    if not held.parts:
-        return held
-    held = held.built_of([_without_squared_roots(part) for part in held.parts])
-    if not isinstance(held, Power) or held.exponent < 0 or held.exponent % 2:
-        return held
-    factors = held.base.factors if isinstance(held.base, Product) else (held.base,)
+    if not expression.parts:
+        return expression
+    expression = expression.built_of([_without_squared_roots(part) for part in expression.parts])
+    if not isinstance(expression, Power) or expression.exponent < 0 or expression.exponent % 2:
+        return expression
+    factors = expression.base.factors if isinstance(expression.base, Product) else (expression.base,)
     if not any(isinstance(factor, Root) for factor in factors):
-        return held
-    half = held.exponent // 2
-    squared = (power_of(f.inside, half) if isinstance(f, Root) else Power(f, held.exponent) for f in factors)
+        return expression
+    half = expression.exponent // 2
+    squared = (power_of(f.inside, half) if isinstance(f, Root) else Power(f, expression.exponent) for f in factors)
     return reduce(multiplied, squared)
 
 
-def _sides(held: PolynomialFraction) -> tuple[Polynomial, Polynomial]:
+def _sides(quotient: PolynomialFraction) -> tuple[Polynomial, Polynomial]:
     """Return the numerator and the expanded denominator of a fraction."""
-    return held.above, reduce(mul, held.below, Polynomial.of(1.0))
+    return quotient.above, reduce(mul, quotient.below, Polynomial.of(1.0))
 
 
 SAMPLE_WINDOWS = (
@@ -167,9 +167,9 @@ def closed_root(chain: Chain, at: Symbol, unknown: str, values: Mapping[str, flo
     """Return the closed form of an unknown for which a chain of formulas equals the symbol `at`; None if not found."""
     target, near = values[at.name], values[unknown]
     for power, basis, (above, below), _ in _fractions(chain, unknown, values):
-        found = above - target**power * below
-        found = found / np.abs(found).max()
-        equation = _summed(basis, found, np.abs(found) > MEANS)
+        coefficients = above - target**power * below
+        coefficients = coefficients / np.abs(coefficients).max()
+        equation = _summed(basis, coefficients, np.abs(coefficients) > MEANS)
         closed = solved_for(unknown, equation, ZERO, {unknown: near})
         if not isinstance(closed, NumericRoot):
             return ClosedRoot(added(chain, -at), unknown, near, equation, closed)
@@ -179,7 +179,9 @@ def closed_root(chain: Chain, at: Symbol, unknown: str, values: Mapping[str, flo
 def fraction_in(chain: Chain, at: Symbol, unknown: str, values: Mapping[str, float]) -> tuple[Expression, Expression]:
     """Return both sides of the equation of a chain of formulas: `at` or its square, and a fraction of sums."""
     for power, basis, parts, points in _fractions(chain, unknown, values):
-        sizes = np.array([max(abs(held.value({unknown: x})) for x in points.tolist()) for held in basis])
+        sizes = np.array(
+            [max(abs(basis_function.value({unknown: x})) for x in points.tolist()) for basis_function in basis]
+        )
         scaled = [part / _largest(parts[1]) for part in parts]
         above, below = (_summed(basis, part, _is_shown(np.abs(part * sizes))) for part in scaled)
         return Power(at, power) if power > 1 else at, ratio(above, below)
@@ -212,17 +214,21 @@ def _sampled(chain: Chain, unknown: str, values: Mapping[str, float]) -> tuple[A
     for first, last in SAMPLE_WINDOWS:
         points = values[unknown] * np.geomspace(first, last, POINTS)
         try:
-            found = [chain.value({**values, unknown: x}) for x in points.tolist()]
+            samples = [chain.value({**values, unknown: x}) for x in points.tolist()]
         except (ValueError, ArithmeticError):
             continue
-        if all(isinstance(value, float) for value in found):
-            return points, np.array(found)
+        if all(isinstance(value, float) for value in samples):
+            return points, np.array(samples)
     return None
 
 
 def _summed(basis: Basis, parts: Array, kept: Array) -> Expression:
     """Return the sum of functions times coefficients, without the terms that are not `kept`."""
-    return summed(Number(part) * held for held, part, keeps in zip(basis, parts.tolist(), kept, strict=True) if keeps)
+    return summed(
+        Number(part) * basis_function
+        for basis_function, part, keeps in zip(basis, parts.tolist(), kept, strict=True)
+        if keeps
+    )
 
 
 def _is_shown(terms: Array) -> Array:
@@ -262,15 +268,15 @@ def trend(formula: Expression, name: str, values: Mapping[str, float]) -> str:
 
     Samples have the sign of the symbol's value; the formula may be undefined at some of them.
     """
-    found: list[float] = []
-    for place in (values[name] * np.geomspace(1.0 / SPAN, SPAN, SAMPLES)).tolist():
+    samples: list[float] = []
+    for argument in (values[name] * np.geomspace(1.0 / SPAN, SPAN, SAMPLES)).tolist():
         try:
-            value = formula.value({**values, name: place})
+            value = formula.value({**values, name: argument})
         except (ValueError, ArithmeticError):
             continue
         if isinstance(value, float):
-            found.append(value)
-    steps = [after - before for before, after in pairwise(found)]
+            samples.append(value)
+    steps = [after - before for before, after in pairwise(samples)]
     if len(steps) < MIN_TREND_SAMPLES or values[name] <= 0.0:
         return ""
     if all(step > 0.0 for step in steps):
@@ -278,11 +284,11 @@ def trend(formula: Expression, name: str, values: Mapping[str, float]) -> str:
     return "decreases" if all(step < 0.0 for step in steps) else ""
 
 
-def single_sine(name: str, found: Expression) -> str:
+def single_sine(name: str, solution: Expression) -> str:
     """Return a clause: a sin x + b cos x is a multiple of one sine, if x is arcsin(…) ± arctan(…); else ""."""
-    if not isinstance(found, Sum) or len(found.terms) != 2:
+    if not isinstance(solution, Sum) or len(solution.terms) != 2:
         return ""
-    signed = {pair[1].function: pair for term in found.terms if (pair := _signed(term)) is not None}
+    signed = {pair[1].function: pair for term in solution.terms if (pair := _signed(term)) is not None}
     if signed.keys() != {"arcsin", "arctan"}:
         return ""
     sign, inner = signed["arctan"]
@@ -300,11 +306,11 @@ def beyond_right_angle(others: Sequence[float], value: float) -> str:
     return f"The other solution, ${with_unit(others[0], DEGREES)}$, is more than $90^\\circ$."
 
 
-def _signed(held: Expression) -> tuple[float, Call] | None:
+def _signed(term: Expression) -> tuple[float, Call] | None:
     """Return the sign and the function of a term ± f(…); None for other terms."""
-    match held:
+    match term:
         case Call():
-            return 1.0, held
+            return 1.0, term
         case Product((Number(-1.0), Call() as inner)):
             return -1.0, inner
         case _:

@@ -21,42 +21,42 @@ from sim2reason.solutions.algebra.expressions import (
 from sim2reason.solutions.algebra.functions import Absolute, Call, Function, Pi, Power, Root
 
 
-def derivative(held: Expression, name: str) -> Expression:
+def derivative(expression: Expression, name: str) -> Expression:
     """Return the derivative of a formula with respect to a symbol; TypeError for a part without a known rule."""
-    if name not in held.symbols():
+    if name not in expression.symbols():
         return ZERO
-    match held:
+    match expression:
         case Symbol():
-            found = ONE
+            result = ONE
         case Sum():
-            found = reduce(added, (derivative(term, name) for term in held.terms))
+            result = reduce(added, (derivative(term, name) for term in expression.terms))
         case Product():
-            found = reduce(added, (_by_one(held, number, name) for number in range(len(held.factors))))
+            result = reduce(added, (_by_one(expression, number, name) for number in range(len(expression.factors))))
         case Quotient():
-            above, below = derivative(held.above, name), derivative(held.below, name)
-            top = added(multiplied(above, held.below), -multiplied(held.above, below))
-            found = above / held.below if below == ZERO else top / Power(held.below, 2)
+            above, below = derivative(expression.above, name), derivative(expression.below, name)
+            top = added(multiplied(above, expression.below), -multiplied(expression.above, below))
+            result = above / expression.below if below == ZERO else top / Power(expression.below, 2)
         case Power():
-            rest = held.base if held.exponent == 2 else Power(held.base, held.exponent - 1)
-            found = multiplied(Number(float(held.exponent)), multiplied(rest, derivative(held.base, name)))
+            rest = expression.base if expression.exponent == 2 else Power(expression.base, expression.exponent - 1)
+            result = multiplied(Number(float(expression.exponent)), multiplied(rest, derivative(expression.base, name)))
         case Root():
-            found = derivative(held.inside, name) / multiplied(Number(2.0), held)
+            result = derivative(expression.inside, name) / multiplied(Number(2.0), expression)
         case Call():
-            found = multiplied(_outer(held), derivative(held.argument, name))
+            result = multiplied(_outer(expression), derivative(expression.argument, name))
         case _:
-            raise TypeError(f"no rule for the derivative of {type(held).__name__}")
-    return found
+            raise TypeError(f"no rule for the derivative of {type(expression).__name__}")
+    return result
 
 
-def _by_one(held: Product, number: int, name: str) -> Expression:
+def _by_one(product: Product, number: int, name: str) -> Expression:
     """Return a product with one factor replaced by its derivative."""
-    factors = (derivative(f, name) if n == number else f for n, f in enumerate(held.factors))
+    factors = (derivative(f, name) if n == number else f for n, f in enumerate(product.factors))
     return reduce(multiplied, factors)
 
 
-def _outer(held: Call) -> Expression:
+def _outer(call: Call) -> Expression:
     """Return the derivative of a function with respect to its argument."""
-    x = held.argument
+    x = call.argument
     arc = Root(ONE - Power(x, 2))
     rules: dict[Function, Expression] = {
         "sin": Call("cos", x),
@@ -66,9 +66,9 @@ def _outer(held: Call) -> Expression:
         "arcsin": ONE / arc,
         "arccos": -(ONE / arc),
         "ln": ONE / x,
-        "exp": held,
+        "exp": call,
     }
-    return rules[held.function]
+    return rules[call.function]
 
 
 CANCELLATION_RTOL = 1e-9  # relative: a smaller sum of leading terms counts as zero
@@ -78,7 +78,7 @@ class CancelledError(Exception):
     """An error raised if the leading terms of a sum cancel, so that the limit needs terms of higher order."""
 
 
-def limit(held: Expression, name: str, at: Mapping[str, float], *, large: bool) -> Expression | None:
+def limit(expression: Expression, name: str, at: Mapping[str, float], *, large: bool) -> Expression | None:
     """Return the limit of a formula as a symbol tends to infinity (`large`) or zero; None if it is zero or infinite.
 
     `at` has values of the other symbols, which show the terms that cancel.
@@ -87,44 +87,46 @@ def limit(held: Expression, name: str, at: Mapping[str, float], *, large: bool) 
         CancelledError: leading terms cancel.
         TypeError: no rule is known for a part of the formula.
     """
-    leading, power = _leading(held, name, at, 1.0 if large else -1.0)
+    leading, power = _leading(expression, name, at, 1.0 if large else -1.0)
     return leading if power == 0.0 else None
 
 
-def _leading(held: Expression, name: str, at: Mapping[str, float], sense: float) -> tuple[Expression, float]:
+def _leading(expression: Expression, name: str, at: Mapping[str, float], sense: float) -> tuple[Expression, float]:
     """Return coefficient and exponent of a formula's leading term for a symbol going to infinity (`sense` 1) or 0."""
-    if name not in held.symbols():
-        return held, 0.0
-    match held:
+    if name not in expression.symbols():
+        return expression, 0.0
+    match expression:
         case Symbol():
-            found: tuple[Expression, float] = ONE, 1.0
+            leading_term: tuple[Expression, float] = ONE, 1.0
         case Sum():
-            found = _of_sum(held, name, at, sense)
+            leading_term = _of_sum(expression, name, at, sense)
         case Product():
-            parts = [_leading(factor, name, at, sense) for factor in held.factors]
-            found = reduce(multiplied, (part for part, _ in parts)), sum(power for _, power in parts)
+            parts = [_leading(factor, name, at, sense) for factor in expression.factors]
+            leading_term = reduce(multiplied, (part for part, _ in parts)), sum(power for _, power in parts)
         case Quotient():
-            (above, high), (below, low) = (_leading(part, name, at, sense) for part in (held.above, held.below))
-            found = above / below, high - low
+            (above, high), (below, low) = (
+                _leading(part, name, at, sense) for part in (expression.above, expression.below)
+            )
+            leading_term = above / below, high - low
         case Power():
-            base, power = _leading(held.base, name, at, sense)
-            found = Power(base, held.exponent), held.exponent * power
+            base, power = _leading(expression.base, name, at, sense)
+            leading_term = Power(base, expression.exponent), expression.exponent * power
         case Root() | Absolute():
-            inside, power = _leading(held.inside, name, at, sense)
-            found = held.built_of([inside]), power if isinstance(held, Absolute) else 0.5 * power
+            inside, power = _leading(expression.inside, name, at, sense)
+            leading_term = expression.built_of([inside]), power if isinstance(expression, Absolute) else 0.5 * power
         case Call():
-            argument, power = _leading(held.argument, name, at, sense)
+            argument, power = _leading(expression.argument, name, at, sense)
             if power != 0.0:
                 raise TypeError("no rule for a function of what grows or vanishes")
-            found = Call(held.function, argument), 0.0
+            leading_term = Call(expression.function, argument), 0.0
         case _:
-            raise TypeError(f"no rule for the limit of {type(held).__name__}")
-    return found
+            raise TypeError(f"no rule for the limit of {type(expression).__name__}")
+    return leading_term
 
 
-def _of_sum(held: Sum, name: str, at: Mapping[str, float], sense: float) -> tuple[Expression, float]:
+def _of_sum(expression: Sum, name: str, at: Mapping[str, float], sense: float) -> tuple[Expression, float]:
     """Return coefficient and exponent of a sum's leading term; CancelledError if its leading terms cancel."""
-    parts = [_leading(term, name, at, sense) for term in held.terms]
+    parts = [_leading(term, name, at, sense) for term in expression.terms]
     most = max(sense * power for _, power in parts)
     kept = [part for part, power in parts if sense * power == most]
     values = [part.value(at).real for part in kept]
@@ -180,9 +182,9 @@ class Factors:
         return self.number >= 0.0 and all(power % 2 == 0 or never_negative(base) for base, power in self.powers.items())
 
 
-def factors_of(held: Expression, of_sum: Callable[[Sum], Expression] = lambda held: held) -> Factors:
+def factors_of(expression: Expression, of_sum: Callable[[Sum], Expression] = lambda expression: expression) -> Factors:
     """Return a formula as powers of its factors; `of_sum` replaces each sum among them."""
-    match held:
+    match expression:
         case Number(x):
             return Factors(x, {})
         case Product(factors):
@@ -191,10 +193,10 @@ def factors_of(held: Expression, of_sum: Callable[[Sum], Expression] = lambda he
             return factors_of(above, of_sum) * factors_of(below, of_sum).raised(-1)
         case Power(base, exponent):
             return factors_of(base, of_sum).raised(exponent)
-        case Sum() if (whole := of_sum(held)) != held:
-            return factors_of(whole, of_sum)
+        case Sum() if (replacement := of_sum(expression)) != expression:
+            return factors_of(replacement, of_sum)
         case _:
-            return Factors(1.0, {held: 1})
+            return Factors(1.0, {expression: 1})
 
 
 def integer_sides(number: float) -> tuple[float, float]:
@@ -207,9 +209,9 @@ def integer_sides(number: float) -> tuple[float, float]:
     return float(fraction.numerator), float(fraction.denominator)
 
 
-def never_negative(held: Expression) -> bool:
+def never_negative(expression: Expression) -> bool:
     """Return whether a formula is at least zero for all values of its symbols."""
-    match held:
+    match expression:
         case Number(x):
             return x >= 0.0
         case Symbol(name):
@@ -218,28 +220,28 @@ def never_negative(held: Expression) -> bool:
         case Root() | Pi() | Call("exp"):
             return True
         case Sum() | Product() | Quotient():
-            return all(map(never_negative, held.parts))
+            return all(map(never_negative, expression.parts))
         case Power(base, exponent):
             return exponent % 2 == 0 or never_negative(base)
         case _:
             return False
 
 
-def has_fraction(held: Expression) -> bool:
+def has_fraction(expression: Expression) -> bool:
     """Return whether a formula contains a fraction outside the arguments of functions."""
-    return any(True for _ in _fractions(held))
+    return any(True for _ in _fractions(expression))
 
 
-def _fractions(held: Expression) -> Iterator[Expression]:
-    match held:
+def _fractions(expression: Expression) -> Iterator[Expression]:
+    match expression:
         case Quotient():
-            yield held
+            yield expression
         case Number(x) if not x.is_integer() and integer_sides(x)[1] != 1.0:
-            yield held
+            yield expression
         case Call() | Number():
             return
         case _:
-            for part in held.parts:
+            for part in expression.parts:
                 yield from _fractions(part)
 
 
@@ -247,9 +249,9 @@ def _raised(base: Expression, power: int) -> Expression:
     return base if power == 1 else Power(base, power)
 
 
-def factor_rank(held: Expression) -> int:
+def factor_rank(expression: Expression) -> int:
     """Return the sort key of a factor: numbers, symbols, sums, roots, functions, fractions."""
-    base = held.base if isinstance(held, Power) else held
+    base = expression.base if isinstance(expression, Power) else expression
     match base:
         case Number() | Pi():
             return -1

@@ -107,16 +107,16 @@ def unknown_by_trial(data: Mapping[str, Any]) -> tuple[str, float] | None:
     Raises:
         TreeError: there are several.
     """
-    found = _of_role(data, TRIAL)
-    if len(found) > 1:
+    trials = _of_role(data, TRIAL)
+    if len(trials) > 1:
         raise TreeError("several unknowns are found by trial")
-    return found[0] if found else None
+    return trials[0] if trials else None
 
 
 def _of_role(data: Mapping[str, Any], role: str) -> list[tuple[str, float]]:
     """Return the name on the left and the value on the right of each relation with a given role."""
-    relations = [held for step in data["steps"] for held in step["relations"] if held["role"] == role]
-    return [(str(held["left"]), float(held["right"])) for held in relations]
+    relations = [relation for step in data["steps"] for relation in step["relations"] if relation["role"] == role]
+    return [(str(relation["left"]), float(relation["right"])) for relation in relations]
 
 
 def by_trial(data: Mapping[str, Any], unknown: tuple[str, float], read: Reader) -> Recomputed:
@@ -133,17 +133,17 @@ def by_trial(data: Mapping[str, Any], unknown: tuple[str, float], read: Reader) 
     result, value = conditions[0]
 
     def excess(at: float) -> float:
-        found = read(_with(data, name, at, result))
-        if result not in found.values:
-            raise TreeError(next(iter(found.faults), f"{result} has no value"))
-        return found.values[result] - value
+        solution = read(_with(data, name, at, result))
+        if result not in solution.values:
+            raise TreeError(next(iter(solution.faults), f"{result} has no value"))
+        return solution.values[result] - value
 
     ends = near * (1.0 - 1.01 * STATED_ROOT_RTOL), near * (1.0 + 1.01 * STATED_ROOT_RTOL)
     failed = f"no value of {name} near {near:.6g} leads to {result} = {value:.6g}"
     if (excess(ends[0]) > 0.0) == (excess(ends[1]) > 0.0):
         raise TreeError(failed)
-    found = zero(excess, *ends, within=UNKNOWN_RTOL)
-    reached = read(_with(data, name, found, result))
+    solution = zero(excess, *ends, within=UNKNOWN_RTOL)
+    reached = read(_with(data, name, solution, result))
     if abs(reached.values[result] - value) > CONDITION_RTOL * abs(value):
         raise TreeError(failed)
     goal = str(data["goal"])
@@ -231,8 +231,8 @@ class _Recomputation:
 
     def _read(self, step: Mapping[str, Any]) -> None:
         """Process the relations of a step, then its integration."""
-        for held in step["relations"]:
-            left, right, role = held["left"], held["right"], str(held["role"])
+        for relation in step["relations"]:
+            left, right, role = relation["left"], relation["right"], str(relation["role"])
             check(left)
             check(right)
             if role not in (*STATED, COMPARED, TRIAL, CONDITION):
@@ -268,14 +268,14 @@ class _Recomputation:
 
     def _too_small(self) -> list[str]:
         """Return messages for inequalities that the solution states and that are false."""
-        found: list[str] = []
-        for held in self._compared:
+        messages: list[str] = []
+        for inequality in self._compared:
             try:
-                larger = held.excess(self._relations.values) > 0.0
+                larger = inequality.excess(self._relations.values) > 0.0
             except UNDEFINED:
                 larger = False
-            found += [] if larger else [f"isn't larger: {written(held.left)} than {written(held.right)}"]
-        return found
+            messages += [] if larger else [f"isn't larger: {written(inequality.left)} than {written(inequality.right)}"]
+        return messages
 
     def _undetermined(self) -> Sequence[str]:
         """Return messages for symbols and relations that do not follow from the laws that the solution states."""

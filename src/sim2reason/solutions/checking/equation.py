@@ -72,10 +72,10 @@ class Equation:
 
     def slopes(self, at: Values) -> tuple[float, Mapping[str, float]]:
         """Return left minus right, and its partial derivatives with respect to the symbols."""
-        (one, found), (other, right) = derivatives(self.left, at), derivatives(self.right, at)
+        (one, gradient), (other, right) = derivatives(self.left, at), derivatives(self.right, at)
         for name, slope in right.items():
-            found[name] = found.get(name, 0.0) - slope
-        return one - other, found
+            gradient[name] = gradient.get(name, 0.0) - slope
+        return one - other, gradient
 
 
 CONSISTENCY_RTOL = 1e-8  # relative: largest contradiction of redundant equations
@@ -97,20 +97,20 @@ def separated(tree: Tree, unknowns: frozenset[str]) -> dict[str, Tree]:
         return _summed([separated(part, unknowns) for part in parts])
     bound = [n for n, part in enumerate(parts) if not unknowns.isdisjoint(symbols(part))]
     if operation == "/" and bound == [0]:
-        return {name: ["/", held, parts[1]] for name, held in separated(parts[0], unknowns).items()}
+        return {name: ["/", coefficient, parts[1]] for name, coefficient in separated(parts[0], unknowns).items()}
     if operation == "*" and len(bound) == 1:
         rest = [part for n, part in enumerate(parts) if n != bound[0]]
-        return {name: ["*", held, *rest] for name, held in separated(parts[bound[0]], unknowns).items()}
+        return {name: ["*", coefficient, *rest] for name, coefficient in separated(parts[bound[0]], unknowns).items()}
     raise TreeError(f"an equation of motion is not linear in {', '.join(sorted(unknowns & {*symbols(tree)}))}")
 
 
 def _summed(parts: Sequence[Mapping[str, Tree]]) -> dict[str, Tree]:
     """Return the sum of several linear forms."""
-    found: dict[str, list[Tree]] = {}
+    collected: dict[str, list[Tree]] = {}
     for part in parts:
-        for name, held in part.items():
-            found.setdefault(name, []).append(held)
-    return {name: held[0] if len(held) == 1 else ["+", *held] for name, held in found.items()}
+        for name, entry in part.items():
+            collected.setdefault(name, []).append(entry)
+    return {name: entry[0] if len(entry) == 1 else ["+", *entry] for name, entry in collected.items()}
 
 
 class LinearSystem:
@@ -123,11 +123,11 @@ class LinearSystem:
             raise TreeError(f"{len(equations)} equations for {len(unknowns)} accelerations and forces")
         self._entries: list[tuple[int, int, EvaluateAll]] = []
         self._rests: list[EvaluateAll] = []
-        place, names = {name: number for number, name in enumerate(unknowns)}, frozenset(unknowns)
+        columns, names = {name: number for number, name in enumerate(unknowns)}, frozenset(unknowns)
         for row, equation in enumerate(equations):
             parts = separated(["+", equation.left, ["*", -1.0, equation.right]], names)
             self._rests.append(compiled_for_many(parts.pop("", 0.0)))
-            self._entries += [(row, place[name], compiled_for_many(part)) for name, part in parts.items()]
+            self._entries += [(row, columns[name], compiled_for_many(part)) for name, part in parts.items()]
 
     def _filled(self, at: Mapping[str, float | Array], count: int) -> tuple[Array, Array]:
         """Return the matrices, (count, rows, unknowns), and the right sides, (count, rows, 1), at several instants."""
@@ -144,14 +144,14 @@ class LinearSystem:
         matrix, right = self._filled(at, count)
         try:
             if matrix.shape[1] == 1:
-                found = right / matrix
+                solution = right / matrix
             elif matrix.shape[1] == matrix.shape[2]:
-                found = np.linalg.solve(matrix, right)
+                solution = np.linalg.solve(matrix, right)
             else:
-                found = np.linalg.pinv(matrix, rcond=RANK_RTOL) @ right
+                solution = np.linalg.pinv(matrix, rcond=RANK_RTOL) @ right
         except np.linalg.LinAlgError as error:
             raise ArithmeticError(UNDETERMINED) from error
-        return {name: np.asarray(found[:, number, 0], dtype=np.float64) for number, name in enumerate(self.unknowns)}
+        return {name: np.asarray(solution[:, number, 0], dtype=np.float64) for number, name in enumerate(self.unknowns)}
 
     def examine(self, at: Mapping[str, float | Array]) -> None:
         """Raise ArithmeticError unless the equations at one instant have full rank and are consistent."""
@@ -164,7 +164,9 @@ class LinearSystem:
         columns = np.abs(matrix).max(axis=0)
         if not columns.all() or np.linalg.matrix_rank(matrix / columns, tol=RANK_RTOL) < matrix.shape[1]:
             raise ArithmeticError(UNDETERMINED)
-        found: Array = np.asarray(np.linalg.lstsq(matrix / columns, right, rcond=None)[0], dtype=np.float64) / columns
-        terms = np.abs(matrix) @ np.abs(found) + np.abs(right)
-        if (np.abs(matrix @ found - right) > CONSISTENCY_RTOL * terms + ROUNDING_ATOL).any():
+        solution: Array = (
+            np.asarray(np.linalg.lstsq(matrix / columns, right, rcond=None)[0], dtype=np.float64) / columns
+        )
+        terms = np.abs(matrix) @ np.abs(solution) + np.abs(right)
+        if (np.abs(matrix @ solution - right) > CONSISTENCY_RTOL * terms + ROUNDING_ATOL).any():
             raise ArithmeticError("the equations of motion contradict each other")

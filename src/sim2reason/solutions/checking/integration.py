@@ -30,17 +30,17 @@ class Instant:
         """Separate definitions from equations of motion; TreeError if a symbol has no value."""
         coordinates = data["coordinates"]
         self.time: str = data["time"]
-        self.places = [str(held["place"]) for held in coordinates]
-        self.rates = [str(held["rate"]) for held in coordinates]
-        self.sums = [str(held["name"]) for held in data["accumulated"]]
-        unknowns = [*(str(held["acceleration"]) for held in coordinates), *map(str, data["unknowns"])]
+        self.places = [str(entry["place"]) for entry in coordinates]
+        self.rates = [str(entry["rate"]) for entry in coordinates]
+        self.sums = [str(entry["name"]) for entry in data["accumulated"]]
+        unknowns = [*(str(entry["acceleration"]) for entry in coordinates), *map(str, data["unknowns"])]
         self.names = [self.time, *self.places, *self.rates, *self.sums, *unknowns]
         if len({*self.names}) < len(self.names):
             raise TreeError("a phase has two things of one name")
         if taken := sorted(known.keys() & {*self.names}):
             raise TreeError(f"{', '.join(taken)} has a value already")
         self.at: dict[str, float | Array] = dict(known)
-        waiting = [Equation.of(held["left"], held["right"]) for held in data["equations"]]
+        waiting = [Equation.of(entry["left"], entry["right"]) for entry in data["equations"]]
         self._before = self._definitions(waiting, {*self.names} - {*unknowns})
         extra = self._defined_by_unknowns(waiting, unknowns)
         self._system = LinearSystem(waiting, [*unknowns, *extra])
@@ -53,7 +53,7 @@ class Instant:
 
     def _definitions(self, waiting: list[Equation], state: set[str]) -> list[tuple[str, EvaluateAll]]:
         """Return symbols with their formulas in terms of the state, in order of evaluation; remove their equations."""
-        found, known = list[tuple[str, EvaluateAll]](), state | self.at.keys()
+        definitions, known = list[tuple[str, EvaluateAll]](), state | self.at.keys()
         while True:
             for equation in waiting:
                 name = equation.left
@@ -63,12 +63,12 @@ class Instant:
                     and name not in known
                     and not equation.names - known - {name}
                 ):
-                    found.append((name, compiled_for_many(equation.right)))
+                    definitions.append((name, compiled_for_many(equation.right)))
                     known.add(name)
                     waiting.remove(equation)
                     break
             else:
-                return found
+                return definitions
 
     def _defined_by_unknowns(self, waiting: Sequence[Equation], unknowns: Sequence[str]) -> list[str]:
         """Return further symbols defined by accelerations and forces, to be solved for together with them."""
@@ -164,8 +164,8 @@ def formulas(data: Mapping[str, Any]) -> Iterator[Tree]:
     yield data["begin"]
     yield data["until"]["expression"]
     for part, names in PARTS.items():
-        for held in data[part]:
-            yield from (held[name] for name in names)
+        for entry in data[part]:
+            yield from (entry[name] for name in names)
 
 
 class _Phase:
@@ -174,11 +174,11 @@ class _Phase:
     def __init__(self, data: Mapping[str, Any], known: Mapping[str, float]) -> None:
         self._instant, self._ends = Instant(data, known), data["ends"]
         coordinates, sums, until = data["coordinates"], data["accumulated"], data["until"]
-        starts = [held["initial_place"] for held in coordinates] + [held["initial_rate"] for held in coordinates]
-        starts += [held["initial"] for held in sums]
+        starts = [entry["initial_place"] for entry in coordinates] + [entry["initial_rate"] for entry in coordinates]
+        starts += [entry["initial"] for entry in sums]
         self._start = np.array([value(tree, known) for tree in starts])
         self._begin = value(data["begin"], known)
-        self._flows = [compiled_for_many(held["rate"]) for held in sums]
+        self._flows = [compiled_for_many(entry["rate"]) for entry in sums]
         self._direction, self._occurrence = int(until["direction"]), int(until["occurrence"])
         if not 1 <= self._occurrence <= MAX_OCCURRENCES or self._direction not in (-1, 0, 1):
             raise TreeError("the end of a phase has no such occurrence or direction")
@@ -191,13 +191,13 @@ class _Phase:
         """Return the time derivatives, (m, n), of coordinates, rates and integrals."""
         instant, count = self._instant, len(self._instant.places)
         instant.move(times, states)
-        found = np.empty_like(states)
-        found[:, :count] = states[:, count : 2 * count]
+        derivatives = np.empty_like(states)
+        derivatives[:, :count] = states[:, count : 2 * count]
         for number, acceleration in enumerate(instant.accelerate()):
-            found[:, count + number] = acceleration
+            derivatives[:, count + number] = acceleration
         for number, flow in enumerate(self._flows):
-            found[:, 2 * count + number] = flow(instant.at)
-        return found
+            derivatives[:, 2 * count + number] = flow(instant.at)
+        return derivatives
 
     def _excess(self, times: Array, states: Array) -> Array:
         """Return the values of the end condition, (m,), at several instants."""

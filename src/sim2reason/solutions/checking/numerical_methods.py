@@ -110,8 +110,8 @@ class Piece:
 
     def state(self, time: float) -> Array:
         """Return the state at a time within the step or near it, (n,)."""
-        place = 2.0 * (time - self.begin) / self.length - 1.0
-        return np.asarray(chebyshev.chebval(place, COEFFICIENTS @ self.states), dtype=np.float64)
+        local_time = 2.0 * (time - self.begin) / self.length - 1.0
+        return np.asarray(chebyshev.chebval(local_time, COEFFICIENTS @ self.states), dtype=np.float64)
 
 
 def tail(values: Array) -> Array:
@@ -132,13 +132,13 @@ def pieces(slope: Slope, begin: float, start: Array, count: int, fits: Callable[
     length, time, state = FIRST, begin, start
     while length > MIN_STEP_RATIO * max(FIRST, abs(time)):
         guess = np.tile(state, (DEGREE + 1, 1))
-        found = _step(slope, Piece(time, length, guess), state, count)
-        ratio = np.inf if found is None else float((tail(found.states) / _sizes(found.states, count)).max()) / TOLERANCE
-        if found is None or not ratio <= 1.0 or not fits(found):
+        piece = _step(slope, Piece(time, length, guess), state, count)
+        ratio = np.inf if piece is None else float((tail(piece.states) / _sizes(piece.states, count)).max()) / TOLERANCE
+        if piece is None or not ratio <= 1.0 or not fits(piece):
             length *= 0.25 if not np.isfinite(ratio) else min(0.7, max(0.2, 0.8 * ratio ** (-1.0 / DEGREE)))
             continue
-        yield found
-        time, state = time + length, found.states[-1]
+        yield piece
+        time, state = time + length, piece.states[-1]
         length *= min(3.0, 0.9 * max(ratio, 1e-12) ** (-1.0 / DEGREE))
 
 
@@ -150,8 +150,8 @@ def state_at(slope: Slope, piece: Piece, time: float, count: int) -> Array:
     begin, length = piece.state(piece.begin), time - piece.begin
     if length <= MIN_STEP_RATIO * piece.length:
         return begin
-    found = _step(slope, Piece(piece.begin, length, np.tile(begin, (DEGREE + 1, 1))), begin, count)
-    return piece.state(time) if found is None else found.states[-1]
+    substep = _step(slope, Piece(piece.begin, length, np.tile(begin, (DEGREE + 1, 1))), begin, count)
+    return piece.state(time) if substep is None else substep.states[-1]
 
 
 def _sizes(states: Array, count: int) -> Array:
@@ -167,13 +167,13 @@ def _step(slope: Slope, piece: Piece, start: Array, count: int) -> Piece | None:
     states, times, last = piece.states, piece.times, np.inf
     for _ in range(PICARD_ITERATIONS):
         try:
-            found = start + 0.5 * piece.length * (INTEGRALS @ slope(times, states))
+            updated = start + 0.5 * piece.length * (INTEGRALS @ slope(times, states))
         except ArithmeticError:
             return None
-        if not np.isfinite(found).all():
+        if not np.isfinite(updated).all():
             return None
-        change = float((np.abs(found - states).max(axis=0) / _sizes(found, count)).max())
-        states = found
+        change = float((np.abs(updated - states).max(axis=0) / _sizes(updated, count)).max())
+        states = updated
         if change <= CONVERGENCE_RTOL or (change <= STALL_RTOL and change >= 0.5 * last):
             return Piece(piece.begin, piece.length, states)
         last = change

@@ -83,7 +83,7 @@ class Relations:
         self.values[name] = number
         for equation in self._waiting.pop(name, []):
             self._missing[equation].discard(name)
-        for equation in [held for held, missing in self._missing.items() if len(missing) < 2]:
+        for equation in [pending for pending, missing in self._missing.items() if len(missing) < 2]:
             self._look_at(equation)
 
     def _look_at(self, equation: Equation) -> None:
@@ -129,9 +129,9 @@ class Relations:
     def _judge_parts(self, tree: Tree) -> None:
         """Record faults in a tree: numbers that differ from their formulas, and roots that are not unique."""
         for _, inner, number in parts_named(tree, "worked"):
-            found, said = value(inner, self.values), float(number)  # type: ignore[arg-type]
-            if abs(found - said) > STATED_NUMBER_RTOL * abs(found):
-                self.faults.append(f"a formula comes to {found:.9g}, not {said:.9g}")
+            exact, stated = value(inner, self.values), float(number)  # type: ignore[arg-type]
+            if abs(exact - stated) > STATED_NUMBER_RTOL * abs(exact):
+                self.faults.append(f"a formula comes to {exact:.9g}, not {stated:.9g}")
         for part in parts_named(tree, "root"):
             if has_other_root(part, self.values):
                 self.faults.append(f"the root {part[1]} near {part[3]} is not the only one there")
@@ -145,11 +145,11 @@ class Relations:
             if abs(self.values[name] - near) > STATED_ROOT_RTOL * abs(near):
                 self.faults.append(f"{name} is {self.values[name]:.6g}, not {near:.6g}")
             return
-        chain, whole = self._chain(name)
+        chain, verifiable = self._chain(name)
         places = [near * (1.0 + 1.01 * STATED_ROOT_RTOL * (2.0 * n / SAMPLES - 1.0)) for n in range(SAMPLES + 1)]
         try:
-            there = [self._along(chain, name, place) for place in places]
-            sharp = [each for each in whole if not (each.holds(there[0]) and each.holds(there[-1]))]
+            there = [self._along(chain, name, candidate) for candidate in places]
+            sharp = [each for each in verifiable if not (each.holds(there[0]) and each.holds(there[-1]))]
             if not sharp:
                 self.faults.append(f"no relation determines {name}")
                 return
@@ -159,11 +159,11 @@ class Relations:
                 self.faults.append(f"{len(turns)} values of {name} near {near} fulfil all relations")
                 return
             ends = places[turns[0]], places[turns[0] + 1]
-            found = zero(lambda number: sharp[0].excess(self._along(chain, name, number)), *ends)
+            root = zero(lambda number: sharp[0].excess(self._along(chain, name, number)), *ends)
         except UNDEFINED:
             self.faults.append(f"relations have no value for {name} near {near}")
             return
-        self.assign(name, found)
+        self.assign(name, root)
 
     def _along(self, chain: Sequence[tuple[str, Tree]], name: str, number: float) -> dict[str, float]:
         """Return the values of all known symbols for a trial value of one symbol, with those that a chain defines."""
@@ -175,14 +175,14 @@ class Relations:
     def _chain(self, name: str) -> tuple[list[tuple[str, Tree]], list[Equation]]:
         """Return the formulas that follow from a symbol's value, and the relations that can then be verified."""
         missing = {equation: names - {name} for equation, names in self._missing.items()}
-        chain, whole = list[tuple[str, Tree]](), list[Equation]()
+        chain, verifiable = list[tuple[str, Tree]](), list[Equation]()
         while True:
-            whole += [equation for equation, names in missing.items() if not names]
+            verifiable += [equation for equation, names in missing.items() if not names]
             missing = {equation: names for equation, names in missing.items() if names}
-            found = next(_definitions(missing), None)
-            if found is None:
-                return chain, whole
-            equation, other, formula = found
+            definition = next(_definitions(missing), None)
+            if definition is None:
+                return chain, verifiable
+            equation, other, formula = definition
             del missing[equation]
             chain.append((other, formula))
             for names in missing.values():
@@ -192,16 +192,16 @@ class Relations:
         """Solve the waiting equations for the symbols that they determine linearly."""
         while self._missing:
             rows = self._linear_rows()
-            found = _determined(rows) if rows else {}
-            if not found:
+            solution = _determined(rows) if rows else {}
+            if not solution:
                 return
-            for name, number in found.items():
+            for name, number in solution.items():
                 if name not in self.values:
                     self.assign(name, number)
 
     def _linear_rows(self) -> list[tuple[dict[str, float], float]]:
         """Return the coefficients and the right side of each waiting equation that is linear in its unknowns."""
-        found: list[tuple[dict[str, float], float]] = []
+        rows: list[tuple[dict[str, float], float]] = []
         for equation, missing in self._missing.items():
             if equation.asserts:
                 continue
@@ -212,8 +212,8 @@ class Relations:
                 continue
             rest = row.pop("", 0.0)
             if any(row.values()):
-                found.append((row, -rest))
-        return found
+                rows.append((row, -rest))
+        return rows
 
     def _significant(self, tree: Tree) -> float:
         """Return the value of a coefficient; zero if it is only a rounding error of its terms."""

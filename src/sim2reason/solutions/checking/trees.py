@@ -56,28 +56,28 @@ def check(tree: Tree) -> None:
     for _ in range(NODES):
         if not waiting:
             return
-        held, depth = waiting.pop()
+        node, depth = waiting.pop()
         if depth > DEPTH:
             break
-        if isinstance(held, list):
-            _check_operation(held)
-            waiting += [(part, depth + 1) for part in held[1:]]
-        elif not isinstance(held, str) and not math.isfinite(held):
-            raise TreeError(f"{held} is no number")
+        if isinstance(node, list):
+            _check_operation(node)
+            waiting += [(part, depth + 1) for part in node[1:]]
+        elif not isinstance(node, str) and not math.isfinite(node):
+            raise TreeError(f"{node} is no number")
     raise TreeError("a formula is too large")
 
 
-def _check_operation(held: list[Tree]) -> None:
+def _check_operation(node: list[Tree]) -> None:
     """Raise TreeError if an operation is unknown or has a wrong number of operands."""
-    operation = held[0] if held else None
+    operation = node[0] if node else None
     if not isinstance(operation, str) or (operation not in ARITY and operation not in ("+", "*")):
         raise TreeError(f"there is no operation {operation!r}")
-    if len(held) - 1 != ARITY.get(operation, max(1, len(held) - 1)):
-        raise TreeError(f"the operation {operation!r} has {len(held) - 1} parts")
+    if len(node) - 1 != ARITY.get(operation, max(1, len(node) - 1)):
+        raise TreeError(f"the operation {operation!r} has {len(node) - 1} parts")
     number = {"^": 2, "worked": 2, "root": 3, "solve": 1}.get(operation)
-    if number is not None and not isinstance(held[number], float | int):
+    if number is not None and not isinstance(node[number], float | int):
         raise TreeError(f"the operation {operation!r} needs a number in place {number}")
-    if operation == "root" and not isinstance(held[1], str):
+    if operation == "root" and not isinstance(node[1], str):
         raise TreeError("the unknown of an equation must be a symbol")
 
 
@@ -235,8 +235,8 @@ def _combination(operation: str, parts: Sequence[Derived]) -> Derived:
         case "/", ((x, over), (y, under)):
             return x / y, _combined([(1.0 / y, over), (-x / y**2, under)])
         case name, _ if name in ELLIPTIC_FUNCTIONS:
-            found, by = ELLIPTIC_FUNCTIONS[name](*(x for x, _ in parts))
-            return found, _combined((slope, slopes) for slope, (_, slopes) in zip(by, parts, strict=True))
+            integral, by = ELLIPTIC_FUNCTIONS[name](*(x for x, _ in parts))
+            return integral, _combined((slope, slopes) for slope, (_, slopes) in zip(by, parts, strict=True))
         case _:
             (x, slopes), *_ = parts
             function, slope = FUNCTIONS[operation]
@@ -245,11 +245,11 @@ def _combination(operation: str, parts: Sequence[Derived]) -> Derived:
 
 def _combined(parts: Iterable[tuple[float, Mapping[str, float]]]) -> dict[str, float]:
     """Return a linear combination of gradients."""
-    found: dict[str, float] = {}
+    gradient: dict[str, float] = {}
     for factor, slopes in parts:
         for name, slope in slopes.items():
-            found[name] = found.get(name, 0.0) + factor * slope
-    return found
+            gradient[name] = gradient.get(name, 0.0) + factor * slope
+    return gradient
 
 
 def _product(one: Derived, other: Derived) -> Derived:

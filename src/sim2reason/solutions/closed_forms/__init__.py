@@ -52,24 +52,24 @@ class ClosedForm:
 
         Factors with one sign at all points get that sign; all others stand between bars.
         """
-        found = without_nested_fractions(tidy(_of_size(_rooted_in_sizes(self.expression, points), points)))
-        return ClosedForm(found, found.latex(), self.symbols)
+        expression = without_nested_fractions(tidy(_of_size(_rooted_in_sizes(self.expression, points), points)))
+        return ClosedForm(expression, expression.latex(), self.symbols)
 
     def without_roots_of_squares(self, at: Mapping[str, float] | None = None) -> "ClosedForm":
         """Take squares out of roots, as absolute values or with the sign of their base at the values `at`."""
-        found = without_nested_fractions(tidy(_out_of_roots(self.expression, at)))
-        return ClosedForm(found, found.latex(), self.symbols)
+        expression = without_nested_fractions(tidy(_out_of_roots(self.expression, at)))
+        return ClosedForm(expression, expression.latex(), self.symbols)
 
     def with_positive_factors(self, points: Sequence[Mapping[str, float]]) -> "ClosedForm":
         """Reverse pairs of factors that are negative at all given values of the symbols, so that both are positive."""
-        found = _with_positive_factors(self.expression, points)
-        return ClosedForm(found, found.latex(), self.symbols)
+        expression = _with_positive_factors(self.expression, points)
+        return ClosedForm(expression, expression.latex(), self.symbols)
 
     def value(self, at: Mapping[str, float]) -> float:
         """Return the value; ValueError or ZeroDivisionError where it is undefined."""
-        found = self.expression.value(at)
-        assert not isinstance(found, complex)
-        return found
+        result = self.expression.value(at)
+        assert not isinstance(result, complex)
+        return result
 
 
 def closed_form(solution: Solution, own: Sequence[str] = ()) -> ClosedForm:
@@ -87,15 +87,17 @@ def combined_formula(solution: Solution, own: Sequence[str] = ()) -> Expression:
     renamed = dict(zip(solution.stated, own, strict=False))
     every = (relation for step in solution.steps for relation in step.relations if relation.role == "given")
     given = {relation.left.latex() for relation in every} - solution.constants.keys()
-    found = Substitution(definitions(solution), {name: renamed.get(name, name) for name in given}).named(solution.goal)
-    if (bare := _without_bars(found)) != found:
+    formula = Substitution(definitions(solution), {name: renamed.get(name, name) for name in given}).named(
+        solution.goal
+    )
+    if (bare := _without_bars(formula)) != formula:
         at = {renamed.get(name, name): solution.values[name] for name in given}
         signed = any(at.get(name, 0.0) < 0.0 for name in bare.symbols())
-        found = -bare if _negative(bare, at) else bare
-        found = Absolute(found) if signed else found  # the sign of the formula is not evident
-    if hopeless(found):
+        formula = -bare if _negative(bare, at) else bare
+        formula = Absolute(formula) if signed else formula  # the sign of the formula is not evident
+    if hopeless(formula):
         raise ClosedFormError("it has too many roots")
-    return found
+    return formula
 
 
 def definitions(solution: Solution) -> dict[str, Expression]:
@@ -113,26 +115,26 @@ def defined_by(steps: Sequence[Step]) -> dict[str, Expression]:
     }
 
 
-def _without_bars(held: Expression) -> Expression:
+def _without_bars(expression: Expression) -> Expression:
     """Remove absolute values from a formula or its factors; the caller restores the sign."""
-    match held:
+    match expression:
         case Absolute():
-            return held.inside
+            return expression.inside
         case Product():
-            return reduce(multiplied, map(_without_bars, held.factors))
+            return reduce(multiplied, map(_without_bars, expression.factors))
         case Quotient():
-            return ratio(_without_bars(held.above), _without_bars(held.below))
+            return ratio(_without_bars(expression.above), _without_bars(expression.below))
         case _:
-            return held
+            return expression
 
 
-def hopeless(whole: Expression) -> bool:
+def hopeless(expression: Expression) -> bool:
     """Return whether a formula with so many roots is too long to be simplified, since roots do not cancel."""
-    roots = len(set(_roots(whole)))
+    roots = len(set(_roots(expression)))
     most = next(
         (characters for count, characters in sorted(MAX_LATEX_BY_ROOTS.items(), reverse=True) if roots >= count), inf
     )
-    return len(whole.latex()) > most
+    return len(expression.latex()) > most
 
 
 def _roots(held: Expression) -> Iterator[str]:
@@ -143,12 +145,12 @@ def _roots(held: Expression) -> Iterator[str]:
         yield from _roots(part)
 
 
-def simplified_form(whole: Expression) -> ClosedForm:
+def simplified_form(expression: Expression) -> ClosedForm:
     """Simplify a formula; ClosedFormError if the result is too long."""
-    found = _written(whole)
-    if len(found.latex) > MAX_LATEX_LENGTH:
-        raise ClosedFormError(f"it takes {len(found.latex)} characters")
-    return found
+    simplified = _written(expression)
+    if len(simplified.latex) > MAX_LATEX_LENGTH:
+        raise ClosedFormError(f"it takes {len(simplified.latex)} characters")
+    return simplified
 
 
 @lru_cache(maxsize=512)
@@ -166,17 +168,17 @@ def _reduced(whole: Expression) -> Expression:
     return without_nested_fractions(tidy(with_factors_in_front(tidy(factor_terms(tidy(whole))))))
 
 
-def _rooted_in_sizes(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
+def _rooted_in_sizes(expression: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
     """Replace radicands that are negative at any of the given values of the symbols by their absolute values."""
-    if not held.parts:
-        return held
-    parts = [_rooted_in_sizes(part, points) for part in held.parts]
-    return held.built_of([_of_size(part, points) for part in parts] if isinstance(held, Root) else parts)
+    if not expression.parts:
+        return expression
+    parts = [_rooted_in_sizes(part, points) for part in expression.parts]
+    return expression.built_of([_of_size(part, points) for part in parts] if isinstance(expression, Root) else parts)
 
 
-def _of_size(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
+def _of_size(expression: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
     """Return the absolute value of a formula that is negative at any given values of its symbols; else the formula."""
-    return _positive(held, points) if any(_negative(held, at) for at in points) else held
+    return _positive(expression, points) if any(_negative(expression, at) for at in points) else expression
 
 
 def _positive(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
@@ -194,15 +196,15 @@ def _positive(held: Expression, points: Sequence[Mapping[str, float]]) -> Expres
     return outer if inner == ONE else multiplied(outer, Absolute(inner))
 
 
-def _with_positive_factors(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
+def _with_positive_factors(expression: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
     """Reverse pairs of factors that are negative at all given values of the symbols."""
-    if isinstance(held, Product) and any(isinstance(factor, Quotient) for factor in held.factors):
-        return reduce(multiplied, (_with_positive_factors(factor, points) for factor in held.factors))
-    above, below = (held.above, held.below) if isinstance(held, Quotient) else (held, ONE)
+    if isinstance(expression, Product) and any(isinstance(factor, Quotient) for factor in expression.factors):
+        return reduce(multiplied, (_with_positive_factors(factor, points) for factor in expression.factors))
+    above, below = (expression.above, expression.below) if isinstance(expression, Quotient) else (expression, ONE)
     sides = [list(side.factors) if isinstance(side, Product) else [side] for side in (above, below)]
     negative = [(side, n) for side in sides for n, factor in enumerate(side) if _is_reversible(factor, points)]
-    if not negative or (len(negative) % 2 == 1) != held.negative:
-        return held
+    if not negative or (len(negative) % 2 == 1) != expression.negative:
+        return expression
     for side, n in negative:
         side[n] = -side[n]
     sign = Number(-1.0) if len(negative) % 2 else ONE
@@ -214,26 +216,26 @@ def _is_reversible(factor: Expression, points: Sequence[Mapping[str, float]]) ->
     return is_difference(factor) and all(_negative(factor, at) for at in points)
 
 
-def _negative(held: Expression, at: Mapping[str, float]) -> bool:
+def _negative(expression: Expression, at: Mapping[str, float]) -> bool:
     """Return whether a formula has a negative value."""
     try:
-        return held.value(at).real < 0.0
+        return expression.value(at).real < 0.0
     except (ValueError, ArithmeticError):
         return False
 
 
-def _out_of_roots(held: Expression, at: Mapping[str, float] | None) -> Expression:
+def _out_of_roots(expression: Expression, at: Mapping[str, float] | None) -> Expression:
     """Take the squares in radicands out of roots."""
-    if not held.parts:
-        return held
-    found = held.built_of([_out_of_roots(part, at) for part in held.parts])
-    if not isinstance(found, Root):
-        return found
-    inside = found.inside
+    if not expression.parts:
+        return expression
+    rebuilt = expression.built_of([_out_of_roots(part, at) for part in expression.parts])
+    if not isinstance(rebuilt, Root):
+        return rebuilt
+    inside = rebuilt.inside
     above, below = (inside.above, inside.below) if isinstance(inside, Quotient) else (inside, ONE)
     (outer, inner), (under, left) = _squares_apart(above), _squares_apart(below)
     if outer == under == ONE:
-        return found
+        return rebuilt
     size = ratio(outer, under)
     if at is None:
         size = Absolute(size)
@@ -271,8 +273,8 @@ class Substitution:
         if name not in self._known:
             if name not in self._definitions:
                 raise ClosedFormError(f"{name} comes from no formula")
-            self._known[name] = found = self.of(self._definitions[name])
-            if sum(1 for _ in found.symbols()) > MAX_SYMBOLS:
+            self._known[name] = expression = self.of(self._definitions[name])
+            if sum(1 for _ in expression.symbols()) > MAX_SYMBOLS:
                 raise ClosedFormError("its formula grows too long")
         return self._known[name]
 
@@ -280,20 +282,20 @@ class Substitution:
         """Return a formula with all names substituted."""
         match held:
             case Symbol():
-                found = self.named(held.name)
+                substituted = self.named(held.name)
             case Number():
-                found = _simple(held)
+                substituted = _simple(held)
             case Pi():
-                found = held
+                substituted = held
             case NumericFormula():
-                found = self.of(held.inner)
+                substituted = self.of(held.inner)
             case SpecialFunction():
                 raise ClosedFormError("it needs a special function")
             case _ if held.parts:
-                found = simplify_inverse(held.built_of([self.of(part) for part in held.parts]))
+                substituted = simplify_inverse(held.built_of([self.of(part) for part in held.parts]))
             case _:
                 raise ClosedFormError("a number in it was found numerically")
-        return found
+        return substituted
 
 
 def _simple(number: Number) -> Number:

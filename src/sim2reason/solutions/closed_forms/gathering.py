@@ -46,41 +46,41 @@ class Term:
         return Term(self.number / other.number, _less(self.factors, other.factors), _less(self.below, other.below))
 
 
-def factor_terms(held: Expression, size: Callable[[Expression], int] = latex_length) -> Expression:
+def factor_terms(expression: Expression, size: Callable[[Expression], int] = latex_length) -> Expression:
     """Factor common terms out of each sum where that is shorter; the value is unchanged.
 
     `size` returns the length of a formula, by default that of its LaTeX.
     """
-    if not held.parts:
-        return held
-    found = held.built_of([factor_terms(part, size) for part in held.parts])
-    if not isinstance(found, Sum) or len(found.terms) > MAX_TERMS:
-        return found
-    terms = [_term(term) for term in found.terms]
+    if not expression.parts:
+        return expression
+    rebuilt = expression.built_of([factor_terms(part, size) for part in expression.parts])
+    if not isinstance(rebuilt, Sum) or len(rebuilt.terms) > MAX_TERMS:
+        return rebuilt
+    terms = [_term(term) for term in rebuilt.terms]
     crossed = _crosswise(_merged(terms)) if size is latex_length else None
     alike = all(term.number > 0.0 for term in terms)  # with differences, only where that is shorter
-    if crossed is not None and (alike or size(crossed) <= size(found)):
+    if crossed is not None and (alike or size(crossed) <= size(rebuilt)):
         return crossed
-    return min((found, _plain(_merged(terms)), _product(terms)), key=size)
+    return min((rebuilt, _plain(_merged(terms)), _product(terms)), key=size)
 
 
-def with_factors_in_front(held: Expression) -> Expression:
+def with_factors_in_front(expression: Expression) -> Expression:
     """Factor the common factors of all terms out of each sum, at any length; the value is unchanged.
 
     Factors common to numerator and denominator of a fraction then cancel.
     """
-    if not held.parts:
-        return held
-    found = held.built_of([with_factors_in_front(part) for part in held.parts])
-    match found:
+    if not expression.parts:
+        return expression
+    rebuilt = expression.built_of([with_factors_in_front(part) for part in expression.parts])
+    match rebuilt:
         case Sum():
-            return _in_front([_term(term) for term in found.terms]) or found
+            return _in_front([_term(term) for term in rebuilt.terms]) or rebuilt
         case Quotient():
-            whole = _term(found)
-            plain = _cancelled(whole)
-            return found if plain == whole else plain.written
+            fraction = _term(rebuilt)
+            plain = _cancelled(fraction)
+            return rebuilt if plain == fraction else plain.written
         case _:
-            return found
+            return rebuilt
 
 
 def _in_front(terms: Sequence[Term]) -> Expression | None:
@@ -95,32 +95,32 @@ def _in_front(terms: Sequence[Term]) -> Expression | None:
     return Term(shared.number, (*shared.factors, rest), shared.below).written
 
 
-def symbols_in(held: Expression) -> int:
+def symbols_in(expression: Expression) -> int:
     """Return the number of symbols in a formula, with repetitions."""
-    return sum(1 for _ in held.symbols())
+    return sum(1 for _ in expression.symbols())
 
 
-def parted(held: Expression) -> Expression:
+def parted(expression: Expression) -> Expression:
     """Split fractions of sums and cancel each term by itself, where fewer symbols remain; the value is unchanged.
 
     For example, (F + (m_A + m_B) g sin θ)/(m_A + m_B) becomes F/(m_A + m_B) + g sin θ.
     """
-    if not held.parts:
-        return held
-    found = held.built_of([parted(part) for part in held.parts])
-    if not isinstance(found, Quotient):
-        return found
-    whole = _cancelled(_term(found))
-    return min((found, whole.written, *_apart(whole)), key=symbols_in)
+    if not expression.parts:
+        return expression
+    rebuilt = expression.built_of([parted(part) for part in expression.parts])
+    if not isinstance(rebuilt, Quotient):
+        return rebuilt
+    fraction = _cancelled(_term(rebuilt))
+    return min((rebuilt, fraction.written, *_apart(fraction)), key=symbols_in)
 
 
-def _apart(whole: Term) -> Iterator[Expression]:
+def _apart(fraction: Term) -> Iterator[Expression]:
     """Yield forms of a fraction in which one sum of the numerator is divided by the denominator term by term."""
-    for held in whole.factors if whole.below else ():
-        if isinstance(held, Sum):
-            rest = _less(whole.factors, (held,))
-            terms = [replace(term, below=(*term.below, *whole.below)) for term in map(_term, held.terms)]
-            yield Term(whole.number, (*rest, _plain([_cancelled(term) for term in terms]))).written
+    for factor in fraction.factors if fraction.below else ():
+        if isinstance(factor, Sum):
+            rest = _less(fraction.factors, (factor,))
+            terms = [replace(term, below=(*term.below, *fraction.below)) for term in map(_term, factor.terms)]
+            yield Term(fraction.number, (*rest, _plain([_cancelled(term) for term in terms]))).written
 
 
 def _cancelled(term: Term) -> Term:
@@ -128,9 +128,9 @@ def _cancelled(term: Term) -> Term:
     return replace(term, factors=_less(term.factors, term.below), below=_less(term.below, term.factors))
 
 
-def _term(held: Expression) -> Term:
+def _term(expression: Expression) -> Term:
     """Convert a formula to a term."""
-    match held:
+    match expression:
         case Number(x):
             return Term(x, ())
         case Product(factors):
@@ -143,7 +143,7 @@ def _term(held: Expression) -> Term:
         case Power(base, exponent):
             return Term(1.0, (base,) * exponent)
         case _:
-            return Term(1.0, (held,))
+            return Term(1.0, (expression,))
 
 
 def _product(terms: Sequence[Term]) -> Expression:
@@ -157,8 +157,8 @@ def _product(terms: Sequence[Term]) -> Expression:
     grouped = _grouped(rest) if square is None else [square]
     again = _shared(grouped) if len(grouped) > 1 else Term(1.0, ())
     inner = _plain([term.without(again) for term in grouped])
-    whole = Term(shared.number * again.number, (*shared.factors, *again.factors), (*shared.below, *again.below))
-    return Term(whole.number, (*whole.factors, inner), whole.below).written if inner != ONE else whole.written
+    common = Term(shared.number * again.number, (*shared.factors, *again.factors), (*shared.below, *again.below))
+    return Term(common.number, (*common.factors, inner), common.below).written if inner != ONE else common.written
 
 
 def _crosswise(terms: Sequence[Term]) -> Expression | None:
@@ -210,14 +210,14 @@ def _root(term: Term, over: float) -> Term | None:
     number = sqrt(max(term.number / over, 0.0))
     if simple_fraction(number) is None or not number:
         return None
-    if any(side.count(held) % 2 for side in (term.factors, term.below) for held in side):
+    if any(side.count(factor) % 2 for side in (term.factors, term.below) for factor in side):
         return None
     return Term(number, _halved(term.factors), _halved(term.below))
 
 
 def _halved(factors: Sequence[Expression]) -> tuple[Expression, ...]:
     """Return the factors of a square root: each factor half as often as in the product."""
-    return tuple(held for held in dict.fromkeys(factors) for _ in range(factors.count(held) // 2))
+    return tuple(factor for factor in dict.fromkeys(factors) for _ in range(factors.count(factor) // 2))
 
 
 def _grouped(terms: Sequence[Term]) -> list[Term]:
@@ -246,14 +246,14 @@ def _shared(terms: Sequence[Term]) -> Term:
 
 def _merged(terms: Sequence[Term]) -> list[Term]:
     """Return terms with like terms combined."""
-    found: list[Term] = []
+    merged: list[Term] = []
     for term in terms:
-        like = next((n for n, other in enumerate(found) if _like(term, other)), None)
+        like = next((n for n, other in enumerate(merged) if _like(term, other)), None)
         if like is None:
-            found.append(term)
+            merged.append(term)
         else:
-            found[like] = Term(found[like].number + term.number, term.factors, term.below)
-    return [term for term in found if term.number]
+            merged[like] = Term(merged[like].number + term.number, term.factors, term.below)
+    return [term for term in merged if term.number]
 
 
 def _plain(terms: Sequence[Term]) -> Expression:

@@ -48,46 +48,46 @@ class TooLongError(Exception):
     """An error raised for a formula that exceeds the limits on its length."""
 
 
-def shortest_form(held: Expression, room: float = inf) -> Expression:
+def shortest_form(expression: Expression, room: float = inf) -> Expression:
     """Return the shortest equivalent form found: over one denominator as a whole, or part by part.
 
     The search part by part stops when the symbols of the parts exceed `room` characters.
     """
-    found = min((*_over_one(held), held), key=latex_length)
-    many = sum(1 for _ in held.symbols()) > MAX_SYMBOLS_BY_PARTS
+    shortest = min((*_over_one(expression), expression), key=latex_length)
+    many = sum(1 for _ in expression.symbols()) > MAX_SYMBOLS_BY_PARTS
     if (
         many
-        or not SHORT < latex_length(found) <= MAX_LENGTH_BY_PARTS
-        or not any(name.startswith("\\sqrt") for name in _functions(held))
+        or not SHORT < latex_length(shortest) <= MAX_LENGTH_BY_PARTS
+        or not any(name.startswith("\\sqrt") for name in _functions(expression))
     ):
-        return found
+        return shortest
     parts = list[Expression]()
-    for part in held.parts:
+    for part in expression.parts:
         parts.append(shortest_form(part, room))
         room -= sum(map(len, parts[-1].symbols()))
         if room < 0.0:
-            return found
-    parted = held.built_of(parts)
-    return parted if latex_length(parted) < SHORTER_RATIO * latex_length(found) else found
+            return shortest
+    parted = expression.built_of(parts)
+    return parted if latex_length(parted) < SHORTER_RATIO * latex_length(shortest) else shortest
 
 
-def latex_length(held: Expression) -> int:
+def latex_length(expression: Expression) -> int:
     """Return the number of characters of a formula's LaTeX, plus a penalty for avoidable minus signs."""
-    latex = held.latex()
+    latex = expression.latex()
     return len(latex) + UGLY * (latex.count(r"\left(-") + latex.count("{-") + latex.startswith("-"))
 
 
-def _over_one(held: Expression) -> Iterator[Expression]:
+def _over_one(expression: Expression) -> Iterator[Expression]:
     """Yield equivalent forms of a formula as one fraction; none if an intermediate form gets too long."""
-    names = tuple(dict.fromkeys(held.symbols()))
+    names = tuple(dict.fromkeys(expression.symbols()))
     if not names:
         return
     try:
-        field = RationalFunctions(names, len(set(_functions(held))))
-        found = field.reduced(field.of(held))
-        yield from field.written(found)
-        plainer = field.without_sines_squared(found)
-        if plainer != found:
+        field = RationalFunctions(names, len(set(_functions(expression))))
+        reduced = field.reduced(field.of(expression))
+        yield from field.written(reduced)
+        plainer = field.without_sines_squared(reduced)
+        if plainer != reduced:
             yield from field.written(plainer)
     except (TooLongError, ZeroDivisionError):
         return
@@ -142,21 +142,21 @@ class RationalFunctions:
         if (function, inner) not in self._met:
             if len(self._met) == len(self._spare):  # one root in two forms, before and after its sine occurred
                 raise TooLongError
-            place = len(self._atoms)
+            index = len(self._atoms)
             self._met[function, inner] = self._spare[len(self._met)]
             self._atoms.append(
                 held if isinstance(held, Pi) else held.built_of([min(self.written(inner), key=latex_length)])
             )
             if isinstance(held, Root):
-                self._squares[place] = inner
+                self._squares[index] = inner
         return self._met[function, inner]
 
     def reduced(self, found: Any) -> Any:
         """Replace the squares of roots in a rational function by their radicands."""
-        for place, inside in self._squares.items():
+        for index, inside in self._squares.items():
             for side in (found.numer, found.denom):
-                if any(monomial[place] > 1 for monomial in side):
-                    found = self._rooted(found.numer, place, inside) / self._rooted(found.denom, place, inside)
+                if any(monomial[index] > 1 for monomial in side):
+                    found = self._rooted(found.numer, index, inside) / self._rooted(found.denom, index, inside)
                     break
         return self._sized(found)
 
@@ -165,8 +165,8 @@ class RationalFunctions:
         for (function, inner), sine in self._met.items():
             cosine = self._met.get(("cos", inner))
             if function == "sin" and cosine is not None:
-                place = self._spare.index(sine) + len(self._symbols)
-                above, below = (self._rooted(side, place, 1 - cosine**2) for side in (found.numer, found.denom))
+                index = self._spare.index(sine) + len(self._symbols)
+                above, below = (self._rooted(side, index, 1 - cosine**2) for side in (found.numer, found.denom))
                 found = above / below
         return self._sized(found)
 
@@ -194,7 +194,7 @@ class RationalFunctions:
         """Return a polynomial as a product of its irreducible factors."""
         factor, parts = _factored(side) if len(side) <= FACTORED else (1, [(side, 1)])
         number, factors = float(factor), list[Expression]()
-        for part, power in sorted(parts, key=lambda held: len(held[0])):
+        for part, power in sorted(parts, key=lambda pair: len(pair[0])):
             sign, plain = _signed(part)
             one = self._gathered(plain)
             factors.append(one if power == 1 else Power(one, power))
@@ -211,15 +211,15 @@ class RationalFunctions:
 
     def _gathered(self, side: Any) -> Expression:
         """Return a polynomial with the terms of one symbol, sine or root collected, where that is shorter."""
-        whole = self._sum(side)
-        options = [whole.expression()]
-        atoms = {atom for monomial in whole.terms for atom, power in monomial if power == 1}
-        for atom in sorted(atoms, key=lambda held: held.latex()):
+        polynomial = self._sum(side)
+        options = [polynomial.expression()]
+        atoms = {atom for monomial in polynomial.terms for atom, power in monomial if power == 1}
+        for atom in sorted(atoms, key=lambda expression: expression.latex()):
             inside = Polynomial(
-                {tuple(p for p in m if p != (atom, 1)): part for m, part in whole.terms.items() if (atom, 1) in m}
+                {tuple(p for p in m if p != (atom, 1)): part for m, part in polynomial.terms.items() if (atom, 1) in m}
             )
             if len(inside.terms) > 1:
-                rest = Polynomial({m: part for m, part in whole.terms.items() if (atom, 1) not in m})
+                rest = Polynomial({m: part for m, part in polynomial.terms.items() if (atom, 1) not in m})
                 options.append(rest.expression() + Product((atom, inside.factored())))
         return min(options, key=latex_length)
 
@@ -230,13 +230,13 @@ def _factored(side: Any) -> tuple[Any, list[tuple[Any, int]]]:
     The factors of p x + q, of first degree in a symbol x, are those of the greatest common divisor of p and q, and the
     quotient, which is irreducible (Gauss's lemma); that costs far less than Wang's algorithm.
     """
-    for place in range(side.ring.ngens):
-        powers = {monomial[place] for monomial in side}
+    for index in range(side.ring.ngens):
+        powers = {monomial[index] for monomial in side}
         if powers != {0, 1}:
             continue
-        parts = [{m: part for m, part in side.items() if m[place] == power} for power in (0, 1)]
+        parts = [{m: part for m, part in side.items() if m[index] == power} for power in (0, 1)]
         without = side.ring.from_dict(parts[0])
-        before = side.ring.from_dict({(*m[:place], 0, *m[place + 1 :]): part for m, part in parts[1].items()})
+        before = side.ring.from_dict({(*m[:index], 0, *m[index + 1 :]): part for m, part in parts[1].items()})
         common = without.gcd(before)
         if common.is_ground:
             return 1, [(side, 1)]
@@ -245,16 +245,16 @@ def _factored(side: Any) -> tuple[Any, list[tuple[Any, int]]]:
     return side.factor_list()
 
 
-def _terms(found: Any) -> int:
+def _terms(rational: Any) -> int:
     """Return the number of terms in the numerator and denominator of a rational function."""
-    return len(found.numer) + len(found.denom)
+    return len(rational.numer) + len(rational.denom)
 
 
-def _functions(held: Expression) -> Iterator[str]:
+def _functions(expression: Expression) -> Iterator[str]:
     """Yield the LaTeX of the roots and sines in a formula."""
-    if isinstance(held, Root | Call | Pi):
-        yield held.latex()
-    for part in held.parts:
+    if isinstance(expression, Root | Call | Pi):
+        yield expression.latex()
+    for part in expression.parts:
         yield from _functions(part)
 
 
@@ -270,6 +270,6 @@ def _signed(side: Any) -> tuple[int, Any]:
     return (-1, -side) if 2 * negative > len(side) else (1, side)
 
 
-def _times(sign: int, held: Expression) -> Expression:
+def _times(sign: int, expression: Expression) -> Expression:
     """Return a formula times a sign, 1 or −1."""
-    return held if sign > 0 else -held if held != ONE else Number(-1.0)
+    return expression if sign > 0 else -expression if expression != ONE else Number(-1.0)

@@ -44,7 +44,11 @@ def with_final_algebra(solution: Solution) -> Solution:
     if not relations and not insertion:
         return solution
     used = {name for relation in (*relations, *inserted) for name in relation.left.symbols()}
-    text = f"In terms of the given quantities, {join_words([held.latex() for held in relations])}." if relations else ""
+    text = (
+        f"In terms of the given quantities, {join_words([equation.latex() for equation in relations])}."
+        if relations
+        else ""
+    )
     needs = tuple(step.id for step in solution.steps if used.intersection(step.gives))
     step = Step(
         len(solution.steps),
@@ -84,10 +88,10 @@ class _FinalAlgebra:
     @cached_property
     def _whole(self) -> str:
         """Return the symbol of the goal, or of the quantity whose absolute value, negative or copy is the goal."""
-        whole = self.solution.goal
-        while (inner := _inside(self._formulas[whole])) in self._formulas and inner not in self._given:
-            whole = inner
-        return whole
+        symbol = self.solution.goal
+        while (inner := _inside(self._formulas[symbol])) in self._formulas and inner not in self._given:
+            symbol = inner
+        return symbol
 
     def _parts(self, name: str) -> list[str]:
         """Return the symbols in the formula of a quantity that are themselves derived, not given."""
@@ -98,48 +102,54 @@ class _FinalAlgebra:
     def intermediate_relations(self) -> list[Relation]:
         """Return equations of intermediate quantities in given ones, such as a = F/m; of many, the last ones."""
         last = [*self._last()]
-        whole = last if any(not isinstance(held, Symbol) for held in last) else [*map(Symbol, self._on_the_way())]
-        relations = [*self._in_given(whole)]
+        quantities = (
+            last
+            if any(not isinstance(expression, Symbol) for expression in last)
+            else [*map(Symbol, self._on_the_way())]
+        )
+        relations = [*self._in_given(quantities)]
         return relations if len(relations) <= MAX_QUANTITIES else [*self._in_given(last)][:MAX_QUANTITIES]
 
     def _last(self) -> Iterator[Expression]:
         """Yield derived quantities in the answer's last formula with several; their sum if it is the denominator."""
-        whole, names = self._whole, self._parts(self._whole)
+        symbol, names = self._whole, self._parts(self._whole)
         while len(names) == 1 and (deeper := self._parts(names[0])):
-            whole, names = names[0], deeper
-        yield from _summands(self._formulas[whole], names) or [Symbol(name) for name in names]
+            symbol, names = names[0], deeper
+        yield from _summands(self._formulas[symbol], names) or [Symbol(name) for name in names]
 
     def _on_the_way(self) -> list[str]:
         """Return the symbols of quantities on which the answer depends, in order of definition.
 
         The search stops at names that the text gives in terms of given quantities.
         """
-        found, waiting = set[str](), [self._whole]
+        visited, waiting = set[str](), [self._whole]
         while waiting:
             name = waiting.pop()
             if name != self._whole and self._is_said(name):
                 continue
-            new = {*self._parts(name)} - found
-            found |= new
+            new = {*self._parts(name)} - visited
+            visited |= new
             waiting += new
-        return [name for name in self._formulas if name in found]
+        return [name for name in self._formulas if name in visited]
 
     def _in_given(self, parts: Sequence[Expression]) -> Iterator[Relation]:
         """Yield equations, not yet in the text, that give quantities in terms of given quantities."""
         for part in parts:
             if isinstance(part, Symbol) and self._is_plain(part.name):
                 continue
-            found = self._closed(part)
-            if found is None or len(found.latex) > MAX_FORMULA_LENGTH:
+            closed_form = self._closed(part)
+            if closed_form is None or len(closed_form.latex) > MAX_FORMULA_LENGTH:
                 continue
-            relation = Relation(part, found.expression, "derived")
+            relation = Relation(part, closed_form.expression, "derived")
             if relation.latex() not in self._said and self._holds(relation):
                 yield relation
 
     def _is_said(self, name: str) -> bool:
         """Return whether the text contains the formula of a quantity in given ones."""
-        found = self._closed(Symbol(name))
-        return found is not None and Relation(Symbol(name), found.expression, "derived").latex() in self._said
+        closed_form = self._closed(Symbol(name))
+        return (
+            closed_form is not None and Relation(Symbol(name), closed_form.expression, "derived").latex() in self._said
+        )
 
     def _is_plain(self, name: str) -> bool:
         """Return whether a single formula gives a quantity in given quantities and constants."""
@@ -164,12 +174,12 @@ class _FinalAlgebra:
     def insertion(self) -> tuple[str, list[Relation]]:
         """Return a sentence that inserts quantities into the last formula, and the resulting equation in a list."""
         names = self._parts(self._whole)
-        closed = {name: found for name in names if (found := self._closed(Symbol(name))) is not None}
+        closed = {name: closed_form for name in names if (closed_form := self._closed(Symbol(name))) is not None}
         if not names or len(closed) < len(names):
             return "", []
         inserted = self._formulas[self._whole]
-        for name, found in closed.items():
-            inserted = substitute(inserted, name, found.expression)
+        for name, closed_form in closed.items():
+            inserted = substitute(inserted, name, closed_form.expression)
         relation = Relation(Symbol(self._whole), tidy(inserted), "derived")
         simple, size = self._simplified(), len(relation.right.latex())
         if (
@@ -189,13 +199,15 @@ class _FinalAlgebra:
         """Return the simplified last formula in LaTeX; empty if there is none."""
         if self._whole == self.solution.goal:
             return self.solution.formula
-        found = self._closed(Symbol(self._whole))
-        return found.latex if found is not None else ""
+        closed_form = self._closed(Symbol(self._whole))
+        return closed_form.latex if closed_form is not None else ""
 
 
-def _inside(held: Expression) -> str:
+def _inside(expression: Expression) -> str:
     """Return the name of which a formula is the absolute value, the negative or a copy; empty for other formulas."""
-    inner = held.inside if isinstance(held, Absolute) else -held if held.negative else held
+    inner = (
+        expression.inside if isinstance(expression, Absolute) else -expression if expression.negative else expression
+    )
     return inner.name if isinstance(inner, Symbol) else ""
 
 
@@ -211,11 +223,13 @@ BAR = r"\left|"
 DECADES = 1.0  # random factors range over this many decades up and down
 
 
-def has_either_sign(setting: ProblemContext, book: SolutionBuilder, held: Expression, bodies: Collection[str]) -> bool:
+def has_either_sign(
+    setting: ProblemContext, book: SolutionBuilder, quantity: Expression, bodies: Collection[str]
+) -> bool:
     """Return whether the numbers decide the sign of a symbolic quantity, for bodies without an assumed direction."""
     if not book.in_symbols or any(isinstance(each, MovesOneWay) and each.name in bodies for each in setting.assumed):
         return False
-    return len({positive for positive, _ in _signs(setting, book, held)}) > 1
+    return len({positive for positive, _ in _signs(setting, book, quantity)}) > 1
 
 
 def acceleration_over_distance(
@@ -232,20 +246,24 @@ def acceleration_over_distance(
     return Absolute(a), f", whichever way {setting.display_name(bodies[0])} moves"
 
 
-def needs_modulus(setting: ProblemContext, book: SolutionBuilder, held: Expression, body: str) -> bool:
+def needs_modulus(setting: ProblemContext, book: SolutionBuilder, quantity: Expression, body: str) -> bool:
     """Return whether the symbolic answer for a quantity of either sign is written as an absolute value."""
-    return setting.formula is not None and BAR in setting.formula.latex and has_either_sign(setting, book, held, [body])
+    return (
+        setting.formula is not None
+        and BAR in setting.formula.latex
+        and has_either_sign(setting, book, quantity, [body])
+    )
 
 
-def reason_for_negative(setting: ProblemContext, book: SolutionBuilder, held: Expression, body: str) -> str:
+def reason_for_negative(setting: ProblemContext, book: SolutionBuilder, quantity: Expression, body: str) -> str:
     """Return a clause that a quantity is negative; empty for a numerical answer or an absolute value."""
     if not book.in_symbols or setting.formula is None or BAR in setting.formula.latex:
         return ""
-    why = " under the assumption made" if has_either_sign(setting, book, held, [body]) else ""
-    return f"${held.latex()}$ is negative{why}"
+    why = " under the assumption made" if has_either_sign(setting, book, quantity, [body]) else ""
+    return f"${quantity.latex()}$ is negative{why}"
 
 
-def _is_assumed_positive(setting: ProblemContext, book: SolutionBuilder, held: Expression) -> bool:
+def _is_assumed_positive(setting: ProblemContext, book: SolutionBuilder, quantity: Expression) -> bool:
     """Return whether the answer is negative or undefined for all sampled numbers for which a quantity is negative.
 
     An answer that holds under an assumption is positive, so this quantity is positive under that assumption.
@@ -254,14 +272,14 @@ def _is_assumed_positive(setting: ProblemContext, book: SolutionBuilder, held: E
         return False
     try:
         answer = compiled(setting.formula.latex, setting.formula.symbols)
-        values = [answer.value(at) for positive, at in _signs(setting, book, held) if not positive]
+        values = [answer.value(at) for positive, at in _signs(setting, book, quantity) if not positive]
     except (KeyError, ValueError):  # contains a number defined later
         return False
     return all(value is None or value < 0.0 for value in values)
 
 
 def _signs(
-    setting: ProblemContext, book: SolutionBuilder, held: Expression
+    setting: ProblemContext, book: SolutionBuilder, quantity: Expression
 ) -> Iterator[tuple[bool, Mapping[str, float]]]:
     """Yield whether a quantity is positive for one random set of the given numbers, with these numbers by symbol."""
     formulas = defined_by(book.steps)
@@ -276,6 +294,6 @@ def _signs(
         try:
             for name, formula in formulas.items():
                 at[name] = float(formula.value(at).real)
-            yield float(held.value(at).real) > 0.0, at
+            yield float(quantity.value(at).real) > 0.0, at
         except (KeyError, ValueError, ArithmeticError):  # no motion with these numbers
             continue

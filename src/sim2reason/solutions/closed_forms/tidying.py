@@ -21,36 +21,36 @@ from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Power, Ro
 AT_ZERO: Mapping[str, Expression] = {"sin": ZERO, "cos": ONE, "arcsin": ZERO, "arctan": ZERO}
 
 
-def tidy(held: Expression) -> Expression:
+def tidy(expression: Expression) -> Expression:
     """Simplify the signs and fractions in all parts of a formula; its value is unchanged."""
-    if not held.parts:
-        return held
-    found = held.built_of([tidy(part) for part in held.parts])
-    match found:
+    if not expression.parts:
+        return expression
+    rebuilt = expression.built_of([tidy(part) for part in expression.parts])
+    match rebuilt:
         case Power(base, exponent):
             return _raised(base, exponent)
         case Absolute() | Call():
-            return _function(found)
+            return _function(rebuilt)
         case Root():
-            return _root(found)
+            return _root(rebuilt)
         case _:
-            return _joined(found)
+            return _joined(rebuilt)
 
 
-def _function(held: Absolute | Call) -> Expression:
+def _function(expression: Absolute | Call) -> Expression:
     """Return an absolute value or function without redundant minus signs and multiples of π in its argument."""
-    match held:
+    match expression:
         case Absolute(inside) | Call(_, inside) if inside.negative:
-            return _outward(held, _opposite(inside))
+            return _outward(expression, _opposite(inside))
         case Call(function, Number(0.0)):
-            return AT_ZERO.get(function, held)
+            return AT_ZERO.get(function, expression)
         case Call("cos" | "sin", Sum() as angle):
-            return _whole_turns(held, angle)
+            return _whole_turns(expression, angle)
         case _:
-            return held
+            return expression
 
 
-def _whole_turns(held: Call, angle: Sum) -> Expression:
+def _whole_turns(call: Call, angle: Sum) -> Expression:
     """Return a sine or cosine without the multiples of π in its argument."""
     halves, rest = 0.0, list[Expression]()
     for term in angle.terms:
@@ -62,47 +62,47 @@ def _whole_turns(held: Call, angle: Sum) -> Expression:
             case _:
                 rest.append(term)
     if not halves or not rest:
-        return held
-    found = tidy(Call(held.function, reduce(added, rest)))
-    return -found if halves % 2.0 else found
+        return call
+    reduced = tidy(Call(call.function, reduce(added, rest)))
+    return -reduced if halves % 2.0 else reduced
 
 
-def _joined(held: Expression) -> Expression:
+def _joined(expression: Expression) -> Expression:
     """Return a product, fraction or sum in its usual notation."""
-    if isinstance(held, Product):
-        held = _over_one(_cancelled([_signed(factor) for factor in held.factors]))
-        return _rooted(_turned(_fraction(held)))
-    if isinstance(held, Quotient) and not {*_factors(held.above)}.isdisjoint(_factors(held.below)):
-        held = _over_one(held)
-    return _turned(_fraction(held))
+    if isinstance(expression, Product):
+        expression = _over_one(_cancelled([_signed(factor) for factor in expression.factors]))
+        return _rooted(_turned(_fraction(expression)))
+    if isinstance(expression, Quotient) and not {*_factors(expression.above)}.isdisjoint(_factors(expression.below)):
+        expression = _over_one(expression)
+    return _turned(_fraction(expression))
 
 
-def _over_one(held: Expression) -> Expression:
+def _over_one(part: Expression) -> Expression:
     """Return a product that contains fractions as a single fraction, with common factors cancelled."""
-    factors = _factors(held)
+    factors = _factors(part)
     symbolic = [factor for factor in factors if not isinstance(factor, Number)]
-    alone = len(symbolic) < 2 and not isinstance(held, Quotient)
+    alone = len(symbolic) < 2 and not isinstance(part, Quotient)
     if alone or not any(isinstance(factor, Quotient) for factor in symbolic):
-        return held
+        return part
     above, below = list[Expression](), list[Expression]()
     for factor in factors:
         above += _factors(factor.above) if isinstance(factor, Quotient) else (factor,)
         below += _factors(factor.below) if isinstance(factor, Quotient) else ()
     above.sort(key=_place)
-    for factor in [held for held in below if not isinstance(held, Number)]:
+    for factor in [part for part in below if not isinstance(part, Number)]:
         if factor in above:
             above.remove(factor)
             below.remove(factor)
     size = prod(f.x for f in above if isinstance(f, Number)) / prod(f.x for f in below if isinstance(f, Number))
-    over, under = (reduce(multiplied, (f for f in held if not isinstance(f, Number)), ONE) for held in (above, below))
+    over, under = (reduce(multiplied, (f for f in part if not isinstance(f, Number)), ONE) for part in (above, below))
     if abs(size) < 1.0 and (1.0 / size).is_integer():
         return ratio(multiplied(Number(copysign(1.0, size)), over), multiplied(Number(abs(1.0 / size)), under))
     return ratio(multiplied(Number(size), over), under)
 
 
-def _root(held: Root) -> Expression:
+def _root(root: Root) -> Expression:
     """Return a root with √(1/x) written as 1/√x, and square numbers and even powers of π taken out of it."""
-    match held.inside:
+    match root.inside:
         case Quotient(Number(1.0), below):
             return ratio(ONE, _root(Root(below)))
         case Product((Number(x), *rest)) if x > 1.0 and sqrt(x).is_integer():
@@ -111,10 +111,10 @@ def _root(held: Root) -> Expression:
             (power,) = squared
             left = reduce(multiplied, (factor for factor in factors if factor is not power), ONE)
             if power.exponent % 2 or power.exponent <= 0:
-                return held
+                return root
             return multiplied(_power_of_pi(power.exponent // 2), Root(left))
         case _:
-            return held
+            return root
 
 
 def _power_of_pi(exponent: int) -> Expression:
@@ -128,54 +128,58 @@ def _place(factor: Expression) -> int:
     return 3 if isinstance(base, Call) else 2 if isinstance(base, Root) else 1 if isinstance(base, Sum) else 0
 
 
-def _factors(held: Expression) -> tuple[Expression, ...]:
+def _factors(expression: Expression) -> tuple[Expression, ...]:
     """Return the factors of a product; other formulas are their own only factor."""
-    return held.factors if isinstance(held, Product) else (held,)
+    return expression.factors if isinstance(expression, Product) else (expression,)
 
 
-def _turned(held: Expression) -> Expression:
+def _turned(expression: Expression) -> Expression:
     """Remove the leading minus sign of a product by reversing a difference among its factors."""
-    if isinstance(held, Quotient) and isinstance(held.above, Product) and held.above.negative:
-        return ratio(_turned(held.above), held.below)
-    if not isinstance(held, Product) or not isinstance(held.factors[0], Number) or held.factors[0].x >= 0.0:
-        return held
-    number, *factors = held.factors
-    place = next((n for n, factor in enumerate(factors) if _holds_difference(factor)), None)
-    if place is None:
-        return held
-    factors[place] = _reversed(factors[place])
+    if isinstance(expression, Quotient) and isinstance(expression.above, Product) and expression.above.negative:
+        return ratio(_turned(expression.above), expression.below)
+    if (
+        not isinstance(expression, Product)
+        or not isinstance(expression.factors[0], Number)
+        or expression.factors[0].x >= 0.0
+    ):
+        return expression
+    number, *factors = expression.factors
+    index = next((n for n, factor in enumerate(factors) if _holds_difference(factor)), None)
+    if index is None:
+        return expression
+    factors[index] = _reversed(factors[index])
     return reduce(multiplied, factors, -number)
 
 
-def _holds_difference(held: Expression) -> bool:
+def _holds_difference(factor: Expression) -> bool:
     """Return whether a factor is a difference, or a fraction with one in its numerator."""
-    if isinstance(held, Quotient):
-        return any(map(_holds_difference, _factors(held.above)))
-    return is_difference(held)
+    if isinstance(factor, Quotient):
+        return any(map(_holds_difference, _factors(factor.above)))
+    return is_difference(factor)
 
 
-def _opposed(held: Expression) -> Expression:
+def _opposed(expression: Expression) -> Expression:
     """Return the negative of a sum, or of a product with one of its sums reversed."""
-    return -held if isinstance(held, Sum) else _turned(multiplied(Number(-1.0), held))
+    return -expression if isinstance(expression, Sum) else _turned(multiplied(Number(-1.0), expression))
 
 
-def _reversed(held: Expression) -> Expression:
+def _reversed(expression: Expression) -> Expression:
     """Return a difference with its terms reversed."""
-    return ratio(_opposed(held.above), held.below) if isinstance(held, Quotient) else -held
+    return ratio(_opposed(expression.above), expression.below) if isinstance(expression, Quotient) else -expression
 
 
-def _rooted(held: Expression) -> Expression:
+def _rooted(expression: Expression) -> Expression:
     """Return n √(a/(m b)) as √(n² a/(m b)) if n²/m is an integer, so that the fraction is reduced."""
-    match held:
+    match expression:
         case Product((Number(x), Root(Quotient(above, Product((Number(y), *rest)))))) if (x * x / y).is_integer():
             return tidy(Root(ratio(multiplied(Number(x * x / y), above), reduce(multiplied, rest, ONE))))
         case _:
-            return held
+            return expression
 
 
-def _fraction(held: Expression) -> Expression:
+def _fraction(expression: Expression) -> Expression:
     """Remove the minus sign of a fraction if a difference in its denominator can be reversed."""
-    match held:
+    match expression:
         case Product((Number(-1.0), Quotient(above, Sum() as below))):
             return _upright(above, -below)
         case Quotient(above, Sum() as below) if _signed(above).negative:
@@ -183,7 +187,7 @@ def _fraction(held: Expression) -> Expression:
         case Quotient(above, below):
             return _upright(above, below) if above == _signed(above) else -_upright(-above, below)
         case _:
-            return held
+            return expression
 
 
 def _raised(base: Expression, exponent: int) -> Expression:
@@ -195,16 +199,16 @@ def _raised(base: Expression, exponent: int) -> Expression:
     return Power(base, exponent) if exponent % 2 else _squared(base, exponent)
 
 
-def _times(number: Number, held: Expression) -> Expression:
+def _times(number: Number, expression: Expression) -> Expression:
     """Return a multiple of a formula, with the number in the numerator of a fraction."""
-    if isinstance(held, Quotient):
-        return ratio(multiplied(number, held.above), held.below)
-    return multiplied(number, held)
+    if isinstance(expression, Quotient):
+        return ratio(multiplied(number, expression.above), expression.below)
+    return multiplied(number, expression)
 
 
-def _outward(held: Absolute | Call, opposite: Expression) -> Expression:
+def _outward(expression: Absolute | Call, opposite: Expression) -> Expression:
     """Rewrite an even or odd function of a negative argument, given the `opposite` argument: sin(−x) as −sin x."""
-    match held:
+    match expression:
         case Absolute():
             return Absolute(opposite)
         case Call("cos"):
@@ -212,17 +216,17 @@ def _outward(held: Absolute | Call, opposite: Expression) -> Expression:
         case Call("sin" | "arcsin" | "arctan" as function):
             return -Call(function, opposite)
         case _:
-            return held
+            return expression
 
 
-def _opposite(held: Expression) -> Expression:
+def _opposite(expression: Expression) -> Expression:
     """Return a negative formula without its sign."""
-    return ratio(-held.above, held.below) if isinstance(held, Quotient) else -held
+    return ratio(-expression.above, expression.below) if isinstance(expression, Quotient) else -expression
 
 
-def _signed(held: Expression) -> Expression:
+def _signed(expression: Expression) -> Expression:
     """Return a sum of negative terms with its sign in front."""
-    return multiplied(Number(-1.0), -held) if isinstance(held, Sum) and held.negative else held
+    return multiplied(Number(-1.0), -expression) if isinstance(expression, Sum) and expression.negative else expression
 
 
 def _upright(above: Expression, below: Expression) -> Expression:
@@ -238,14 +242,14 @@ def _upright(above: Expression, below: Expression) -> Expression:
 
 def _cancelled(factors: list[Expression]) -> Expression:
     """Return a product without the factors that a fraction among them cancels."""
-    for place, fraction in enumerate(factors):
+    for index, fraction in enumerate(factors):
         if isinstance(fraction, Quotient):
             below = list(fraction.below.factors if isinstance(fraction.below, Product) else (fraction.below,))
             common = next((factor for factor in factors if factor in below), None)
             if common is not None:
                 below.remove(common)
                 left = [
-                    ratio(fraction.above, reduce(multiplied, below, ONE)) if n == place else factor
+                    ratio(fraction.above, reduce(multiplied, below, ONE)) if n == index else factor
                     for n, factor in enumerate(factors)
                 ]
                 left.remove(common)

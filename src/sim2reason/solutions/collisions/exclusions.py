@@ -31,69 +31,71 @@ class Exclusion:
     aside: str = ""
 
 
-def clauses(told: Sequence[Exclusion]) -> Iterator[str]:
+def clauses(exclusions: Sequence[Exclusion]) -> Iterator[str]:
     """Yield clauses why pairs of bodies do not collide, one clause for all pairs with the same kind of argument."""
     for kind, clause in CLAUSES.items():
-        held = [each for each in told if each.kind == kind]
-        if held:
-            yield clause(held)
+        group = [each for each in exclusions if each.kind == kind]
+        if group:
+            yield clause(group)
 
 
-def _pairs(held: Sequence[Exclusion]) -> str:
+def _pairs(exclusions: Sequence[Exclusion]) -> str:
     """Return the subject of a clause, such as *pucks A and B* or *the pairs AB and AC*."""
-    return held[0].who if len(held) == 1 else f"the pairs {join_words([each.letters for each in held])}"
-
-
-def _numbers(held: Sequence[Exclusion]) -> str:
-    """Return a list in words of the numbers, such as times, that prove that pairs do not collide."""
-    return join_words([each.said for each in held])
-
-
-def _meet_later(held: Sequence[Exclusion]) -> str:
-    """Return the clause about discs that would touch only after the end of the interval."""
-    return f"{_pairs(held)} would meet, with their centres ${held[0].limit}$ apart, only at {_numbers(held)}"
-
-
-def _meet_later_in_line(held: Sequence[Exclusion]) -> str:
-    """Return the clause about bodies on a line that would meet only after the end of the interval."""
-    return join_words([f"{each.who}, {each.aside}, would meet only at {each.said}" for each in held])
-
-
-def _reach_later(held: Sequence[Exclusion]) -> str:
-    """Return the clause about bodies that would reach a wall only after the end of the interval."""
-    return join_words([f"{each.who}, {each.aside}, would reach {each.limit} only at {each.said}" for each in held])
-
-
-def _pass(held: Sequence[Exclusion]) -> str:
-    """Return the clause about discs whose least distance exceeds the sum of their radii."""
-    return f"the centres of {_pairs(held)} would be {_numbers(held)} apart where closest, more than ${held[0].limit}$"
-
-
-def _part(held: Sequence[Exclusion]) -> str:
-    """Return the clause about discs that separate: relative position times relative velocity is positive."""
-    return f"{_pairs(held)} move apart, since {_numbers(held)} {'is' if len(held) == 1 else 'are'} positive"
-
-
-def _part_in_line(held: Sequence[Exclusion]) -> str:
-    """Return the clause about bodies on a line that separate."""
-    return f"{_pairs(held)} move apart at {_numbers(held)}"
-
-
-def _slide_off(held: Sequence[Exclusion]) -> str:
-    """Return the clause about discs with only tangential relative velocity since an inelastic collision."""
     return (
-        f"{_pairs(held)} keep only a relative velocity perpendicular to their line of centres, which takes them apart"
+        exclusions[0].who if len(exclusions) == 1 else f"the pairs {join_words([each.letters for each in exclusions])}"
     )
 
 
-def _go_together(held: Sequence[Exclusion]) -> str:
+def _numbers(exclusions: Sequence[Exclusion]) -> str:
+    """Return a list in words of the numbers, such as times, that prove that pairs do not collide."""
+    return join_words([each.said for each in exclusions])
+
+
+def _meet_later(exclusions: Sequence[Exclusion]) -> str:
+    """Return the clause about discs that would touch only after the end of the interval."""
+    return f"{_pairs(exclusions)} would meet, with their centres ${exclusions[0].limit}$ apart, only at {_numbers(exclusions)}"
+
+
+def _meet_later_in_line(exclusions: Sequence[Exclusion]) -> str:
+    """Return the clause about bodies on a line that would meet only after the end of the interval."""
+    return join_words([f"{each.who}, {each.aside}, would meet only at {each.said}" for each in exclusions])
+
+
+def _reach_later(exclusions: Sequence[Exclusion]) -> str:
+    """Return the clause about bodies that would reach a wall only after the end of the interval."""
+    return join_words(
+        [f"{each.who}, {each.aside}, would reach {each.limit} only at {each.said}" for each in exclusions]
+    )
+
+
+def _pass(exclusions: Sequence[Exclusion]) -> str:
+    """Return the clause about discs whose least distance exceeds the sum of their radii."""
+    return f"the centres of {_pairs(exclusions)} would be {_numbers(exclusions)} apart where closest, more than ${exclusions[0].limit}$"
+
+
+def _part(exclusions: Sequence[Exclusion]) -> str:
+    """Return the clause about discs that separate: relative position times relative velocity is positive."""
+    return f"{_pairs(exclusions)} move apart, since {_numbers(exclusions)} {'is' if len(exclusions) == 1 else 'are'} positive"
+
+
+def _part_in_line(exclusions: Sequence[Exclusion]) -> str:
+    """Return the clause about bodies on a line that separate."""
+    return f"{_pairs(exclusions)} move apart at {_numbers(exclusions)}"
+
+
+def _slide_off(exclusions: Sequence[Exclusion]) -> str:
+    """Return the clause about discs with only tangential relative velocity since an inelastic collision."""
+    return f"{_pairs(exclusions)} keep only a relative velocity perpendicular to their line of centres, which takes them apart"
+
+
+def _go_together(exclusions: Sequence[Exclusion]) -> str:
     """Return the clause about discs without relative velocity after an inelastic head-on collision."""
-    return f"{_pairs(held)} move on together at the same velocity"
+    return f"{_pairs(exclusions)} move on together at the same velocity"
 
 
-def _leave_walls(held: Sequence[Exclusion]) -> str:
+def _leave_walls(exclusions: Sequence[Exclusion]) -> str:
     """Return the clause about bodies that move away from a wall."""
-    return join_words([f"{each.who} moves away from {each.limit} at {each.said}" for each in held])
+    return join_words([f"{each.who} moves away from {each.limit} at {each.said}" for each in exclusions])
 
 
 CLAUSES: Mapping[str, Callable[[Sequence[Exclusion]], str]] = {
@@ -137,9 +139,9 @@ class RelativeMotion:
 
     def concluded(self, base: str, formula: Expression, unit: str) -> str:
         """Write the number that proves that two bodies do not collide, such as a time, and return its equation."""
-        said: list[str] = []
-        self._verified(base, formula, unit, "", said)
-        return said[0]
+        equations: list[str] = []
+        self._verified(base, formula, unit, "", equations)
+        return equations[0]
 
     def _verified(self, base: str, formula: Expression, unit: str, axis: str, told: list[str]) -> Expression:
         """Define a name for a number, append its equation to `told`, and return the name."""
@@ -162,9 +164,9 @@ def approach_sentence(flights: Impacts, step: StepBuilder, begins: Impact, follo
         speed = speed - rate.scaled(sense * (1.0 if body == meeting.b else -1.0))
     record_inequality(book, step, speed.expression(), ZERO)
     motion = RelativeMotion(book, step, flights.pair_mark(meeting.names, begins))
-    said = motion.concluded("u", speed.expression(), SPEED)
+    equation = motion.concluded("u", speed.expression(), SPEED)
     who = flights.setting.bodies_phrase(list(meeting.names))
-    lead = f"After {flights.collision(begins)}, {who} approach each other at {said}"
+    lead = f"After {flights.collision(begins)}, {who} approach each other at {equation}"
     return f"{lead}; nothing else collides before they do."
 
 
@@ -218,7 +220,7 @@ class Intervals:
     def __iter__(self) -> Iterator[FreeInterval]:
         """Yield the intervals of each pair of bodies in turn."""
         for number, meeting in enumerate(self._flights.mechanism.meetings):
-            changes = [held for held in self.early if {*held.bodies} & {*meeting.names}]
+            changes = [impact for impact in self.early if {*impact.bodies} & {*meeting.names}]
             for begins, ends in zip([None, *changes], [*changes, None], strict=True):
                 legs = {body: self._number(body, begins) for body in meeting.names}
                 yield FreeInterval(number, legs, begins, ends if ends is not None else self._last(meeting))
@@ -228,12 +230,12 @@ class Intervals:
         """Return the collisions at the end time; empty for an infinite time."""
         if self._time == inf:
             return []
-        return [held for held in self._flights.impacts if abs(held.time - self._time) <= TIME_RTOL * self._time]
+        return [impact for impact in self._flights.impacts if abs(impact.time - self._time) <= TIME_RTOL * self._time]
 
     def following(self, begins: Impact | None) -> Impact | None:
         """Return the first collision after a given one, up to the end time, or the first of all for None."""
         number = 0 if begins is None else begins.number + 1
-        return next((held for held in (*self.early, *self.at_end) if held.number >= number), None)
+        return next((impact for impact in (*self.early, *self.at_end) if impact.number >= number), None)
 
     def is_late(self, held: FreeInterval) -> bool:
         """Return whether the two bodies of an interval collide at its end, but others collide before."""
@@ -241,7 +243,7 @@ class Intervals:
 
     def _last(self, meeting: CollisionPair) -> Impact | None:
         """Return the collision at the end time in which a body of the given pair takes part; None if there is none."""
-        return next((held for held in self.at_end if {*held.bodies} & {*meeting.names}), None)
+        return next((impact for impact in self.at_end if {*impact.bodies} & {*meeting.names}), None)
 
     def _number(self, body: str, begins: Impact | None) -> int:
         """Return the number of the flight of a body that follows a collision; 0 for the flight from the start."""

@@ -85,9 +85,9 @@ class FreeFlights(ABC):
 
     def _meeting(self, bodies: tuple[str, ...], time: float) -> int:
         """Return the index of the pair, two bodies or body and wall, that collides; of two walls, the nearer one."""
-        found = [n for n, met in enumerate(self.mechanism.meetings) if set(met.names) == set(bodies)]
-        if len(found) == 1:
-            return found[0]
+        candidates = [n for n, met in enumerate(self.mechanism.meetings) if set(met.names) == set(bodies)]
+        if len(candidates) == 1:
+            return candidates[0]
         state = self.setting.study.trace.sample(np.array([time]))
         places = {b: state.vector(state.frames.center(b).place)[0] for b in bodies}
 
@@ -96,7 +96,7 @@ class FreeFlights(ABC):
             assert met.normal is not None
             return abs(float(places[met.b] @ met.normal) - met.distance)
 
-        return min(found, key=gap)
+        return min(candidates, key=gap)
 
     def coordinates(self, body: str) -> dict[int, Vector]:
         """Return the directions of a body's coordinates by index."""
@@ -133,8 +133,8 @@ class FreeFlights(ABC):
         limit = len(self.impacts) if impact is None else impact.number
         early = self.impacts[:limit]
         if impact is None:
-            early = [held for held in early if held.time < self.setting.time]
-        return sum(body in held.bodies for held in early)
+            early = [collision for collision in early if collision.time < self.setting.time]
+        return sum(body in collision.bodies for collision in early)
 
     def pair_mark(self, bodies: Iterable[str], begins: Impact | None) -> str:
         """Return the subscript of the relative motion of a pair: its letters and a collision number.
@@ -266,7 +266,7 @@ class FreeFlights(ABC):
 
     def collision_number(self, impact: Impact) -> str:
         """Return the number of a collision, as a subscript; empty for the only one before the question's moment."""
-        several = sum(held.time <= self.setting.time for held in self.impacts) > 1
+        several = sum(collision.time <= self.setting.time for collision in self.impacts) > 1
         return str(impact.number + 1) if several else ""
 
     def _lasting(self, leg: Flight, time: Symbol) -> Expression:
@@ -299,15 +299,15 @@ class FreeFlights(ABC):
         """Return, by body, the coordinate along the normal of a collision and its sign; UnsolvedError if oblique."""
         if meeting.normal is None:
             raise UnsolvedError("the bodies meet at an angle")
-        found: dict[str, tuple[int, float]] = {}
+        coordinates: dict[str, tuple[int, float]] = {}
         for body in meeting.names:
             for k, axis in self.coordinates(body).items():
                 along = dot(axis, meeting.normal)
                 if abs(along) > 1.0 - ALIGNED:
-                    found[body] = (k, 1.0 if along > 0.0 else -1.0)
+                    coordinates[body] = (k, 1.0 if along > 0.0 else -1.0)
                 elif abs(along) > ALIGNED:
                     raise UnsolvedError("a wall stands at an angle to the motion")
-        return found
+        return coordinates
 
     def gap(self, number: int) -> Polynomial:
         """Return the initial gap between two bodies, or body and wall, that may collide."""

@@ -142,8 +142,8 @@ class FlightPart(MotionPart):
         k = own[0]
         begin = self.flights.place(body, self.number, k, None)
         end = self.flights.place(body, self.number, k, self.until)
-        held = (end - begin).expression()
-        return held if self.flights.book.value(held) >= 0.0 else -held
+        distance = (end - begin).expression()
+        return distance if self.flights.book.value(distance) >= 0.0 else -distance
 
 
 AT_TOP = frozenset({"greatest height", "least speed"})  # functionals extreme at the top
@@ -157,14 +157,14 @@ def question_at_top(setting: ProblemContext) -> ProblemContext | None:
         return None
     functional, moment = FUNCTIONALS[query.functional], HighestPoint(query.name)
     assert isinstance(functional, Extreme)
-    asked = Query("event", Target(functional.quantity.name, query.name, functional.sense), moment)
+    top_query = Query("event", Target(functional.quantity.name, query.name, functional.sense), moment)
     time = study.time(moment)
     if time is None or time > setting.time:
         return None
-    value, extreme = KINDS["event"].answer(asked, study), KINDS[query.kind].answer(query, study)
+    value, extreme = KINDS["event"].answer(top_query, study), KINDS[query.kind].answer(query, study)
     if value is None or extreme is None or abs(value - extreme) > EXTREME_RTOL * abs(extreme):
         return None
-    return replace(setting, query=asked)
+    return replace(setting, query=top_query)
 
 
 def write_highest_point(flights: Impacts, body: str) -> None:
@@ -217,7 +217,11 @@ def write_omitted_collisions(flights: Impacts, bodies: AbstractSet[str]) -> None
     """Write which earlier collisions the solution omits because they do not affect the given bodies."""
     setting = flights.setting
     early = [impact for impact in flights.impacts if impact.time < setting.time * (1.0 - TIME_RTOL)]
-    left = [held for held in early if held.number not in flights.times and held.number not in flights.struck]
+    left = [
+        collision
+        for collision in early
+        if collision.number not in flights.times and collision.number not in flights.struck
+    ]
     for impact in left:
         if bodies and bodies.isdisjoint(_affected(impact, early)):
             step = flights.book.begin_step("verify")
@@ -230,8 +234,8 @@ def write_omitted_collisions(flights: Impacts, bodies: AbstractSet[str]) -> None
 
 def _affected(first: Impact, impacts: list[Impact]) -> set[str]:
     """Return the bodies whose motion depends on a collision, also through later collisions."""
-    found = {*first.bodies}
+    affected = {*first.bodies}
     for impact in impacts:
-        if impact.number > first.number and not found.isdisjoint(impact.bodies):
-            found |= {*impact.bodies}
-    return found
+        if impact.number > first.number and not affected.isdisjoint(impact.bodies):
+            affected |= {*impact.bodies}
+    return affected

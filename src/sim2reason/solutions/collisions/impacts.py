@@ -33,8 +33,8 @@ class Impacts(FreeFlights, ABC):
     def latest(self, impact: Impact) -> tuple[dict[str, int], Impact | None]:
         """Return, by body, the number of the flight that ends with a collision, and the latest collision before it."""
         legs = {body: self.count(body, impact) for body in impact.bodies}
-        begun = [held for b, n in legs.items() if (held := self.leg(b, n).after) is not None]
-        return legs, max(begun, key=lambda held: held.number, default=None)
+        begun = [previous for b, n in legs.items() if (previous := self.leg(b, n).after) is not None]
+        return legs, max(begun, key=lambda previous: previous.number, default=None)
 
     def _meets(self, impact: Impact) -> Symbol:
         """Write the time of a collision: that at which the gap closes, counted from the start of the later flight."""
@@ -107,7 +107,7 @@ class Impacts(FreeFlights, ABC):
 
     def collision_clause(self, impact: Impact) -> str:
         """Return a clause about a collision, such as *Carts A and B meet again*."""
-        again = " again" if any(held.meeting == impact.meeting for held in self.impacts[: impact.number]) else ""
+        again = " again" if any(earlier.meeting == impact.meeting for earlier in self.impacts[: impact.number]) else ""
         if len(impact.bodies) == 1:
             body = capitalized(self.setting.display_name(impact.bodies[0]))
             return f"{body} hits {self.obstacle(impact.meeting)}{again}"
@@ -118,7 +118,7 @@ class Impacts(FreeFlights, ABC):
         normal = self.mechanism.meetings[meeting].normal
         if normal is not None and normal[2] > 1.0 - ALIGNED:
             return "the ground"
-        normals = {held.normal for held in self.mechanism.meetings if held.a is None}
+        normals = {pair.normal for pair in self.mechanism.meetings if pair.a is None}
         if normal is None or len(normals) == 1:
             return "the wall"
         x, y, z = normal
@@ -135,7 +135,7 @@ class Impacts(FreeFlights, ABC):
     def collision(self, impact: Impact) -> str:
         """Return the name of a collision, such as *the second impact of ball A on the ground*."""
         who = self.setting.bodies_phrase(list(impact.bodies))
-        same = [held.number for held in self.impacts if held.meeting == impact.meeting]
+        same = [other.number for other in self.impacts if other.meeting == impact.meeting]
         which = f"{_ordinal(same.index(impact.number) + 1)} " if len(same) > 1 else ""
         if len(impact.bodies) > 1:
             return f"the {which}collision of {who}"
@@ -161,14 +161,14 @@ class Impacts(FreeFlights, ABC):
         record_inequality(book, step, formula, span)
         self.flown.add((body, number))
         step.rest_on(span.name)
-        told = step.verified(name, formula, SECONDS)
+        equation = step.verified(name, formula, SECONDS)
         if planar and obstacle != "the ground":
             step.add_text(
-                f"It would hit {obstacle} again only {told} after this impact, which is later than ${time.name}$."
+                f"It would hit {obstacle} again only {equation} after this impact, which is later than ${time.name}$."
             )
         else:
             step.add_text(
-                f"It would land again only {told} after this impact, so it is still in the air at ${time.name}$."
+                f"It would land again only {equation} after this impact, so it is still in the air at ${time.name}$."
             )
         step.close()
 
@@ -177,14 +177,14 @@ class Impacts(FreeFlights, ABC):
         if impact.number not in self.struck:
             meeting = self.mechanism.meetings[impact.meeting]
             if meeting.normal is None:
-                found = self.discs_part(impact)
+                velocities = self.discs_part(impact)
             else:
-                found = self._rebound(impact) if len(meeting.names) == 1 else self._collision(impact, meeting)
+                velocities = self._rebound(impact) if len(meeting.names) == 1 else self._collision(impact, meeting)
             for body in impact.bodies:
                 for k in self.coordinates(body):
-                    if k not in found:
-                        found[k] = self.just_before(impact, body, k)
-            self.struck[impact.number] = found
+                    if k not in velocities:
+                        velocities[k] = self.just_before(impact, body, k)
+            self.struck[impact.number] = velocities
         return self.struck[impact.number]
 
     def just_before(self, impact: Impact, body: str, k: int) -> Polynomial:
@@ -224,7 +224,7 @@ class Impacts(FreeFlights, ABC):
     def _kept(self, body: str, k: int) -> str:
         """Return the clause that the velocity along a wall is unchanged; empty on a line or after a first rebound."""
         others = [j for j in self.coordinates(body) if j != k]
-        if not others or any(held.kind == "rebound" for held in self.book.steps):
+        if not others or any(step.kind == "rebound" for step in self.book.steps):
             return ""
         return f"; its velocity along {self.mechanism.coordinates[others[0]].label} stays the same"
 
@@ -240,20 +240,20 @@ class Impacts(FreeFlights, ABC):
         momentum = step.law((m * u + n * w).expression(), (m * x + n * y).expression())
         parting = step.law((y - x).expression(), multiplied(e.expression(), (u - w).expression()))
         known = impact.number in self.times  # the text has just named the bodies
-        if any(held.kind == "impact" for held in self.book.steps):
+        if any(earlier.kind == "impact" for earlier in self.book.steps):
             step.add_text(f"{'As before' if known else self.collision_clause(impact)}: {momentum} and {parting}.")
         else:
             step.add_text("" if known else f"{self.collision_clause(impact)}.")
             step.add_text(f"Conservation of momentum and restitution: {momentum} and {parting}.")
         step.label(f"impact {impact.number}")
         step.close()
-        whole = (m + n).expression()
+        total_mass = (m + n).expression()
         for name, heavy, sign in ((names[0], n, -1.0), (names[1], m, 1.0)):
             step = self.book.begin_step("solve")
             step.rest_on(f"impact {impact.number}")
             push = (heavy * e).scaled(sign).expression()
             above = added((m * u + n * w).expression(), multiplied(push, (u - w).expression()))
-            step.add_text(f"So {step.result(name, ratio(above, whole), SPEED)}.")
+            step.add_text(f"So {step.result(name, ratio(above, total_mass), SPEED)}.")
             step.close()
         return {i: Polynomial.of(names[0]), j: Polynomial.of(names[1])}
 

@@ -48,28 +48,28 @@ def _meet(flights: Impacts, impact: Impact) -> Symbol:
         return _meet_along(flights, impact, axis)
     book, distance = flights.book, _distance(flights, impact)
     step, t = book.begin_step("impact time"), book.fresh("t")
-    whole: Expression = ZERO
+    squared_distance: Expression = ZERO
     for x, w in zip(X, u, strict=True):
-        whole = added(whole, Power(added(x, multiplied(w, t)), 2))
-    law = step.derived(whole, Power(distance, 2))
+        squared_distance = added(squared_distance, Power(added(x, multiplied(w, t)), 2))
+    law = step.derived(squared_distance, Power(distance, 2))
     speeds = sum_of_squares(u)
     along = summed(multiplied(x, w) for x, w in zip(X, u, strict=True))
     pair = flights.pair_mark(impact.bodies, flights.latest(impact)[1])
     p, q = book.fresh("p", pair), book.fresh("q", pair)
-    said = [
+    definitions = [
         step.result(p, speeds, latex("m^2/s^2"), law=True),
         step.result(q, along, latex("m^2/s"), law=True),
     ]
     aside: Expression = ZERO
     if len(X) > 1:  # |X|² |u|² = (X·u)² + (X×u)²: q² − p |X|² would lose digits in a grazing collision
         c = book.fresh("c", pair)
-        said.append(step.result(c, X[0] * u[1] - X[1] * u[0], latex("m^2/s"), law=True))
+        definitions.append(step.result(c, X[0] * u[1] - X[1] * u[0], latex("m^2/s"), law=True))
         aside = Power(c, 2)
     square = multiplied(p, Power(distance, 2))
     quadratic = step.law(added(Power(added(multiplied(p, t), q), 2), aside), square)
     formula = ratio(added(-q, -Root(added(square, -aside))), p)
     step.add_text(
-        f"{flights.collision_clause(impact)} when {law}. With {join_words(said)}, "
+        f"{flights.collision_clause(impact)} when {law}. With {join_words(definitions)}, "
         f"this multiplied by ${p.latex()}$ is {quadratic}."
     )
     step.add_text(f"The earlier root is {step.result(t, formula, SECONDS)}{flights.counted_from(impact, since)}.")
@@ -122,54 +122,54 @@ def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[
     one, other = impact.bodies
     lexicon = flights.setting.lexicon
     places = [minus(f.center(other).place, f.center(one).place) for f in flights.frames]
-    found: list[tuple[str, Polynomial, Polynomial]] = []
+    components: list[tuple[str, Polynomial, Polynomial]] = []
     for i, j in zip(flights.coordinates(one), flights.coordinates(other), strict=True):
         axes = lexicon.mechanism.coordinates[i].axis, lexicon.twin.coordinates[i].axis
-        along = [float(dot(apart, axis)) for apart, axis in zip(places, axes, strict=True)]
-        apart = lexicon.read(DualValue(*along))
-        apart = apart + flights.place(other, legs[other], j, since) - flights.place(one, legs[one], i, since)
+        along = [float(dot(separation, axis)) for separation, axis in zip(places, axes, strict=True)]
+        separation = lexicon.read(DualValue(*along))
+        separation = separation + flights.place(other, legs[other], j, since) - flights.place(one, legs[one], i, since)
         w = flights.velocity(other, legs[other], j, since) - flights.velocity(one, legs[one], i, since)
         if flights.acceleration(i) - flights.acceleration(j):
             raise ValueError("discs that are accelerated differently")
-        if apart or w:  # axes without relative position and velocity are omitted
-            found.append((flights.mechanism.coordinates[i].label, apart, w))
+        if separation or w:  # axes without relative position and velocity are omitted
+            components.append((flights.mechanism.coordinates[i].label, separation, w))
     step = flights.book.begin_step("relative")
     if any(flights.acceleration(i) for i in flights.coordinates(one)):
         who = capitalized(flights.setting.bodies_phrase([body.name for body in flights.mechanism.bodies if body.mass]))
         step.add_text(
             f"{who} have the same acceleration, so their relative velocities are constant between collisions."
         )
-    X, u, said = _named(flights, step, found, flights.pair_mark(impact.bodies, latest))
-    labels = [label for label, *_ in found]
+    X, u, definitions = _named(flights, step, components, flights.pair_mark(impact.bodies, latest))
+    labels = [label for label, *_ in components]
     who = [flights.setting.display_name(body) for body in impact.bodies]
     when = f"just after {flights.collision(latest)}" if latest is not None else "at t = 0"
     what = "Position and velocity" if any(x != ZERO for x in X) else "Velocity"
-    step.add_text(f"{what} of {who[1]} relative to {who[0]} {when}: {join_words(said)}.")
+    step.add_text(f"{what} of {who[1]} relative to {who[0]} {when}: {join_words(definitions)}.")
     step.close()
     flights.relative[impact.number] = (X, u, since, labels)
     return X, u, since, labels
 
 
 def _named(
-    flights: Impacts, step: StepBuilder, found: Sequence[tuple[str, Polynomial, Polynomial]], pair: str
+    flights: Impacts, step: StepBuilder, components: Sequence[tuple[str, Polynomial, Polynomial]], pair: str
 ) -> tuple[list[Expression], list[Expression], list[str]]:
     """Return names of nonzero relative coordinates and velocities, with the equations that define them.
 
     The coordinate along the only axis of the relative velocity gets no name: only the collision time depends on it.
     """
-    X, u, said = list[Expression](), list[Expression](), list[str]()
-    along = _only_axis([w.expression() for _, _, w in found])
-    for number, (label, apart, w) in enumerate(found):
+    X, u, definitions = list[Expression](), list[Expression](), list[str]()
+    along = _only_axis([w.expression() for _, _, w in components])
+    for number, (label, separation, w) in enumerate(components):
         for base, index, part, unit, known in (
-            (label, pair, apart, METRES, X),
+            (label, pair, separation, METRES, X),
             ("u", f"{label},{pair}", w, SPEED, u),
         ):
             known.append(part.expression())
             if part and not (number == along and known is X):
                 name = flights.book.fresh(base, index)
-                said.append(step.result(name, known[-1], unit, law=True))
+                definitions.append(step.result(name, known[-1], unit, law=True))
                 known[-1] = name
-    return X, u, said
+    return X, u, definitions
 
 
 def _approach(flights: Impacts, impact: Impact) -> tuple[dict[str, Symbol], Symbol]:
@@ -180,8 +180,10 @@ def _approach(flights: Impacts, impact: Impact) -> tuple[dict[str, Symbol], Symb
     step = book.begin_step("normal")
     n = {label: book.fresh("n", ",".join(part for part in (label, number) if part)) for label in labels}
     across = [label for label, w in zip(labels, u, strict=True) if w == ZERO]
-    told = {label: part for label, part in zip(labels, parts, strict=True) if label not in across}
-    step.add_text(f"{when} {join_words([step.result(n[label], part, '', law=True) for label, part in told.items()])}.")
+    components = {label: part for label, part in zip(labels, parts, strict=True) if label not in across}
+    step.add_text(
+        f"{when} {join_words([step.result(n[label], part, '', law=True) for label, part in components.items()])}."
+    )
     approach = book.fresh("u", r"\text{n}" + (f",{number}" if number else ""))
     along = summed(multiplied(w, m) for w, m in zip(u, n.values(), strict=True))
     step.add_text(f"The relative velocity along the line is {step.result(approach, along, SPEED, law=True)}.")
@@ -222,13 +224,13 @@ def _part(flights: Flights, impact: Impact) -> dict[int, Polynomial]:
     step, push = book.begin_step("impulse"), book.fresh("J", flights.collision_number(impact))
     reduced = ratio(multiplied(m, k), added(m, k))
     formula = -multiplied(multiplied(added(Number(1.0), e), reduced), approach)
-    said = f"{RESTITUTION if flights.restitution(impact.meeting) else INELASTIC} give the impulse"
-    step.add_text(f"{said} {step.result(push, formula, IMPULSE, law=True)}.")
+    lead = f"{RESTITUTION if flights.restitution(impact.meeting) else INELASTIC} give the impulse"
+    step.add_text(f"{lead} {step.result(push, formula, IMPULSE, law=True)}.")
     step.close()
-    found = {i: flights.just_before(impact, body, i) for body in impact.bodies for i in flights.coordinates(body)}
+    velocities = {i: flights.just_before(impact, body, i) for body in impact.bodies for i in flights.coordinates(body)}
     for body, mass, sign in ((one, m, -1.0), (other, k, 1.0)):
         for number in flights.coordinates(body):
-            before, label = found[number], flights.mechanism.coordinates[number].label
+            before, label = velocities[number], flights.mechanism.coordinates[number].label
             if label not in n:
                 continue
             step, name = book.begin_step("after"), book.name_after_impact("v", flights.mark(body, number))
@@ -236,8 +238,8 @@ def _part(flights: Flights, impact: Impact) -> dict[int, Polynomial]:
             formula = added(before.expression(), change)
             step.add_text(f"After the impact, {step.result(name, formula, SPEED, law=True)}.")
             step.close()
-            found[number] = Polynomial.of(name)
-    return found
+            velocities[number] = Polynomial.of(name)
+    return velocities
 
 
 def tell_side(flights: Flights, body: str, k: int, distance: Symbol) -> None:

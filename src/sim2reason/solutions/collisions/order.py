@@ -75,19 +75,19 @@ class CollisionOrder:
 
         At the start they include bodies that would collide later, which proves that the first collision is the first.
         """
-        step, told = self._book.begin_step(ORDER), list[Exclusion]()
+        step, exclusions = self._book.begin_step(ORDER), list[Exclusion]()
         for stretch in self._held:
             if stretch.begins == begins and (begins is None or not stretch.meets):
-                told += filter(None, [self._excluded(step, stretch)])
+                exclusions += filter(None, [self._excluded(step, stretch)])
         last = begins if self._early and begins == self._early[-1] else None
         now, before = (
             [*late_values(self._flights, step)],
             last_collision_sentence(self._flights, step, last, self._until),
         )
-        step.add_text(*(now if told else ()), before, *(each.motion for each in told))
-        if told:
-            step.add_text(f"{self._lead(begins)} {'; '.join(clauses(told))}{self._hence(begins)}.")
-        if told or before:
+        step.add_text(*(now if exclusions else ()), before, *(each.motion for each in exclusions))
+        if exclusions:
+            step.add_text(f"{self._lead(begins)} {'; '.join(clauses(exclusions))}{self._hence(begins)}.")
+        if exclusions or before:
             self._close(step)
 
     def _tell_next(self, begins: Impact) -> None:
@@ -95,14 +95,16 @@ class CollisionOrder:
         step, following = self._book.begin_step(ORDER), self._held.following(begins)
         if self._flights.timed or following is None:
             return
-        own = (held for held in self._held if held.begins == begins and self._held.is_late(held))
-        told = [found for held in own if (found := self._excluded(step, held)) is not None]
+        own = (interval for interval in self._held if interval.begins == begins and self._held.is_late(interval))
+        exclusions = [exclusion for interval in own if (exclusion := self._excluded(step, interval)) is not None]
         closing = approach_sentence(self._flights, step, begins, following)
         step.add_text(*late_values(self._flights, step))
-        if told:
-            step.add_text(*(each.motion for each in told), f"{self._lead(begins)} {'; '.join(clauses(told))}.")
+        if exclusions:
+            step.add_text(
+                *(each.motion for each in exclusions), f"{self._lead(begins)} {'; '.join(clauses(exclusions))}."
+            )
         step.add_text(closing)
-        if told or closing:
+        if exclusions or closing:
             self._close(step)
 
     def _close(self, step: StepBuilder) -> None:
@@ -129,8 +131,10 @@ class CollisionOrder:
         if flights.restitution(held.meeting):
             return None
         one, other = ([flights.leg(b, n).speeds[k] for k in flights.coordinates(b)] for b, n in held.legs.items())
-        apart = (self._book.value((w - v).expression()) for v, w in zip(one, other, strict=True))
-        return self._excluded_by("touching" if any(abs(u) > SPEED_ATOL for u in apart) else "together", held, "")
+        relative_velocity = (self._book.value((w - v).expression()) for v, w in zip(one, other, strict=True))
+        return self._excluded_by(
+            "touching" if any(abs(u) > SPEED_ATOL for u in relative_velocity) else "together", held, ""
+        )
 
     def _aside(self, step: StepBuilder, held: FreeInterval, meeting: CollisionPair) -> Exclusion | None:
         """Return the argument why two discs do not collide in an interval; None if they do not move."""
@@ -146,23 +150,23 @@ class CollisionOrder:
         aside = multiplied(X[0], u[1]) - multiplied(X[1], u[0]) if len(X) > 1 else ZERO
         if book.value(along) >= 0.0:
             record_inequality(book, step, along, ZERO)
-            found = self._excluded_by("apart", held, motion.concluded("q", along, latex("m^2/s")))
+            exclusion = self._excluded_by("apart", held, motion.concluded("q", along, latex("m^2/s")))
         elif abs(book.value(aside)) >= book.value(Root(square)) * book.value(d):
             still = [x for x, w in zip(X, u, strict=True) if w == ZERO]
-            apart = Absolute(still[0]) if still else ratio(Absolute(aside), Root(square))
-            record_inequality(book, step, apart, d)
-            found = self._excluded_by("pass", held, motion.concluded("b", apart, METRES))
+            closest = Absolute(still[0]) if still else ratio(Absolute(aside), Root(square))
+            record_inequality(book, step, closest, d)
+            exclusion = self._excluded_by("pass", held, motion.concluded("b", closest, METRES))
         else:
             p, q, c = (
                 more.named(name, part, latex(unit))
                 for name, part, unit in (("p", square, "m^2/s^2"), ("q", along, "m^2/s"), ("c", aside, "m^2/s"))
             )
             root = Root(added(multiplied(p, Power(d, 2)), -Power(c, 2)) if c != ZERO else multiplied(p, Power(d, 2)))
-            found = self._later(motion, held, -ratio(added(q, root), p))
+            exclusion = self._later(motion, held, -ratio(added(q, root), p))
         one, other = map(flights.setting.display_name, meeting.names)
-        told = f"Position and velocity of {other} relative to {one} {self._when(held)}: {join_words(motion.told)}"
-        told += f"; hence {join_words(more.told)}." if more.told else "."
-        return replace(found, limit=d.latex(), motion=told)
+        sentence = f"Position and velocity of {other} relative to {one} {self._when(held)}: {join_words(motion.told)}"
+        sentence += f"; hence {join_words(more.told)}." if more.told else "."
+        return replace(exclusion, limit=d.latex(), motion=sentence)
 
     def _in_line(self, step: StepBuilder, held: FreeInterval, *, just_met: bool) -> Exclusion | None:
         """Return the argument why two bodies on a line, or a body and a wall, do not collide in an interval."""
@@ -174,9 +178,9 @@ class CollisionOrder:
         begin, gap, rate, rise = self._begin(held), flights.gap(held.meeting), NIL, NIL
         for body, (k, sense) in ways.items():
             sign = sense * (1.0 if body == meeting.b else -1.0)
-            place, velocity = self._drift(body, held.legs[body], k, begin)
+            displacement, velocity = self._drift(body, held.legs[body], k, begin)
             a = flights.acceleration(k).scaled(sign)
-            gap, rate, rise = gap + place.scaled(sign), rate + velocity.scaled(sign), rise + a
+            gap, rate, rise = gap + displacement.scaled(sign), rate + velocity.scaled(sign), rise + a
         rate, gap = rate + rise * begin, gap + (rise * begin * begin).scaled(0.5)
         mark = flights.pair_mark(held.legs, held.begins)
         motion, speed = RelativeMotion(book, step, mark), book.value(rate.expression())
@@ -187,8 +191,8 @@ class CollisionOrder:
         if speed > 0.0:
             record_inequality(book, step, rate.expression(), ZERO)
             kind = "wall apart" if len(ways) == 1 else "line apart"
-            found = self._excluded_by(kind, held, motion.concluded("u", rate.expression(), SPEED))
-            return replace(found, limit=flights.obstacle(held.meeting))
+            exclusion = self._excluded_by(kind, held, motion.concluded("u", rate.expression(), SPEED))
+            return replace(exclusion, limit=flights.obstacle(held.meeting))
         motion.named("d", gap.expression(), METRES)
         motion.named("u", rate.scaled(-1.0).expression(), SPEED)
         return self._approaching(motion, held, motion.quotient(), " and approaching at")
@@ -207,15 +211,19 @@ class CollisionOrder:
         if gap:
             span = self._flights.root(distance, change, rise)
             return self._approaching(motion, held, span, ", a distance that at first changes at the rate")
-        found = self._later(motion, held, ratio(change.scaled(-2.0).expression(), rise.expression()))
+        exclusion = self._later(motion, held, ratio(change.scaled(-2.0).expression(), rise.expression()))
         obstacle = self._flights.obstacle(held.meeting)
-        return replace(found, aside=f"which leaves {obstacle} at {join_words(motion.told)}", limit=f"{obstacle} again")
+        return replace(
+            exclusion, aside=f"which leaves {obstacle} at {join_words(motion.told)}", limit=f"{obstacle} again"
+        )
 
     def _approaching(self, motion: RelativeMotion, held: FreeInterval, span: Expression, moving: str) -> Exclusion:
         """Return the argument that a distance along a line vanishes only after the end of an interval."""
         pair, obstacle = len(held.legs) > 1, self._flights.obstacle(held.meeting)
-        apart, *speed = motion.told
-        aside = f"{apart} {'apart' if pair else f'from {obstacle}'}{moving if speed else ''} {''.join(speed)}".strip()
+        distance, *speed = motion.told
+        aside = (
+            f"{distance} {'apart' if pair else f'from {obstacle}'}{moving if speed else ''} {''.join(speed)}".strip()
+        )
         return replace(self._later(motion, held, span), aside=aside, limit=obstacle)
 
     def _later(self, motion: RelativeMotion, held: FreeInterval, span: Expression) -> Exclusion:
@@ -229,10 +237,10 @@ class CollisionOrder:
         assert end is not None
         lasts = added(self._begin(held).expression(), span)
         record_inequality(self._book, motion.step, lasts, self._since_start(end).expression())
-        whole = span if held.begins is None else added(flights.when(held.begins), span)
+        collision_time = span if held.begins is None else added(flights.when(held.begins), span)
         oblique = flights.mechanism.meetings[held.meeting].normal is None
         kind = "later" if oblique else "wall later" if len(held.legs) == 1 else "line later"
-        return self._excluded_by(kind, held, motion.concluded("t", whole, SECONDS))
+        return self._excluded_by(kind, held, motion.concluded("t", collision_time, SECONDS))
 
     def _excluded_by(self, kind: str, held: FreeInterval, said: str) -> Exclusion:
         """Return the argument, of a given kind, that the two bodies of an interval do not collide."""
@@ -249,7 +257,7 @@ class CollisionOrder:
         lexicon = flights.setting.lexicon
         for i, j in zip(flights.coordinates(one), flights.coordinates(other), strict=True):
             axes = lexicon.mechanism.coordinates[i].axis, lexicon.twin.coordinates[i].axis
-            along = [float(dot(apart, axis)) for apart, axis in zip(places, axes, strict=True)]
+            along = [float(dot(separation, axis)) for separation, axis in zip(places, axes, strict=True)]
             (s, v), (r, w) = (
                 (flights.place(b, held.legs[b], k, since), flights.velocity(b, held.legs[b], k, since))
                 for b, k in ((one, i), (other, j))
@@ -260,13 +268,13 @@ class CollisionOrder:
     def _drift(self, body: str, number: int, k: int, time: Polynomial) -> tuple[Polynomial, Polynomial]:
         """Return displacement and velocity at a time of a flight, without the terms ½ a t² and a t of gravity."""
         flights, a = self._flights, self._flights.acceleration(k)
-        place, before, velocity = NIL, NIL, NIL
+        displacement, before, velocity = NIL, NIL, NIL
         for n in range(number + 1):
             leg = flights.leg(body, n)
             begins = self._since_start(flights.begins(leg))
-            place = place + velocity * (begins - before)
+            displacement = displacement + velocity * (begins - before)
             velocity, before = leg.speeds[k] - a * begins, begins
-        return place + velocity * (time - before), velocity
+        return displacement + velocity * (time - before), velocity
 
     def _begin(self, held: FreeInterval) -> Polynomial:
         """Return the time at which an interval begins."""

@@ -114,10 +114,10 @@ class Fields:
         if number is None:
             return None
         charge = self._read(lambda m: _magnetic(m.forces[number]))
-        said = "The magnetic force rotates the velocity with the angular velocity"
-        said = f"{'' if self.has_field else self._charge}{said} (positive if clockwise as seen from positive z)"
+        text = "The magnetic force rotates the velocity with the angular velocity"
+        text = f"{'' if self.has_field else self._charge}{text} (positive if clockwise as seen from positive z)"
         return self.book.add_step(
-            "field", said, self.book.fresh(r"\Omega"), charge.expression() / self.mass, ANGULAR_SPEED
+            "field", text, self.book.fresh(r"\Omega"), charge.expression() / self.mass, ANGULAR_SPEED
         )
 
     @cached_property
@@ -127,8 +127,8 @@ class Fields:
         if number is None or self.has_quadratic_drag:
             return None
         drag = self._read(lambda m: getattr(m.forces[number].law, "linear", 0.0)).expression()
-        said = "The drag per unit mass and velocity is"
-        return self.book.add_step("field", said, self.book.fresh(r"\gamma"), drag / self.mass, PER_SECOND)
+        text = "The drag per unit mass and velocity is"
+        return self.book.add_step("field", text, self.book.fresh(r"\gamma"), drag / self.mass, PER_SECOND)
 
     @property
     def has_quadratic_drag(self) -> bool:
@@ -146,9 +146,9 @@ class Fields:
         if not square:
             return ZERO
         vx, vy = self.launch
-        said = "The initial drag per unit mass and velocity is"
+        text = "The initial drag per unit mass and velocity is"
         formula = square.expression() * Root(Power(vx, 2) + Power(vy, 2)) / self.mass
-        return self.book.add_step("field", said, self.book.fresh(r"\gamma"), formula, PER_SECOND)
+        return self.book.add_step("field", text, self.book.fresh(r"\gamma"), formula, PER_SECOND)
 
     @cached_property
     def drive(self) -> ElectricAcceleration | None:
@@ -161,9 +161,9 @@ class Fields:
         axis = next(n for n in (0, 1) if abs(law.direction[n]) > 0.5)
         strength = self._part(number, "value", axis) / self.mass
         who, where = self.setting.display_name(self.body), self._where(law.profile)
-        said = f"the electric force gives {who} an acceleration whose {AXES[axis]} component is"
-        said = f"{self._charge}{where}{said if where else capitalized(said)}"
-        name = self.book.add_step("field", said, self.book.fresh("a", r"\text{E}"), strength, ACCELERATION)
+        text = f"the electric force gives {who} an acceleration whose {AXES[axis]} component is"
+        text = f"{self._charge}{where}{text if where else capitalized(text)}"
+        name = self.book.add_step("field", text, self.book.fresh("a", r"\text{E}"), strength, ACCELERATION)
         profile = law.profile
         if profile.phase and (self.turning is not None or self.damping is not None or self.has_quadratic_drag):
             raise UnsolvedError("the field begins with a phase of its own")
@@ -237,7 +237,7 @@ class Fields:
         (vx, vy), places = self.velocity, self.places
         sides = [self.acceleration(n, self.clock, lambda k: self.velocity[k], lambda k: places[k]) for n in (0, 1)]
         rate = r"\dot{v}"
-        told = [
+        equations = [
             rf"${name.name.replace('v', rate, 1)} = {plain_latex(side)}$"
             for name, side in zip(self.velocity, sides, strict=True)
         ]
@@ -245,7 +245,7 @@ class Fields:
         timed = any(self.clock.name in side.symbols() for side in sides)
         when = f" at the time ${self.clock.latex()}$" if timed else ""
         step.add_text(f"Let {both} be the components of the velocity{when}.")
-        step.add_text(f"The equations of motion are {join_words(told)}, by Newton's second law.")
+        step.add_text(f"The equations of motion are {join_words(equations)}, by Newton's second law.")
         step.label(LAW)
         step.close()
         return LAW
@@ -254,16 +254,16 @@ class Fields:
         self, axis: int, time: Expression, rate: Callable[[int], Expression], moved: Callable[[int], Expression]
     ) -> Expression:
         """Return the acceleration along an axis: the sum of all forces over the mass."""
-        found: Expression = ZERO
+        total: Expression = ZERO
         if self.drive is not None and self.drive.axis == axis:
-            found = found + self.drive.at(time, moved)
+            total = total + self.drive.at(time, moved)
         if self.turning is not None:
-            found = found + self.turning * rate(1 - axis) * TURNS[axis]
+            total = total + self.turning * rate(1 - axis) * TURNS[axis]
         if self.damping is not None:
-            found = found - self.damping * rate(axis)
+            total = total - self.damping * rate(axis)
         if self.drag != ZERO:
-            found = found - self.drag / (ONE + self.drag * time) * rate(axis)
-        return found
+            total = total - self.drag / (ONE + self.drag * time) * rate(axis)
+        return total
 
     def speed(self, first: Expression, time: Expression) -> Expression:
         """Return the speed at a time, m/s, if only drag has changed it since the start."""

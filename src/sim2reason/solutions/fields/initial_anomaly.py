@@ -29,13 +29,13 @@ class InitialAnomaly:
             formula, reasons = size if q > 0.0 else -size, [self._radial(step)]
             limits = (0, 180) if q > 0.0 else (-180, 0)
         else:
-            least = Call("arctan", self._q / self._p)
-            formula = least if p > 0.0 else least + PI if q > 0.0 else least - PI
+            principal = Call("arctan", self._q / self._p)
+            formula = principal if p > 0.0 else principal + PI if q > 0.0 else principal - PI
             reasons = [self._sign(step)] if p > 0.0 else [self._sign(step), self._radial(step)]
             limits = (-90, 90) if p > 0.0 else (90, 180) if q > 0.0 else (-180, -90)
         low, high = (rf"${limit}^\circ$" for limit in limits)
-        said = f"As {' and '.join(reasons)}, the initial value ${name.latex()}$ of ${anomaly.latex()}$ lies between"
-        step.add_text(f"{said} {low} and {high}: {step.result(name, formula, RADIANS, law=True)}.")
+        text = f"As {' and '.join(reasons)}, the initial value ${name.latex()}$ of ${anomaly.latex()}$ lies between"
+        step.add_text(f"{text} {low} and {high}: {step.result(name, formula, RADIANS, law=True)}.")
         step.close()
         return name
 

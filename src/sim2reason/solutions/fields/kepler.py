@@ -61,8 +61,8 @@ class KeplerOrbit:
     def radius(self) -> Symbol:
         """Return the initial distance from the central body, m."""
         formula = vector_length(self.place)
-        said = f"The initial distance of {self.setting.display_name(self.body)} is"
-        return self.book.add_step("distance", said, self.named("r", "0"), formula, METRES)
+        text = f"The initial distance of {self.setting.display_name(self.body)} is"
+        return self.book.add_step("distance", text, self.named("r", "0"), formula, METRES)
 
     @cached_property
     def axis(self) -> Symbol:
@@ -100,8 +100,8 @@ class KeplerOrbit:
     def momentum(self) -> Symbol:
         """Return the angular momentum per unit mass, positive about z."""
         formula = self.place[0] * self.rate[1] - self.place[1] * self.rate[0]
-        said = f"The angular momentum per unit mass about {self.setting.display_name(self.center)} is"
-        return self.book.add_step("angular momentum", said, self.named("h"), formula, AREAL)
+        text = f"The angular momentum per unit mass about {self.setting.display_name(self.center)} is"
+        return self.book.add_step("angular momentum", text, self.named("h"), formula, AREAL)
 
     @cached_property
     def e_cos_anomaly(self) -> Symbol:
@@ -112,8 +112,8 @@ class KeplerOrbit:
             self.axis,
             self.setting.display_name(self.center),
         )
-        said = rf"The distance from {star} is ${a.latex()} \left(1 - {e} \cos {E}\right)$, so the initial value of"
-        return self.book.add_step("anomaly", rf"{said} ${e} \cos {E}$ is", self.named("p"), ONE - self.radius / a)
+        text = rf"The distance from {star} is ${a.latex()} \left(1 - {e} \cos {E}\right)$, so the initial value of"
+        return self.book.add_step("anomaly", rf"{text} ${e} \cos {E}$ is", self.named("p"), ONE - self.radius / a)
 
     @cached_property
     def anomaly(self) -> Symbol:
@@ -131,9 +131,9 @@ class KeplerOrbit:
         if self.position_dot_velocity == ZERO:
             return ZERO  # the start is an apsis
         E, e, root = self.anomaly.latex(), self.eccentricity_symbol.latex(), Root(self.parameter * self.axis)
-        said = rf"The distance times the radial velocity is ${root.latex()}\,{e} \sin {E}$, so the initial value of"
+        text = rf"The distance times the radial velocity is ${root.latex()}\,{e} \sin {E}$, so the initial value of"
         return self.book.add_step(
-            "anomaly", rf"{said} ${e} \sin {E}$ is", self.named("q"), self.position_dot_velocity / root
+            "anomaly", rf"{text} ${e} \sin {E}$ is", self.named("q"), self.position_dot_velocity / root
         )
 
     @cached_property
@@ -162,8 +162,8 @@ class KeplerOrbit:
         ):
             return
         step = self.book.begin_step("extreme")
-        said, which = capitalized(self._radial(step)), "greatest" if far else "least"
-        step.add_text(f"{said}, so within half a turn it comes to the {which} distance.")
+        text, which = capitalized(self._radial(step)), "greatest" if far else "least"
+        step.add_text(f"{text}, so within half a turn it comes to the {which} distance.")
         step.close()
 
     # ---- how far it has come
@@ -187,8 +187,8 @@ class KeplerOrbit:
         if grown == TWO * PI:
             return self.period
         if grown == PI:
-            said = "From one end of the major axis to the other it takes half a period,"
-            return self.book.add_step("time", said, self.named("t"), HALF * self.period, SECONDS)
+            text = "From one end of the major axis to the other it takes half a period,"
+            return self.book.add_step("time", text, self.named("t"), HALF * self.period, SECONDS)
         formula = self._grown(grown) / self.mean_motion
         return self.book.add_step("time", f"{self._mean(grown)}, so the time is", self.named("t"), formula, SECONDS)
 
@@ -196,13 +196,13 @@ class KeplerOrbit:
         """Return sentences with Kepler's equation and the change of e sin E while E increases by an angle."""
         E, product = self.anomaly.latex(), rf"{self.eccentricity_symbol.latex()} \sin {self.anomaly.latex()}"
         grown = self.e_cos_anomaly * Call("sin", angle) + self.e_sin_anomaly * Call("cos", angle)
-        said = (
+        text = (
             rf"By Kepler's equation, ${E} - {product}$ increases at the rate ${self.mean_motion.latex()}$. When ${E}$"
         )
-        said = (
-            f"{said} has increased by ${angle.latex()}$, ${product}$ has changed from ${self.e_sin_anomaly.latex()}$ to"
+        text = (
+            f"{text} has increased by ${angle.latex()}$, ${product}$ has changed from ${self.e_sin_anomaly.latex()}$ to"
         )
-        return f"{said} ${grown.latex()}$"
+        return f"{text} ${grown.latex()}$"
 
     def _grown(self, angle: Expression) -> Expression:
         """Return by how much the mean anomaly increases when the eccentric anomaly increases by an angle."""
@@ -219,28 +219,28 @@ class KeplerOrbit:
         where = "farthest from" if far else "nearest to"
         which, E = r"180^\circ" if far else "0" if turn == ZERO else r"360^\circ", self.anomaly.latex()
         body, center = self.setting.display_name(self.body), self.setting.display_name(self.center)
-        said = f"{capitalized(body)} is next {where} {center}"
-        said = f"{said} where ${E}$ is ${which}$, so ${E}$ has increased by"
-        return self.book.add_step("apsis", said, self.named(r"\eta"), formula, RADIANS)
+        text = f"{capitalized(body)} is next {where} {center}"
+        text = f"{text} where ${E}$ is ${which}$, so ${E}$ has increased by"
+        return self.book.add_step("apsis", text, self.named(r"\eta"), formula, RADIANS)
 
     @cached_property
     def _begins(self) -> Symbol:
         """Return the initial eccentric anomaly."""
         p, q = self.e_cos_anomaly, self.e_sin_anomaly
-        found = InitialAnomaly(self.book, p, q, ONE - self.radius / self.axis, self._radial)
-        return found.write(self.named("E", "0"), self.anomaly)
+        initial_anomaly = InitialAnomaly(self.book, p, q, ONE - self.radius / self.axis, self._radial)
+        return initial_anomaly.write(self.named("E", "0"), self.anomaly)
 
     def _radial(self, step: StepBuilder) -> str:
         """Return a clause that the body initially recedes or approaches, with a comparison if numbers are known."""
         recedes = self._at(self.position_dot_velocity) > 0.0
-        said = f"{self.setting.display_name(self.body)} at first {'recedes' if recedes else 'approaches'}"
+        text = f"{self.setting.display_name(self.body)} at first {'recedes' if recedes else 'approaches'}"
         (x, y), (u, v) = self.place, self.rate
         if self.book.is_hidden(self.position_dot_velocity):
-            return said
+            return text
         record_inequality(
             self.book, step, *((self.position_dot_velocity, ZERO) if recedes else (ZERO, self.position_dot_velocity))
         )
-        return f"{said} (${(x * u + y * v).latex()} {'>' if recedes else '<'} 0$)"
+        return f"{text} (${(x * u + y * v).latex()} {'>' if recedes else '<'} 0$)"
 
     def to_distance(self, distance: Symbol) -> Symbol:
         """Write the increase of the eccentric anomaly, in radians, until the body is at a distance from its start."""
@@ -263,14 +263,14 @@ class KeplerOrbit:
         """Return the greatest distance from the start, where displacement and velocity are perpendicular."""
         name, angle = self.named("d"), self.named(r"\eta")
         if self.position_dot_velocity == ZERO:
-            said = "It starts at an end of the major axis, and the other end is farthest away:"
-            return self.book.add_step("distance", said, name, TWO * self.axis, METRES)
+            text = "It starts at an end of the major axis, and the other end is farthest away:"
+            return self.book.add_step("distance", text, name, TWO * self.axis, METRES)
         sine, cosine = Call("sin", angle), Call("cos", angle)
         turned = (self.radius / self.axis * cosine + self.e_sin_anomaly * sine) / self.mean_motion
         less, more = self.weights(angle)
         both = list(zip(self.place, self.rate, strict=True))
-        ways = [less * place + more * rate for place, rate in both]
-        rates = [turned * rate - self.axis / self.radius * sine * place for place, rate in both]
+        ways = [less * position + more * rate for position, rate in both]
+        rates = [turned * rate - self.axis / self.radius * sine * position for position, rate in both]
         residual = ways[0] * rates[0] + ways[1] * rates[1]
         square = self._away(angle)
         angles = (2.0 * pi * (number + 0.5) / PIECES for number in range(PIECES))
@@ -286,14 +286,16 @@ class KeplerOrbit:
     def _lagrange(self, angle: Expression) -> str:
         """Return a sentence with the displacement after the eccentric anomaly has increased by an angle."""
         less, more = self.weights(angle)
-        said = f"When ${self.anomaly.latex()}$ has increased by ${angle.latex()}$, the displacement is, by Lagrange's"
-        said = f"{said} formulas, the sum of the initial position times ${less.latex()}$ and the initial velocity times"
-        return f"{said} ${more.latex()}$."
+        text = f"When ${self.anomaly.latex()}$ has increased by ${angle.latex()}$, the displacement is, by Lagrange's"
+        text = f"{text} formulas, the sum of the initial position times ${less.latex()}$ and the initial velocity times"
+        return f"{text} ${more.latex()}$."
 
     def _away(self, angle: Expression) -> Expression:
         """Return the squared distance from the start after the eccentric anomaly has increased by an angle."""
         less, more = self.weights(angle)
-        return sum_of_squares([less * place + more * rate for place, rate in zip(self.place, self.rate, strict=True)])
+        return sum_of_squares(
+            [less * position + more * rate for position, rate in zip(self.place, self.rate, strict=True)]
+        )
 
     def weights(self, angle: Expression) -> tuple[Expression, Expression]:
         """Return the coefficients of initial position and velocity in Lagrange's formula for the displacement."""

@@ -34,8 +34,8 @@ class CrossedFieldsMotion(ElectricMotion):
         turned = self._turning * self.launch[1 - axis] * TURNS[axis]
         if turned == ZERO:
             return self._drive.strength
-        said = f"With the magnetic force, the initial acceleration along {AXES[axis]} is"
-        return self.named(said, "a", "0", self._drive.strength + turned, ACCELERATION)
+        text = f"With the magnetic force, the initial acceleration along {AXES[axis]} is"
+        return self.named(text, "a", "0", self._drive.strength + turned, ACCELERATION)
 
     @cached_property
     def slope(self) -> Expression:
@@ -44,9 +44,9 @@ class CrossedFieldsMotion(ElectricMotion):
         along, across = AXES[self._drive.axis], AXES[1 - self._drive.axis]
         turned = self._turning * self.fields.places[self._drive.axis] * TURNS[1 - self._drive.axis]
         other = (self.launch[1 - self._drive.axis] + turned).latex()
-        said = f"The equation along {across}, integrated, gives the velocity ${other}$; with it, the acceleration along"
-        said = f"{said} {along} changes with {along} at the rate"
-        return self.named(said, "k", along, self._drive.slope - Power(self._turning, 2), PER_SECOND_SQUARED)
+        text = f"The equation along {across}, integrated, gives the velocity ${other}$; with it, the acceleration along"
+        text = f"{text} {along} changes with {along} at the rate"
+        return self.named(text, "k", along, self._drive.slope - Power(self._turning, 2), PER_SECOND_SQUARED)
 
     def moved(self, axis: int, time: Expression) -> Expression:
         """Return a displacement component: an oscillation along the electric field, an integral across it."""
@@ -79,11 +79,11 @@ class QuadraticDragMotion(FieldMotion):
 
     def rate(self, axis: int, time: Expression) -> Expression:
         """Return a component of the initial velocity, rotated and divided by 1 + γ t, as quadratic drag reduces it."""
-        found, turning = self.launch[axis], self.fields.turning
+        component, turning = self.launch[axis], self.fields.turning
         if turning is not None:
             across = self.launch[1 - axis] * TURNS[axis]
-            found = found * Call("cos", turning * time) + across * Call("sin", turning * time)
-        return found / (ONE + self.fields.drag * time)
+            component = component * Call("cos", turning * time) + across * Call("sin", turning * time)
+        return component / (ONE + self.fields.drag * time)
 
     def moved(self, axis: int, time: Expression) -> Expression:
         """Raise UnsolvedError: the displacement has no closed form."""
@@ -111,22 +111,22 @@ class RotatingMotion(FieldMotion):
     @cached_property
     def _drift(self) -> list[Expression]:
         """Return the drift velocity along x and y, or its amplitudes in a varying field."""
-        found: list[Expression] = [ZERO, ZERO]
+        drift: list[Expression] = [ZERO, ZERO]
         drive = self.drive
         if drive is None:
-            return found
+            return drift
         i, f, turns = drive.axis, drive.strength, self.turning
         if self.fields.damping is not None:
             both = Power(self.fields.damping, 2) + Power(turns, 2)
-            found[i], found[1 - i] = self.fields.damping * f / both, -(turns * f / both) * TURNS[i]
+            drift[i], drift[1 - i] = self.fields.damping * f / both, -(turns * f / both) * TURNS[i]
         elif drive.frequency is not None:
             gap = Power(drive.frequency, 2) - Power(turns, 2)
-            found[i], found[1 - i] = f * drive.frequency / gap, f * turns / gap * TURNS[i]
+            drift[i], drift[1 - i] = f * drive.frequency / gap, f * turns / gap * TURNS[i]
         else:
-            found[1 - i] = -(f / turns) * TURNS[i]
+            drift[1 - i] = -(f / turns) * TURNS[i]
             if drive.growth is not None:
-                found[i] = drive.growth / Power(turns, 2)
-        return self._told_drift(drive, found)
+                drift[i] = drive.growth / Power(turns, 2)
+        return self._told_drift(drive, drift)
 
     def _told_drift(self, drive: ElectricAcceleration, formulas: list[Expression]) -> list[Expression]:
         """Write the drift velocity and its derivation from the equations of motion; return its components."""
@@ -135,12 +135,12 @@ class RotatingMotion(FieldMotion):
         names: list[Expression] = [self.book.fresh("u", AXES[n]) if formulas[n] != ZERO else ZERO for n in (0, 1)]
         laws = [step.law(*sides) for sides in self._kept_laws(drive, names) if sides[0] != sides[1]]
         step.add_text(f"{self._said_drift(drive, names)} {join_words(laws)},")
-        told = [
+        equations = [
             step.result(name, formula, SPEED)
             for name, formula in zip(names, formulas, strict=True)
             if isinstance(name, Symbol)
         ]
-        step.add_text(f"so {join_words(told)}.")
+        step.add_text(f"so {join_words(equations)}.")
         step.close()
         return names
 
@@ -162,7 +162,7 @@ class RotatingMotion(FieldMotion):
 
     def _kept_laws(self, drive: ElectricAcceleration, names: list[Expression]) -> list[tuple[Expression, Expression]]:
         """Return both equations of motion for the drift velocity, without their common time dependence."""
-        found: list[tuple[Expression, Expression]] = []
+        equations: list[tuple[Expression, Expression]] = []
         for axis in (0, 1):
             right: Expression = drive.strength if axis == drive.axis else ZERO
             right = right + self.turning * names[1 - axis] * TURNS[axis]
@@ -170,38 +170,38 @@ class RotatingMotion(FieldMotion):
                 right = right - self.fields.damping * names[axis]
             if drive.frequency is not None:
                 left = drive.frequency * names[axis]
-                found.append((left if axis == drive.axis else -left, right))
+                equations.append((left if axis == drive.axis else -left, right))
             elif drive.growth is not None and axis != drive.axis:
-                found.append((-(drive.growth / self.turning) * TURNS[drive.axis], right))
+                equations.append((-(drive.growth / self.turning) * TURNS[drive.axis], right))
             else:
-                found.append((right, ZERO))
-        return found
+                equations.append((right, ZERO))
+        return equations
 
     @cached_property
     def turned(self) -> list[Expression]:
         """Write and return the initial components of the velocity relative to the drift, which rotates."""
         still = [self._kept(axis, None) for axis in (0, 1)]
         formulas = [begins - kept for begins, kept in zip(self.launch, still, strict=True)]
-        step, told = self.book.begin_step("motion"), list[str]()
+        step, phrases = self.book.begin_step("motion"), list[str]()
         step.rest_on(self.fields.law)
-        found: list[Expression] = []
+        components: list[Expression] = []
         for axis, formula in zip(AXES, formulas, strict=True):
             if formula == ZERO or isinstance(formula, Symbol):
-                found.append(formula)
-                said = "zero" if formula == ZERO else f"${formula.latex()}$"
+                components.append(formula)
+                rendered = "zero" if formula == ZERO else f"${formula.latex()}$"
             else:
-                found.append(name := self.book.fresh("w", axis))
-                said = step.result(name, formula, SPEED, law=True)
-            told.append(f"the {axis} component {said}")
+                components.append(name := self.book.fresh("w", axis))
+                rendered = step.result(name, formula, SPEED, law=True)
+            phrases.append(f"the {axis} component {rendered}")
         decays = "" if self.fields.damping is None else f" and decays as ${self._left(self.fields.clock).latex()}$"
         turns = f"rotates at ${self.turning.latex()}${decays}"
         if self.drive is None:
             step.add_text(f"The velocity {turns}.")
         else:
             step.add_text(f"Added to it is a velocity that, as without the electric field, {turns}.")
-        step.add_text(f"It initially has {join_words(told)}.")
+        step.add_text(f"It initially has {join_words(phrases)}.")
         step.close()
-        return found
+        return components
 
     def _left(self, time: Expression) -> Expression:
         """Return the factor by which linear drag has reduced the rotating part of the velocity at a time."""
@@ -233,16 +233,16 @@ class RotatingMotion(FieldMotion):
             phase = drive.frequency * time
             part = ONE - Call("cos", phase) if axis == drive.axis else Call("sin", phase)
             return drift / drive.frequency * part
-        found = drift * time
+        displacement = drift * time
         if drive.growth is not None and axis != drive.axis:
-            found = found - HALF * drive.growth / self.turning * Power(time, 2) * TURNS[drive.axis]
-        return found
+            displacement = displacement - HALF * drive.growth / self.turning * Power(time, 2) * TURNS[drive.axis]
+        return displacement
 
     @cached_property
     def _heading(self) -> tuple[Expression, Expression] | None:
         """Return the initial speed and direction if only the magnetic force acts; None otherwise."""
         alone = self.drive is None and self.fields.damping is None
-        x, y = (held.factors if isinstance(held, Product) else () for held in self.launch)
+        x, y = (component.factors if isinstance(component, Product) else () for component in self.launch)
         if not alone or not x or not y or x[:-1] != y[:-1]:
             return None
         one, other = x[-1], y[-1]
@@ -287,8 +287,8 @@ class RotatingMotion(FieldMotion):
     def extreme(self, *, least: bool) -> tuple[str, str, Symbol, Expression]:
         """Return step kind, sentence, symbol and formula of the extreme speed in uniform fields: drift ± rotation."""
         if all(part == ZERO for part in self._drift):
-            said = "The magnetic force is perpendicular to the velocity and does no work, so the speed is always"
-            return "extremum", said, self.book.fresh("v"), vector_length(self.turned)
+            text = "The magnetic force is perpendicular to the velocity and does no work, so the speed is always"
+            return "extremum", text, self.book.fresh("v"), vector_length(self.turned)
         sizes: list[Expression] = []
         for parts in (self._drift, self.turned):
             kept = [part for part in parts if part != ZERO]
@@ -296,9 +296,9 @@ class RotatingMotion(FieldMotion):
             size = kept[0] if self.book.value(kept[0]) > 0.0 else -kept[0]
             sizes.append(size if len(kept) == 1 else Root(square))
         one, other = sizes if self.book.value(sizes[0]) >= self.book.value(sizes[1]) else sizes[::-1]
-        said = (
+        text = (
             "The velocity goes round a circle about the drift velocity, whose radius is the size of the rotating part; "
         )
-        said += "this is alternately parallel and opposite to the drift, so the "
-        said += "least speed is" if least else "greatest speed is"
-        return "extremum", said, self.book.fresh("v"), one - other if least else one + other
+        text += "this is alternately parallel and opposite to the drift, so the "
+        text += "least speed is" if least else "greatest speed is"
+        return "extremum", text, self.book.fresh("v"), one - other if least else one + other

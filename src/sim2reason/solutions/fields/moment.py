@@ -98,9 +98,9 @@ class FieldMoment:
         """Return a sentence with the velocity as a function of time; with `moved`, also that its integral is used."""
         time = self.fields.clock
         parts = [(axis, self.motion.course(number, time)) for number, axis in enumerate(AXES)]
-        told = [f"${part.latex()}$ along {axis}" for axis, part in parts if part != ZERO]
-        said = f"At the time ${time.latex()}$ the velocity is {join_words(told)}"
-        return f"{said}; integrated from 0 on, this gives the displacement." if moved else f"{said}."
+        phrases = [f"${part.latex()}$ along {axis}" for axis, part in parts if part != ZERO]
+        text = f"At the time ${time.latex()}$ the velocity is {join_words(phrases)}"
+        return f"{text}; integrated from 0 on, this gives the displacement." if moved else f"{text}."
 
     def _distance(self, time: Symbol) -> Expression:
         """Return the squared distance from the start, m², as a function of time."""
@@ -113,8 +113,8 @@ class FieldMoment:
         assert turns is not None
         size = self.book.magnitude(turns)
         who = self.setting.display_name(self.fields.body)
-        said = f"The radius of the circle on which {who} moves is the speed over the magnitude of the angular velocity,"
-        return self.book.add_step("circle", said, self.book.fresh("R"), self.launched / size, METRES)
+        text = f"The radius of the circle on which {who} moves is the speed over the magnitude of the angular velocity,"
+        return self.book.add_step("circle", text, self.book.fresh("R"), self.launched / size, METRES)
 
     @property
     def launched(self) -> Expression:
@@ -137,8 +137,8 @@ class FieldMoment:
             return self.turn.speed(self.launched) if fields.turning is None else None
         if fields.damping is None and not fields.has_quadratic_drag:
             return self.launched
-        said = "The magnetic force does no work, so only the drag changes the speed:"
-        return self.book.add_step("speed", said, self.book.fresh("v"), fields.speed(self.launched, self.time), SPEED)
+        text = "The magnetic force does no work, so only the drag changes the speed:"
+        return self.book.add_step("speed", text, self.book.fresh("v"), fields.speed(self.launched, self.time), SPEED)
 
     @cached_property
     def pull(self) -> Expression | None:
@@ -153,9 +153,9 @@ class FieldMoment:
         begun = self.book.add_step("newton", "The acceleration at the start is", name, begun, ACCELERATION)
         if fields.damping is None:
             return begun
-        said = "In uniform fields the magnetic force only rotates the acceleration, and the drag makes"
+        text = "In uniform fields the magnetic force only rotates the acceleration, and the drag makes"
         formula = fields.speed(begun, self.time)
-        return self.book.add_step("newton", f"{said} it decay to", self.book.fresh("a"), formula, ACCELERATION)
+        return self.book.add_step("newton", f"{text} it decay to", self.book.fresh("a"), formula, ACCELERATION)
 
     def _chord(self, distance: Symbol, name: Symbol) -> Symbol:
         """Write the time at which the body is at a distance from its start on a circle."""
@@ -163,8 +163,8 @@ class FieldMoment:
         assert turns is not None
         size = self.book.magnitude(turns)
         half = Call("arcsin", distance / (TWO * self.circle))
-        said = "The distance is the chord of the arc covered, which gives"
-        return self.book.add_step("chord", said, name, TWO / size * half, SECONDS)
+        text = "The distance is the chord of the arc covered, which gives"
+        return self.book.add_step("chord", text, name, TWO / size * half, SECONDS)
 
     @property
     def _uniform(self) -> bool:
@@ -180,8 +180,8 @@ class FieldMoment:
             return Reach(self.motion, REACHES[query.functional], self.launched).written()
         if query.functional == "greatest displacement":
             if fields.drive is None and fields.damping is None:
-                said = "The greatest distance is the diameter of the circle,"
-                return self.book.add_step("chord", said, self.book.fresh("d"), TWO * self.circle, METRES)
+                text = "The greatest distance is the diameter of the circle,"
+                return self.book.add_step("chord", text, self.book.fresh("d"), TWO * self.circle, METRES)
             return self._farthest()
         if self._uniform and isinstance(self.motion, RotatingMotion):
             speed = self.book.add_step(*self.motion.extreme(least=query.functional.startswith("least")), SPEED)
@@ -200,8 +200,8 @@ class FieldMoment:
         kept = [part * rate for part, rate in zip(parts, rates, strict=True) if part != ZERO]
         if len(kept) == 1:
             raise UnsolvedError("it moves to and fro on a line")
-        said = "The distance is extreme where the displacement is perpendicular to the velocity"
-        self._turned(parts, 1.0, kept[0] + kept[1], said, moved=True)
+        text = "The distance is extreme where the displacement is perpendicular to the velocity"
+        self._turned(parts, 1.0, kept[0] + kept[1], text, moved=True)
         return self.book.add_step(
             "extremum", "There the distance is", self.book.fresh("d"), Root(sum_of_squares(parts)), METRES
         )
@@ -217,14 +217,14 @@ class FieldMoment:
         at = {**self.book.values, time.name: near}
         if self.fields.damping is not None:
             work = pull * rates[drive.axis] - self.fields.damping * sum_of_squares(rates)
-            said = "The speed is extreme where the powers of the electric force and of the drag add up to zero"
-            self._turned(rates, sign, work, said)
+            text = "The speed is extreme where the powers of the electric force and of the drag add up to zero"
+            self._turned(rates, sign, work, text)
         elif abs(pull.value(at)) * 10.0 < abs(drive.strength.value(at)) and drive.frequency is not None:
             halves = round(drive.angle(time).value(at).real / np.pi - 0.5)
-            said = f"{self._course()} The speed is extreme when the electric force passes through zero, at"
+            text = f"{self._course()} The speed is extreme when the electric force passes through zero, at"
             turned = Number(halves + 0.5) * PI
             turned = turned - drive.phase if drive.phase != ZERO else turned
-            self.book.add_step("extremum", said, time, turned / drive.frequency, SECONDS)
+            self.book.add_step("extremum", text, time, turned / drive.frequency, SECONDS)
         else:
             slow = abs(rates[drive.axis].value(at)) < 0.05 * float(sum_of_squares(rates).value(at).real) ** 0.5
             if slow and isinstance(self.motion, CrossedFieldsMotion) and self.motion.swings and self._from_rest:
@@ -232,16 +232,16 @@ class FieldMoment:
             along = "velocity along the electric field is zero" if slow else "electric force is zero"
             if not slow and sign > 0.0 and (speed := fastest_at_center(self.fields, self.launched)) is not None:
                 return speed
-            said = f"The speed is extreme where the {along}"
+            text = f"The speed is extreme where the {along}"
             if not slow and drive.growth is not None:
                 step = self.book.begin_step("extremum")
                 law = step.law(pull, ZERO)
-                found = step.result(time, -(drive.strength / drive.growth), SECONDS)
+                equation = step.result(time, -(drive.strength / drive.growth), SECONDS)
                 step.rest_on(self.fields.law)
-                step.add_text(self._course(), f"{said}: {law}, so {found}.")
+                step.add_text(self._course(), f"{text}: {law}, so {equation}.")
                 step.close()
             else:
-                self._turned(rates, sign, rates[drive.axis] if slow else pull, said)
+                self._turned(rates, sign, rates[drive.axis] if slow else pull, text)
         return self.book.add_step("extremum", "The speed is then", self.book.fresh("v"), self._size(rates), SPEED)
 
     @property
@@ -253,15 +253,15 @@ class FieldMoment:
         """Write the speed at the far end of an oscillation along the electric field, in crossed fields."""
         turning, along = self.fields.turning, AXES[axis]
         assert turning is not None
-        said = (
+        text = (
             "The speed is greatest at the far end of the oscillation along "
             f"{along}, whose centre is where the {along} component of the net force is zero:"
         )
-        far = self.book.add_step("extremum", said, self.book.fresh(along, "1"), TWO * motion.center, METRES)
+        far = self.book.add_step("extremum", text, self.book.fresh(along, "1"), TWO * motion.center, METRES)
         across = turning * far
-        said = f"There the velocity along {along} is zero; across it, the angular velocity times the displacement gives"
+        text = f"There the velocity along {along} is zero; across it, the angular velocity times the displacement gives"
         formula = across if self.book.value(turning) * self.book.value(far) > 0.0 else -across
-        return self.book.add_step("extremum", said, self.book.fresh("v"), formula, SPEED)
+        return self.book.add_step("extremum", text, self.book.fresh("v"), formula, SPEED)
 
     def _turned(
         self, parts: list[Expression], sign: float, residual: Expression, said: str, *, moved: bool = False

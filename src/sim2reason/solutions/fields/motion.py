@@ -75,8 +75,8 @@ class ElectricMotion(FieldMotion):
         if drive.slope is not None and drive.along == axis:
             return self._departed(axis, time)
         third = drive.growth if drive.slope is None else drive.slope * self.launch[drive.along]
-        found = plain + HALF * drive.strength * Power(time, 2)
-        return found + SIXTH * third * Power(time, 3) if third is not None else found
+        displacement = plain + HALF * drive.strength * Power(time, 2)
+        return displacement + SIXTH * third * Power(time, 3) if third is not None else displacement
 
     def rate(self, axis: int, time: Expression) -> Expression:
         """Return the velocity along an axis: the acceleration integrated once."""
@@ -89,8 +89,8 @@ class ElectricMotion(FieldMotion):
         if drive.slope is not None and drive.along == axis:
             return plain * self._even(time) + self.push * self._odd(time)
         second = drive.growth if drive.slope is None else drive.slope * self.launch[drive.along]
-        found = plain + drive.strength * time
-        return found + HALF * second * Power(time, 2) if second is not None else found
+        velocity = plain + drive.strength * time
+        return velocity + HALF * second * Power(time, 2) if second is not None else velocity
 
     def _drift(self, drive: ElectricAcceleration) -> Expression:
         """Return the reduction of the mean velocity by the initial phase of an oscillating field."""
@@ -130,18 +130,18 @@ class ElectricMotion(FieldMotion):
         """Return the angular frequency of the oscillation along the field, or the rate of its exponential growth."""
         along = AXES[self._drive.axis]
         if self.swings:
-            said = f"The equation along {along} is that of a harmonic oscillation with the angular frequency"
-            return self.named(said, r"\omega", "", Root(-self.slope), ANGULAR_SPEED)
-        said = f"The equation along {along} is linear; apart from a constant its solutions are exponentials"
-        said = f"{said} that grow and decay at the rate"
-        return self.named(said, r"\lambda", "", Root(self.slope), PER_SECOND)
+            text = f"The equation along {along} is that of a harmonic oscillation with the angular frequency"
+            return self.named(text, r"\omega", "", Root(-self.slope), ANGULAR_SPEED)
+        text = f"The equation along {along} is linear; apart from a constant its solutions are exponentials"
+        text = f"{text} that grow and decay at the rate"
+        return self.named(text, r"\lambda", "", Root(self.slope), PER_SECOND)
 
     @cached_property
     def center(self) -> Expression:
         """Return the position at which the component of the net force along the field is zero."""
         along = AXES[self._drive.axis]
-        said = f"The {along} component of the net force is zero at {along} equal to"
-        return self.named(said, along, "c", -(self.push / self.slope), METRES)
+        text = f"The {along} component of the net force is zero at {along} equal to"
+        return self.named(text, along, "c", -(self.push / self.slope), METRES)
 
     def _even(self, time: Expression) -> Expression:
         """Return cos ωt for an oscillation along the field, or cosh λt for exponential growth."""

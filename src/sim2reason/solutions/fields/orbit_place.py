@@ -56,15 +56,15 @@ class OrbitPlace(ABC):
         """Write a component of displacement, velocity or acceleration."""
         orbit, label = self.orbit, FIELDS[axis]
         if kind == "s":
-            formula, unit, said = self._moved(axis), METRES, f"The displacement of {self._who} along {label} is"
+            formula, unit, text = self._moved(axis), METRES, f"The displacement of {self._who} along {label} is"
         elif kind == "v":
-            formula, unit, said = self._rate(axis), SPEED, f"The velocity of {self._who} along {label} is"
+            formula, unit, text = self._rate(axis), SPEED, f"The velocity of {self._who} along {label} is"
         else:
-            place = orbit.place[axis] + self.component("s", axis)
-            formula, unit = -(orbit.parameter * place / Power(self.radius, 3)), ACCELERATION
-            said = f"The acceleration of {self._who} points to {self._star}; along {label} it is"
+            position = orbit.place[axis] + self.component("s", axis)
+            formula, unit = -(orbit.parameter * position / Power(self.radius, 3)), ACCELERATION
+            text = f"The acceleration of {self._who} points to {self._star}; along {label} it is"
         rests = self._reason(kind)
-        return orbit.book.add_step("component", said, orbit.named(kind, label), formula, unit, rests=rests)
+        return orbit.book.add_step("component", text, orbit.named(kind, label), formula, unit, rests=rests)
 
     def _reason(self, kind: str) -> str:
         """Return the label of the step that gives displacements or velocities; by default ""."""
@@ -86,15 +86,15 @@ class OrbitPlace(ABC):
         """Return the speed by the vis-viva equation."""
         orbit = self.orbit
         formula = Root(orbit.parameter * (TWO / self.radius - ONE / orbit.axis))
-        said = f"By conservation of energy, the speed of {self._who} is"
-        return orbit.book.add_step("energy", said, orbit.named("v"), formula, SPEED)
+        text = f"By conservation of energy, the speed of {self._who} is"
+        return orbit.book.add_step("energy", text, orbit.named("v"), formula, SPEED)
 
     @cached_property
     def pull(self) -> Symbol:
         """Return the magnitude of the acceleration."""
         orbit, formula = self.orbit, self.orbit.parameter / Power(self.radius, 2)
-        said = f"The acceleration of {self._who} is"
-        return orbit.book.add_step("attraction", said, orbit.named("a"), formula, ACCELERATION)
+        text = f"The acceleration of {self._who} is"
+        return orbit.book.add_step("attraction", text, orbit.named("a"), formula, ACCELERATION)
 
 
 DIRECTION, VELOCITY = "direction of the line", "components of the velocity"  # labels of steps
@@ -113,16 +113,16 @@ class Turned(OrbitPlace):
     def _rectum(self) -> Symbol:
         """Return the semi-latus rectum."""
         orbit, formula = self.orbit, Power(self.orbit.momentum, 2) / self.orbit.parameter
-        said = "The orbit is a conic section, whose semi-latus rectum is"
-        return orbit.book.add_step("conic", said, orbit.named(r"\ell"), formula, METRES)
+        text = "The orbit is a conic section, whose semi-latus rectum is"
+        return orbit.book.add_step("conic", text, orbit.named(r"\ell"), formula, METRES)
 
     @cached_property
     def _outward(self) -> Symbol:
         """Return the initial radial velocity, m/s."""
         orbit = self.orbit
-        said = "The initial radial velocity is"
+        text = "The initial radial velocity is"
         return orbit.book.add_step(
-            "recedes", said, orbit.named("u", "0"), orbit.position_dot_velocity / orbit.radius, SPEED
+            "recedes", text, orbit.named("u", "0"), orbit.position_dot_velocity / orbit.radius, SPEED
         )
 
     def _distance(self) -> Symbol:
@@ -131,14 +131,14 @@ class Turned(OrbitPlace):
         if self._quarters == 2:
             formula = self._rectum / (TWO - self._rectum / orbit.radius)
             begun = (self._rectum / orbit.radius - ONE).latex()
-            said = rf"{self._conic}, so initially ${e} \cos\nu$ is ${begun}$. Half a turn later the cosine has the"
-            said = f"{said} opposite sign:"
+            text = rf"{self._conic}, so initially ${e} \cos\nu$ is ${begun}$. Half a turn later the cosine has the"
+            text = f"{text} opposite sign:"
         else:
             formula = self._rectum / (ONE - self._across)
             swift = (self.orbit.parameter / self._swift).latex()
-            said = rf"{self._conic}. The radial velocity is ${swift}\,{e} \sin\nu$, so initially ${e} \sin\nu$ is"
-            said = rf"{said} ${self._across.latex()}$. A quarter turn later, $-\sin\nu$ replaces the cosine:"
-        return orbit.book.add_step("conic", said, orbit.named("r"), formula, METRES)
+            text = rf"{self._conic}. The radial velocity is ${swift}\,{e} \sin\nu$, so initially ${e} \sin\nu$ is"
+            text = rf"{text} ${self._across.latex()}$. A quarter turn later, $-\sin\nu$ replaces the cosine:"
+        return orbit.book.add_step("conic", text, orbit.named("r"), formula, METRES)
 
     @property
     def _across(self) -> Expression:
@@ -154,8 +154,8 @@ class Turned(OrbitPlace):
     def _conic(self) -> str:
         """Return the beginning of a sentence with the equation of the conic."""
         e, rectum = self.orbit.eccentricity_symbol.latex(), self._rectum.latex()
-        said = rf"On the conic section the distance is $\frac{{{rectum}}}{{1 + {e} \cos\nu}}$, with the eccentricity"
-        return rf"{said} ${e}$ and the angle $\nu$ turned since the nearest point"
+        text = rf"On the conic section the distance is $\frac{{{rectum}}}{{1 + {e} \cos\nu}}$, with the eccentricity"
+        return rf"{text} ${e}$ and the angle $\nu$ turned since the nearest point"
 
     def _reason(self, kind: str) -> str:
         """Return the label of the step with the direction, or with the components of the velocity."""
@@ -200,8 +200,8 @@ class Turned(OrbitPlace):
         orbit = self.orbit
         cosine, e = self._rectum / orbit.radius - ONE, orbit.eccentricity_symbol.latex()
         formula = orbit.parameter / self._swift * cosine
-        said = rf"The sine is what $\cos\nu$ was, and ${e} \cos\nu$ was ${cosine.latex()}$, so the radial"
-        return orbit.book.add_step("recedes", f"{said} velocity is", orbit.named("u"), formula, SPEED)
+        text = rf"The sine is what $\cos\nu$ was, and ${e} \cos\nu$ was ${cosine.latex()}$, so the radial"
+        return orbit.book.add_step("recedes", f"{text} velocity is", orbit.named("u"), formula, SPEED)
 
     @property
     def _direction(self) -> tuple[Expression, Expression]:
@@ -231,9 +231,9 @@ class Turned(OrbitPlace):
         """Return a sentence with the position after the eccentric anomaly has increased by an angle."""
         orbit = self.orbit
         less, more = orbit.weights(name)
-        said = f"When ${orbit.anomaly.latex()}$ has increased by ${name.latex()}$, the position is, by Lagrange's"
-        said = f"{said} formulas, the sum of the initial position times ${(ONE + less).latex()}$"
-        return f"{said} and the initial velocity times ${more.latex()}$."
+        text = f"When ${orbit.anomaly.latex()}$ has increased by ${name.latex()}$, the position is, by Lagrange's"
+        text = f"{text} formulas, the sum of the initial position times ${(ONE + less).latex()}$"
+        return f"{text} and the initial velocity times ${more.latex()}$."
 
     def _from_apsis(self) -> Expression:
         """Return the increase of the eccentric anomaly, in radians, over a quarter turn that starts at an apsis."""

@@ -39,17 +39,17 @@ class Reach:
         along = AXES[self.axis]
         across = AXES[1 - self.axis]
         if center == ZERO:
-            said = f"As the centre lies on the {across} axis, the greatest distance from this axis is"
-            return self.book.add_step("extremum", said, self.book.fresh("d"), size, METRES)
+            text = f"As the centre lies on the {across} axis, the greatest distance from this axis is"
+            return self.book.add_step("extremum", text, self.book.fresh("d"), size, METRES)
         far = self.book.magnitude(center)
         if size == far:
-            said = f"It starts from a turning point along {along} and turns back as far beyond the centre, so the"
-            said = f"{said} greatest distance from the {across} axis is"
-            return self.book.add_step("extremum", said, self.book.fresh("d"), TWO_AXES * far, METRES)
+            text = f"It starts from a turning point along {along} and turns back as far beyond the centre, so the"
+            text = f"{text} greatest distance from the {across} axis is"
+            return self.book.add_step("extremum", text, self.book.fresh("d"), TWO_AXES * far, METRES)
         most = "radius" if isinstance(self.motion, RotatingMotion) else "amplitude"
-        said = f"The {along} coordinate differs from that of the centre by at most the {most}, so the greatest distance"
+        text = f"The {along} coordinate differs from that of the centre by at most the {most}, so the greatest distance"
         return self.book.add_step(
-            "extremum", f"{said} from the {across} axis is", self.book.fresh("d"), far + size, METRES
+            "extremum", f"{text} from the {across} axis is", self.book.fresh("d"), far + size, METRES
         )
 
     def _round(self, motion: RotatingMotion) -> tuple[Expression, Expression]:
@@ -72,8 +72,8 @@ class Reach:
         if center == ZERO:
             return ZERO, size
         what = "the velocity" if drive is None else "this part of the velocity"
-        said = f"The radius to the centre is perpendicular to {what}, so the {along} coordinate of the centre is"
-        return self.book.add_step("circle", said, self.book.fresh(along, "c"), center, METRES), size
+        text = f"The radius to the centre is perpendicular to {what}, so the {along} coordinate of the centre is"
+        return self.book.add_step("circle", text, self.book.fresh(along, "c"), center, METRES), size
 
     def _to_and_fro(self, motion: ElectricMotion) -> tuple[Expression, Expression]:
         """Return the centre and the amplitude of a harmonic oscillation along the field."""
@@ -85,9 +85,9 @@ class Reach:
         if first == ZERO:
             size = self.book.magnitude(center)
             return center, size
-        said = "With the initial velocity and displacement from the centre, the amplitude of the oscillation is"
+        text = "With the initial velocity and displacement from the centre, the amplitude of the oscillation is"
         formula = Root(Power(center, 2) + Power(first / motion.frequency, 2))
-        return center, self.book.add_step("extremum", said, self.book.fresh("A"), formula, METRES)
+        return center, self.book.add_step("extremum", text, self.book.fresh("A"), formula, METRES)
 
 
 def fastest_at_center(fields: Fields, launched: Expression) -> Symbol | None:
@@ -100,14 +100,14 @@ def fastest_at_center(fields: Fields, launched: Expression) -> Symbol | None:
         return None
     along, step = AXES[drive.axis], book.begin_step("extremum")
     step.rest_on(fields.law)
-    place, speed = book.fresh(along, "0"), book.fresh("v")
-    found = step.result(place, -(drive.strength / drive.slope), METRES, law=True)
+    position, speed = book.fresh(along, "0"), book.fresh("v")
+    found = step.result(position, -(drive.strength / drive.slope), METRES, law=True)
     step.add_text(f"The electric force does positive work up to where it is zero, at {along} equal to {found}.")
     magnetic = "and the magnetic force does no work" if fields.turning is not None else "and no other force acts"
     step.add_text(
         f"It depends linearly on {along}, so its mean on the way there is half of that at the start, {magnetic}."
     )
-    gained = drive.strength * place
+    gained = drive.strength * position
     square = Power(launched, 2) + gained if launched != ZERO else gained
     found = step.result(speed, Root(square), SPEED, law=True)
     step.add_text(
@@ -156,10 +156,10 @@ class FieldTurn:
         """Write the speed after an electric field has turned the velocity; None at other moments."""
         if not isinstance(self.moment, VelocityTurned):
             return None
-        said = "The electric force is perpendicular to the initial velocity, so the component across the field"
-        said = f"{said} does not change: it is the speed times the cosine of the angle turned, so the speed is"
+        text = "The electric force is perpendicular to the initial velocity, so the component across the field"
+        text = f"{text} does not change: it is the speed times the cosine of the angle turned, so the speed is"
         formula = launched / Call("cos", self.angle)
-        return self.book.add_step("speed", said, self.book.fresh("v"), formula, SPEED)
+        return self.book.add_step("speed", text, self.book.fresh("v"), formula, SPEED)
 
     def time(self, name: Symbol, launched: Expression) -> Symbol:
         """Write the time of the moment; `launched` is the initial speed."""
@@ -167,16 +167,16 @@ class FieldTurn:
             return self._turned(name, launched)
         if isinstance(self.moment, VelocityReturned):
             self.motion.rate(0, name)  # so that the rotating part is introduced first
-            said = f"When its rotating part has made a full turn, {self._who} has its initial velocity again, after"
-            return self.book.add_step("turn", said, name, TWO_TURNS * PI / self.pace, SECONDS)
+            text = f"When its rotating part has made a full turn, {self._who} has its initial velocity again, after"
+            return self.book.add_step("turn", text, name, TWO_TURNS * PI / self.pace, SECONDS)
         return self._across(name)
 
     def _turned(self, name: Symbol, launched: Expression) -> Symbol:
         """Write the time after which the velocity has turned through the angle."""
         drive, alpha = self.fields.drive, self.angle.latex()
         if drive is None:
-            said = f"The velocity rotates uniformly, so it has turned through ${alpha}$ after"
-            return self.book.add_step("turn", said, name, self.angle / self.pace, SECONDS)
+            text = f"The velocity rotates uniformly, so it has turned through ${alpha}$ after"
+            return self.book.add_step("turn", text, name, self.angle / self.pace, SECONDS)
         pull = self.book.magnitude(drive.strength)
         step = self.book.begin_step("turn")
         step.rest_on(self.fields.law)
@@ -199,15 +199,15 @@ class FieldTurn:
         if (swing := self._swing) is not None:
             self._timed = True
             axis = AXES[drive.axis]
-            said = f"{capitalized(self._who)} is at an end of its oscillation along {axis} at the start, so its"
-            said = f"{said} velocity is perpendicular to the field again after half an oscillation,"
-            return self.book.add_step("turn", said, name, PI / swing.frequency, SECONDS)
+            text = f"{capitalized(self._who)} is at an end of its oscillation along {axis} at the start, so its"
+            text = f"{text} velocity is perpendicular to the field again after half an oscillation,"
+            return self.book.add_step("turn", text, name, PI / swing.frequency, SECONDS)
         rate = self.motion.rate(drive.axis, name)
         if self.halved:
             self._timed = True
-            said = f"{self._who} moves perpendicular to the electric field when the rotating part of its velocity"
+            text = f"{self._who} moves perpendicular to the electric field when the rotating part of its velocity"
             return self.book.add_step(
-                "turn", f"{capitalized(said)} has made half a turn, after", name, PI / self.pace, SECONDS
+                "turn", f"{capitalized(text)} has made half a turn, after", name, PI / self.pace, SECONDS
             )
         step = self.book.begin_step("turn")
         law = step.law(rate, ZERO)
@@ -285,16 +285,16 @@ class FieldTurn:
             return f"{turned}; the velocity of {self._who} along {AXES[axis]} is then"
         alone = motion.turned[1 - axis] == ZERO
         moved = f"only along {AXES[1 - axis]}" if alone else "by the diameter of its circle"
-        told = f"Over half a turn{when} the rotating part moves {self._who} {moved}"
-        return f"{told}; along {AXES[axis]} the displacement is"
+        text = f"Over half a turn{when} the rotating part moves {self._who} {moved}"
+        return f"{text}; along {AXES[axis]} the displacement is"
 
     def _told_swung(self, kind: str, axis: int) -> str:
         """Return the first words of a sentence about ``s`` or ``v`` after half an oscillation; empty if none apply."""
         drive, along = self.fields.drive, AXES[axis]
         if drive is not None and axis == drive.axis:
             when = "" if self._timed else ", after which the velocity is perpendicular to the electric field,"
-            told = f"Over half an oscillation{when} {self._who} moves from one end to the other"
-            return f"{told}; along {along} the displacement is"
+            text = f"Over half an oscillation{when} {self._who} moves from one end to the other"
+            return f"{text}; along {along} the displacement is"
         if self.fields.turning is None:
             return ""
         if kind == "s":
@@ -307,8 +307,8 @@ class FieldTurn:
 
     def chord(self, radius: Expression) -> Symbol:
         """Write the distance from the start after the velocity, of constant speed, has turned through the angle."""
-        said = (
+        text = (
             "The distance from the starting point is the chord of the arc covered, which has this angle at the centre,"
         )
         formula = TWO_TURNS * radius * Call("sin", self.angle / TWO_TURNS)
-        return self.book.add_step("chord", said, self.book.fresh("d"), formula, METRES)
+        return self.book.add_step("chord", text, self.book.fresh("d"), formula, METRES)

@@ -242,29 +242,29 @@ def single_symbol(parts: Components, known: KnownMotion) -> Symbol | None:
     return Symbol(unknown[0]) if size.number is not None and abs(size.number - 1.0) < 1e-9 and not rest else None
 
 
-def modulus(held: Expression, book: SolutionBuilder, *, of_either_sign: bool = False) -> Expression:
+def modulus(formula: Expression, book: SolutionBuilder, *, of_either_sign: bool = False) -> Expression:
     """Return the absolute value of a formula, with bars where its value is negative.
 
     With `of_either_sign`, a symbolic formula always stands between bars. A formula that depends on an unknown changes
     its sign instead, so that it can be solved for the unknown.
     """
-    positive = book.value(held) >= 0.0
-    if isinstance(held, Root | Absolute):
-        return held
-    if not book.hidden.isdisjoint(held.symbols()):
+    positive = book.value(formula) >= 0.0
+    if isinstance(formula, Root | Absolute):
+        return formula
+    if not book.hidden.isdisjoint(formula.symbols()):
         book.sign_chosen = 1 if positive and book.sign_chosen >= 0 else -1
-        return held if positive else -held
+        return formula if positive else -formula
     either = book.in_symbols and of_either_sign
     if positive and not either:
-        return held
-    return (Absolute(-held) if either else -held) if held.negative else Absolute(held)
+        return formula
+    return (Absolute(-formula) if either else -formula) if formula.negative else Absolute(formula)
 
 
-def _along(way: Vector, part: Polynomial, known: KnownMotion) -> str:
+def _along(direction: Vector, part: Polynomial, known: KnownMotion) -> str:
     """Return words for the direction in which a vector component is positive; in symbols, words for its line."""
     if known.book.in_symbols:
-        return "vertically" if way == Z else "horizontally"
-    ((x, y, z), (sign,)) = way, part.terms.values()
+        return "vertically" if direction == Z else "horizontally"
+    ((x, y, z), (sign,)) = direction, part.terms.values()
     return known.setting.direction_words((sign * x, sign * y, sign * z))
 
 
@@ -279,26 +279,26 @@ def magnitude(
     if one is not None:
         return modulus(one, known.book, of_either_sign=needs_modulus(known.setting, known.book, one, body))
     axes = known.axes(body)
-    kept = [(axis, way, part) for axis, way, part in zip(axes, (X, Y, Z), parts, strict=True) if part]
+    kept = [(axis, direction, part) for axis, direction, part in zip(axes, (X, Y, Z), parts, strict=True) if part]
     kind = "components" if any(part.symbol is None for _, _, part in kept) else "meaning"  # "meaning" defines no names
     step, mark = known.book.begin_step(kind), known.setting.subscript_of(body)
     names, sentences = list[Symbol](), list[str]()
-    for axis, way, part in kept:
+    for axis, direction, part in kept:
         plain = part.symbol
         if plain is not None:
             names.append(plain)
             if axes == AXES:
-                sentences.append(f"${plain.latex()}$ {_along(way, part, known)}")
+                sentences.append(f"${plain.latex()}$ {_along(direction, part, known)}")
             continue
         names.append(known.book.fresh(noun.base, f"{axis},{mark}" if mark else axis))
-        where = known.setting.direction_words(way) if axes == AXES else f"along {axis}"
+        where = known.setting.direction_words(direction) if axes == AXES else f"along {axis}"
         sentences.append(f"{step.result(names[-1], part.factored(), noun.unit, law=True)} {where}")
     whose = f"{noun.said} of {known.setting.display_name(body)}"
     if (sentences and len(kept) > 1) or step.relations:
-        said = f" relative to {relative_to}" if axes == AXES or relative_to != "the ground" else ""
+        frame_phrase = f" relative to {relative_to}" if axes == AXES or relative_to != "the ground" else ""
         none = "; the other component is zero" if axes != AXES and len(kept) == 1 else ""
         step.add_text(
-            f"The {whose}{said} has the component{'s' if sentences[1:] else ''} {join_words(sentences)}{none}."
+            f"The {whose}{frame_phrase} has the component{'s' if sentences[1:] else ''} {join_words(sentences)}{none}."
         )
     step.close()
     if len(names) == 1:
@@ -329,8 +329,8 @@ def write_answer(known: KnownMotion, formula: Expression, noun: VectorName, mark
         return formula
     step = known.book.begin_step("answer")
     verb = "" if what.endswith((" is", "of magnitude")) else " is"
-    told = step.result(known.book.fresh(noun.base, mark), formula, noun.unit, law=True)
+    equation = step.result(known.book.fresh(noun.base, mark), formula, noun.unit, law=True)
     turned = known.book.sign_chosen < 0 and known.book.is_hidden(formula)
-    step.add_text(f"{capitalized(what)}{verb} {told}{', supposing that this is positive' if turned else ''}.")
+    step.add_text(f"{capitalized(what)}{verb} {equation}{', supposing that this is positive' if turned else ''}.")
     step.close()
     return Symbol(known.book.last)

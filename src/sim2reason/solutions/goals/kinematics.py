@@ -97,8 +97,8 @@ class RelativeSpeedGoal(Goal):
         one, other = members(target.subject)
         a, b = known.vector("v", one), known.vector("v", other)
         parts: Components = (b[0] - a[0], b[1] - a[1], b[2] - a[2])
-        noun, apart = VectorName.of("relative speed", "velocity"), known.setting.display_name(one)
-        formula = magnitude(parts, known, noun, other, relative_to=apart)
+        noun, reference_name = VectorName.of("relative speed", "velocity"), known.setting.display_name(one)
+        formula = magnitude(parts, known, noun, other, relative_to=reference_name)
         return write_answer(known, formula, VELOCITIES, r"\text{rel}", "so the relative speed is")
 
 
@@ -160,14 +160,14 @@ class InertiaTimes(AboutAxis):
     def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the quantity as c m R times that of the rim, such as L = I ω = c m R v with I = c m R²."""
         body = target.subject
-        held = known.rim_inertia(body) * known.radius(body)
+        coefficient = known.rim_inertia(body) * known.radius(body)
         rim = known.rim(self.of, body) if self.of else known.radius(body)
         other = modulus(rim.expression(), known.book)
         size = "magnitude of the " if self.of else ""
         about = " about its centre of mass" if self.of == "v" else ""
         what = f"the {size}{self.noun.said} of {known.setting.display_name(body)}{about}"
         return write_answer(
-            known, multiplied(held.expression(), other), self.noun, known.setting.subscript_of(body), what
+            known, multiplied(coefficient.expression(), other), self.noun, known.setting.subscript_of(body), what
         )
 
 
@@ -225,13 +225,13 @@ class EnergyOfCenter(KineticShare):
         return multiplied(known.mass(body).scaled(0.5).expression(), squared(speed))
 
 
-def squared(held: Expression) -> Expression:
+def squared(formula: Expression) -> Expression:
     """Return the square of a formula; the square of a root is its radicand, without signs and bars."""
-    if isinstance(held, Root):
-        return held.inside
-    if isinstance(held, Absolute):
-        held = held.inside
-    return Power(-held if held.negative else held, 2)
+    if isinstance(formula, Root):
+        return formula.inside
+    if isinstance(formula, Absolute):
+        formula = formula.inside
+    return Power(-formula if formula.negative else formula, 2)
 
 
 ANGULAR_VELOCITIES = VectorName.of("angular velocity")
@@ -262,8 +262,8 @@ class DistanceGoal(Goal):
     def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the initial separation and the displacements since, then the distance."""
         one, other = members(target.subject)
-        apart, a, b = known.apart(one, other), known.vector("s", one), known.vector("s", other)
-        parts: Components = (apart[0] + b[0] - a[0], apart[1] + b[1] - a[1], apart[2] + b[2] - a[2])
+        separation, a, b = known.apart(one, other), known.vector("s", one), known.vector("s", other)
+        parts: Components = (separation[0] + b[0] - a[0], separation[1] + b[1] - a[1], separation[2] + b[2] - a[2])
         noun = VectorName.of("distance", "position")
         formula = magnitude(parts, known, noun, other, relative_to=known.setting.display_name(one))
         return write_answer(known, formula, noun, r"\text{rel}", "so the distance is")

@@ -55,17 +55,17 @@ class SumGoal(Goal):
 
     def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the sum and return its symbol."""
-        whole: Expression = ZERO
+        sum_formula: Expression = ZERO
         for part in known.stretches:
-            whole = added(whole, self.term(target, known.setting, part))
-        return write_answer(known, _gathered(whole), self.noun, "", self.said(target, known.setting))
+            sum_formula = added(sum_formula, self.term(target, known.setting, part))
+        return write_answer(known, _gathered(sum_formula), self.noun, "", self.said(target, known.setting))
 
 
-def _gathered(whole: Expression) -> Expression:
+def _gathered(formula: Expression) -> Expression:
     """Return a sum with equal terms collected, such as 2 s for s + s."""
-    terms = whole.terms if isinstance(whole, Sum) else (whole,)
+    terms = formula.terms if isinstance(formula, Sum) else (formula,)
     if not all(isinstance(term, Symbol) or isinstance(-term, Symbol) for term in terms):
-        return whole
+        return formula
     signed = [Polynomial.of(t) if isinstance(t, Symbol) else Polynomial.of(-t).scaled(-1.0) for t in terms]
     return total(signed).expression()
 
@@ -190,13 +190,13 @@ class PathLength(SumGoal):
 
     def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the terms that have no names yet, such as those of a body that turns back, then the sum."""
-        found = (term for part in known.stretches for term in part.paths(target.subject))
-        terms = [term for term in found if term != ZERO]  # zero for a flight that begins at the moment
-        whole: Expression = ZERO
+        all_terms = (term for part in known.stretches for term in part.paths(target.subject))
+        terms = [term for term in all_terms if term != ZERO]  # zero for a flight that begins at the moment
+        sum_formula: Expression = ZERO
         for term in terms:
-            whole = added(whole, term)
-        what, formula = self.said(target, known.setting), _gathered(whole)
-        if formula != whole and all(_gathered(term) == term for term in terms):
+            sum_formula = added(sum_formula, term)
+        what, formula = self.said(target, known.setting), _gathered(sum_formula)
+        if formula != sum_formula and all(_gathered(term) == term for term in terms):
             lengths = join_words([f"${term.latex()}$" for term in terms])
             what = (
                 f"part by part, the path of {known.setting.display_name(target.subject)} is {lengths} long, so {what}"
@@ -236,7 +236,7 @@ class NetImpulseGoal(Goal):
 
 def tension(line: str, setting: ProblemContext) -> str:
     """Return the name of the unknown tension of a string, such as ``T2``."""
-    names = [held.name for held in setting.mechanism.constraints]
+    names = [constraint.name for constraint in setting.mechanism.constraints]
     if line not in names:
         raise UnsolvedError("it has no tension of its own")
     return f"T{names.index(line)}"
@@ -245,10 +245,10 @@ def tension(line: str, setting: ProblemContext) -> str:
 def _tied(body: str, setting: ProblemContext) -> str:
     """Return the name of the only string attached to a body; UnsolvedError for none or several."""
     m = setting.mechanism
-    found = [line.name for line in m.strings if any(m.site[site].body == body for site in line.through)]
-    if len(found) != 1:
+    string_names = [line.name for line in m.strings if any(m.site[site].body == body for site in line.through)]
+    if len(string_names) != 1:
         raise UnsolvedError("the body has no string of its own")
-    return found[0]
+    return string_names[0]
 
 
 GOALS.add("impulse of a tension", TensionImpulse())
@@ -286,22 +286,22 @@ class CollisionGoal(Goal):
     def write(self, target: Target, known: KnownMotion) -> Symbol:
         """Write the loss or impulse of one collision as a formula, or of several as a sum."""
         own = {*self.bodies(target)}
-        held = [struck for struck in known.impacts if not own or {*struck.bodies} == own]
-        if not held:
+        collisions = [struck for struck in known.impacts if not own or {*struck.bodies} == own]
+        if not collisions:
             raise UnsolvedError("there is no such collision")
-        held = held if self.several else held[-1:]
+        collisions = collisions if self.several else collisions[-1:]
         what = "the kinetic energy lost" if self.noun is LOSS else "the magnitude of the impulse"
-        if len(held) == 1:
-            return write_answer(known, self._one(held[0]), self.noun, "", f"{self._law(held[0])} {what} is")
-        whole: Expression = ZERO
-        for number, struck in enumerate(held, start=1):
+        if len(collisions) == 1:
+            return write_answer(known, self._one(collisions[0]), self.noun, "", f"{self._law(collisions[0])} {what} is")
+        sum_formula: Expression = ZERO
+        for number, struck in enumerate(collisions, start=1):
             formula = self._one(struck)
             step, name = known.book.begin_step("sum"), known.book.fresh(self.noun.base, str(number))
             law = f"{self._law(struck)} {what} in {struck.told}" if number == 1 else f"In {struck.told} it"
             step.add_text(f"{law} is {step.result(name, formula, self.noun.unit, law=True)}.")
             step.close()
-            whole = added(whole, name)
-        return write_answer(known, whole, self.noun, "", f"{what} in all is")
+            sum_formula = added(sum_formula, name)
+        return write_answer(known, sum_formula, self.noun, "", f"{what} in all is")
 
     def _law(self, struck: CollisionTerm) -> str:
         """Return the first words of a sentence that gives a collision's energy loss or impulse: the law for it."""

@@ -35,8 +35,8 @@ def turned_before(book: SolutionBuilder, step: StepBuilder, begun: Expression, a
 def later_words(book: SolutionBuilder, step: StepBuilder, formula: Expression, time: Symbol) -> str:
     """Return *only after t_turn = ..., which is more than t*, for a time in s, and record the comparison."""
     record_inequality(book, step, formula, time)
-    told = step.verified(book.fresh("t", r"\text{turn}"), formula, SECONDS)
-    return f"only after {told}, which is more than ${time.name}$"
+    equation = step.verified(book.fresh("t", r"\text{turn}"), formula, SECONDS)
+    return f"only after {equation}, which is more than ${time.name}$"
 
 
 def tell_turning_only_later(book: SolutionBuilder, begun: Expression, a: Symbol, time: Symbol | None) -> None:
@@ -56,8 +56,10 @@ def tell_not_turned(book: SolutionBuilder, begun: Expression, a: Symbol, time: S
     formula = added(begun, multiplied(a, time))
     step, name = book.begin_step("verify"), book.fresh("v")
     record_inequality(book, step, formula, ZERO)
-    told = step.verified(name, formula, SPEED)
-    step.add_text(f"At ${time.name}$ the velocity is {told} and still positive, so {who} is there for the first time.")
+    equation = step.verified(name, formula, SPEED)
+    step.add_text(
+        f"At ${time.name}$ the velocity is {equation} and still positive, so {who} is there for the first time."
+    )
     step.close()
 
 
@@ -67,19 +69,19 @@ def verify_remaining(book: SolutionBuilder, left: Symbol, formula: Expression, u
     def write() -> None:
         step = book.begin_step("verify")
         record_inequality(book, step, left, ZERO)
-        told = step.verified(left, formula, SECONDS)
-        step.add_text(f"Indeed {told} is positive, so the earlier motion ends before ${until}$.")
+        equation = step.verified(left, formula, SECONDS)
+        step.add_text(f"Indeed {equation} is positive, so the earlier motion ends before ${until}$.")
         step.close()
 
     _in_the_end(book, left, write)
 
 
-def verify_farther(book: SolutionBuilder, whole: Polynomial, covers: tuple[Symbol, Polynomial], who: str) -> None:
+def verify_farther(book: SolutionBuilder, remaining: Polynomial, covers: tuple[Symbol, Polynomial], who: str) -> None:
     """Write, or schedule for the end of the text, that the earlier stages do not cover a whole distance.
 
-    `whole` is the remaining distance; `covers` has the distance and the displacement so far.
+    `remaining` is the remaining distance; `covers` has the distance and the displacement so far.
     """
-    rest, (distance, place) = whole.expression(), covers
+    rest, (distance, displacement) = remaining.expression(), covers
 
     def write() -> None:
         step, name = book.begin_step("verify"), book.fresh("s", r"\text{rest}")
@@ -91,8 +93,12 @@ def verify_farther(book: SolutionBuilder, whole: Polynomial, covers: tuple[Symbo
         step.close()
 
     _in_the_end(book, rest, write)
-    covered = place.expression() if book.value(place.expression()) > 0.0 else place.scaled(-1.0).expression()
-    if place and not book.in_symbols and not book.is_hidden(rest):
+    covered = (
+        displacement.expression()
+        if book.value(displacement.expression()) > 0.0
+        else displacement.scaled(-1.0).expression()
+    )
+    if displacement and not book.in_symbols and not book.is_hidden(rest):
         step = book.begin_step("verify")
         record_inequality(book, step, distance, covered)
         step.add_text(
@@ -101,9 +107,9 @@ def verify_farther(book: SolutionBuilder, whole: Polynomial, covers: tuple[Symbo
         step.close()
 
 
-def _in_the_end(book: SolutionBuilder, held: Expression, write: Callable[[], None]) -> None:
+def _in_the_end(book: SolutionBuilder, quantity: Expression, write: Callable[[], None]) -> None:
     """Schedule a check for the end of the text if the quantity checked depends on the question's unknown."""
-    if book.is_hidden(held) and not book.in_symbols:
+    if book.is_hidden(quantity) and not book.in_symbols:
         book.afterwards.append(write)
 
 
@@ -134,17 +140,17 @@ def directions_of_friction(dynamics: Dynamics, rows: Sequence[Row]) -> list[str]
             ways.setdefault(slip_direction_text(dynamics, face, -side), []).append(body)
         elif f"f{face}" in used:
             (force,) = dynamics.names[f"f{face}"].names()
-            way = slip_direction_text(dynamics, face, 1 if dynamics.values[f"f{face}"] >= 0.0 else -1)
+            direction = slip_direction_text(dynamics, face, 1 if dynamics.values[f"f{face}"] >= 0.0 else -1)
             who = dynamics.setting.display_name(body)
             if dynamics.book.in_symbols:  # either direction is possible
-                sticking.append(f"The static friction ${force}$ on {who} is counted as positive {way}.")
+                sticking.append(f"The static friction ${force}$ on {who} is counted as positive {direction}.")
             else:
-                sticking.append(f"Static friction ${force}$ acts on {who} {way}.")
-    said = [f"on {dynamics.setting.bodies_phrase(bodies)} {way}" for way, bodies in ways.items()]
+                sticking.append(f"Static friction ${force}$ acts on {who} {direction}.")
+    phrases = [f"on {dynamics.setting.bodies_phrase(bodies)} {direction}" for direction, bodies in ways.items()]
     bodies = [body for some in ways.values() for body in some]
     stacked = any(body.parent in bodies for body in dynamics.mechanism.bodies)  # contacts on both faces
     begin = "From the surface beneath, friction" if stacked else "Friction"
-    return [*([f"{begin} acts {join_words(said)}."] if said else []), *sticking]
+    return [*([f"{begin} acts {join_words(phrases)}."] if phrases else []), *sticking]
 
 
 def verify_sliding(dynamics: Dynamics) -> None:
@@ -163,11 +169,11 @@ def verify_sliding(dynamics: Dynamics) -> None:
 
 def _tell(dynamics: Dynamics) -> None:
     """Write why each body that starts to slide does: it needs too much friction, or accelerates despite friction."""
-    spoken = {dynamics.mechanism.coordinates[row.number].body for group in dynamics.groups for row in group}
+    law_bodies = {dynamics.mechanism.coordinates[row.number].body for group in dynamics.groups for row in group}
     moved: dict[Expression, list[int]] = {}
     for number, side in dynamics.newton.slip_directions.items():
         face = dynamics.mechanism.faces[number]
-        if not side or isinf(face.friction) or face.subject not in spoken or not rubs_at_rest(dynamics, number):
+        if not side or isinf(face.friction) or face.subject not in law_bodies or not rubs_at_rest(dynamics, number):
             continue
         needed = required_friction(dynamics.newton, dynamics.setting, number)
         if needed is None and (relative := _relative(dynamics, number)) is not None:
@@ -199,38 +205,40 @@ def _tell_accelerated(dynamics: Dynamics, relative: Expression, faces: Sequence[
     free = _without_friction(dynamics, relative) if isinstance(relative, Symbol) else None
     if free is not None and book.value(free) > 0.0:
         record_inequality(book, step, free, ZERO)
-        told = step.verified(book.fresh("a", r"\text{free}"), free, ACCELERATION)
+        acceleration_text = step.verified(book.fresh("a", r"\text{free}"), free, ACCELERATION)
         step.add_text(
-            f"Without friction the acceleration would be {told}, which is positive; friction can only reduce it,"
+            f"Without friction the acceleration would be {acceleration_text}, which is positive; friction can only reduce it,"
         )
         step.add_text(f"so {join_words(_slides(dynamics, faces))}.")
         step.close()
         return
     record_inequality(book, step, relative, ZERO)
     if isinstance(relative, Symbol):
-        told = f"the acceleration ${relative.latex()}$"
+        acceleration_text = f"the acceleration ${relative.latex()}$"
     else:
         own = None if under else _unvalued(dynamics, faces[0])
         name = own or book.fresh("a", r"\text{rel}" if under else setting.subscript_of(bodies[0]))
-        told = f"the {'relative ' if under else ''}acceleration {step.verified(name, relative, ACCELERATION)}"
-    step.add_text(f"Even against friction {told} is positive, so {join_words(_slides(dynamics, faces))}.")
+        acceleration_text = (
+            f"the {'relative ' if under else ''}acceleration {step.verified(name, relative, ACCELERATION)}"
+        )
+    step.add_text(f"Even against friction {acceleration_text} is positive, so {join_words(_slides(dynamics, faces))}.")
     step.close()
 
 
-def _without_friction(dynamics: Dynamics, found: Symbol) -> Expression | None:
+def _without_friction(dynamics: Dynamics, acceleration: Symbol) -> Expression | None:
     """Return the acceleration without friction if that with friction follows from a given speed or time; else None.
 
     Such an acceleration is positive for either direction of motion, so it does not prove the direction.
     """
-    book, formula = dynamics.book, dynamics.book.formulas.get(found.name)
-    solved = any(step.kind == SOLVE_KIND and found.name in step.gives for step in book.steps)
+    book, formula = dynamics.book, dynamics.book.formulas.get(acceleration.name)
+    solved = any(step.kind == SOLVE_KIND and acceleration.name in step.gives for step in book.steps)
     target = dynamics.setting.target
     if formula is None or not solved or len(dynamics.shared) != 1 or (target and target.quantity in FORCES):
         return None
     if any(isinf(dynamics.mechanism.faces[face].friction) for face in dynamics.newton.slip_directions):
         return None  # an unlimited constraint may also act along the motion
     formula = substitute_all(
-        formula, {name: book.formulas[name] for name in reversed(book.formulas) if name != found.name}
+        formula, {name: book.formulas[name] for name in reversed(book.formulas) if name != acceleration.name}
     )
     coefficients = (dynamics.newton.coefficient(face) for face in dynamics.newton.slip_directions)
     return substitute_all(formula, {name: ZERO for coefficient in coefficients for name in coefficient.names()})
@@ -242,23 +250,28 @@ def _unvalued(dynamics: Dynamics, face: int) -> Symbol | None:
     if len(slips) != 1:
         return None
     ((k, factor),) = slips
-    held = (factor.scaled(dynamics.newton.slip_directions[face]) * dynamics.names.get(f"q{k}", NIL)).expression()
-    return held if isinstance(held, Symbol) and held.name in dynamics.bound else None
+    acceleration = (
+        factor.scaled(dynamics.newton.slip_directions[face]) * dynamics.names.get(f"q{k}", NIL)
+    ).expression()
+    return acceleration if isinstance(acceleration, Symbol) and acceleration.name in dynamics.bound else None
 
 
 def _slides(dynamics: Dynamics, faces: Sequence[int]) -> list[str]:
     """Return phrases with the sliding bodies and the directions in which these bodies slide."""
     ways: dict[tuple[str, str], list[str]] = {}
     for face in faces:
-        body, way = (
+        body, direction = (
             dynamics.mechanism.faces[face].subject,
             slip_direction_text(dynamics, face, dynamics.newton.slip_directions[face]),
         )
         under = carriers(dynamics, body)
         on = f" on {dynamics.setting.display_name(under[0])}" if under else ""
-        ways.setdefault((way, on), []).append(body)
+        ways.setdefault((direction, on), []).append(body)
     called = dynamics.setting.bodies_phrase
-    return [f"{called(who)} {'slides' if len(who) == 1 else 'slide'} {way}{on}" for (way, on), who in ways.items()]
+    return [
+        f"{called(who)} {'slides' if len(who) == 1 else 'slide'} {direction}{on}"
+        for (direction, on), who in ways.items()
+    ]
 
 
 def slip_direction_text(dynamics: Dynamics, face: int, sense: float) -> str:
@@ -270,10 +283,12 @@ def slip_direction_text(dynamics: Dynamics, face: int, sense: float) -> str:
 def _relative(dynamics: Dynamics, face: int) -> Expression | None:
     """Return the acceleration of slip at a contact, in its direction; None if it is unknown."""
     parts = _parts(dynamics, face)
-    whole: Expression = ZERO
-    for _, factor, found in parts or []:
-        whole = added(whole, multiplied(factor.expression(), found) if factor.number != 1.0 else found)
-    return whole if parts is not None else None
+    slip_acceleration: Expression = ZERO
+    for _, factor, acceleration in parts or []:
+        slip_acceleration = added(
+            slip_acceleration, multiplied(factor.expression(), acceleration) if factor.number != 1.0 else acceleration
+        )
+    return slip_acceleration if parts is not None else None
 
 
 def _parts(dynamics: Dynamics, face: int) -> list[tuple[int, Polynomial, Expression]] | None:
@@ -287,10 +302,10 @@ def _parts(dynamics: Dynamics, face: int) -> list[tuple[int, Polynomial, Express
         for n, factor in terms:
             if n in dynamics.frozen:
                 continue
-            found = force_from_one_law(dynamics, rows, f"q{n}")
-            if found is None:
+            acceleration = force_from_one_law(dynamics, rows, f"q{n}")
+            if acceleration is None:
                 return None
-            parts.append((n, part.scaled(factor * dynamics.newton.slip_directions[face]), found))
+            parts.append((n, part.scaled(factor * dynamics.newton.slip_directions[face]), acceleration))
     return parts
 
 
@@ -298,14 +313,18 @@ def _tell_carriers(dynamics: Dynamics, step: StepBuilder, face: int) -> None:
     """Write the accelerations of the bodies that carry a sliding body, unless they have names already."""
     book, parts = dynamics.book, _parts(dynamics, face) or []
     own = dynamics.mechanism.faces[face].subject
-    for n, _, found in parts if len(parts) > 1 else []:
+    for n, _, acceleration in parts if len(parts) > 1 else []:
         body = dynamics.mechanism.coordinates[n].body
-        if body == own or not book.value(found) or isinstance(-found if found.negative else found, Symbol):
+        if (
+            body == own
+            or not book.value(acceleration)
+            or isinstance(-acceleration if acceleration.negative else acceleration, Symbol)
+        ):
             continue
-        sense = 1 if book.value(found) > 0.0 else -1
+        sense = 1 if book.value(acceleration) > 0.0 else -1
         name = book.fresh("a", dynamics.setting.subscript_of(body))
-        told = step.verified(name, found if sense > 0 else -found, ACCELERATION)
-        step.add_text(f"{capitalized(dynamics.setting.display_name(body))} then has the acceleration {told}")
+        equation = step.verified(name, acceleration if sense > 0 else -acceleration, ACCELERATION)
+        step.add_text(f"{capitalized(dynamics.setting.display_name(body))} then has the acceleration {equation}")
         step.add_text(f"{dynamics.moving(n, sense)}.")
 
 

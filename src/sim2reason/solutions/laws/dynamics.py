@@ -59,10 +59,10 @@ def gravitational_constant(book: SolutionBuilder, value: float) -> Symbol:
         book.reserve("G")
         book.set_value("G", value)
         mantissa, _, power = f"{value:.8g}".partition("e")
-        said = rf"{mantissa} \times 10^{{{int(power)}}}" if power else mantissa
+        decimal_text = rf"{mantissa} \times 10^{{{int(power)}}}" if power else mantissa
         plain = isclose(value, 4.0 * pi**2)
         unit = latex("au^3/(Msun yr^2)" if plain else "N m^2/kg^2")
-        book.stated["G"] = (r"4 \pi^{2}" if plain else said) + unit
+        book.stated["G"] = (r"4 \pi^{2}" if plain else decimal_text) + unit
         book.constants["G"] = Product((Number(4.0), Power(PI, 2))) if plain else Number(value)
     return Symbol("G")
 
@@ -93,25 +93,25 @@ class Dynamics:
     @cached_property
     def frozen(self) -> set[int]:
         """Return the indices of the coordinates that friction or a string holds at rest."""
-        held = {
+        at_rest = {
             k
             for face, side in self.newton.slip_directions.items()
             if side == 0 and (k := self.newton.single_slip_coordinate(face)) is not None
         }
-        rows = [self.newton.string(place).inertia for place in self.taut]
+        rows = [self.newton.string(index).inertia for index in self.taut]
         for _ in rows:  # bodies at rest can hold others
-            left = [row.substitute({f"q{k}": NIL for k in held}) for row in rows]
-            held |= {int(next(n for n in row.names() if n[0] == "q")[1:]) for row in left if len(row.terms) == 1}
-        return held
+            left = [row.substitute({f"q{k}": NIL for k in at_rest}) for row in rows]
+            at_rest |= {int(next(n for n in row.names() if n[0] == "q")[1:]) for row in left if len(row.terms) == 1}
+        return at_rest
 
     @cached_property
     def unforced(self) -> set[int]:
         """Return the indices of coordinates along x or y along which no force acts on the coordinate's body."""
         if self.measure.values:
             return set()
-        found = {k: self.newton.newton(k) for k, c in enumerate(self.mechanism.coordinates) if c.label in AXES}
+        laws = {k: self.newton.newton(k) for k, c in enumerate(self.mechanism.coordinates) if c.label in AXES}
         every = {f"q{k}" for k in range(len(self.mechanism.coordinates))}
-        return {k for k, row in found.items() if not row.forces and row.inertia.names() & every <= {f"q{k}"}}
+        return {k for k, row in laws.items() if not row.forces and row.inertia.names() & every <= {f"q{k}"}}
 
     @cached_property
     def carried(self) -> dict[int, tuple[int, float]]:
@@ -119,9 +119,9 @@ class Dynamics:
 
         For slabs on each other on a slope, texts give the acceleration of each slab, not the relative one.
         """
-        found: dict[int, tuple[int, float]] = {}
+        carriers: dict[int, tuple[int, float]] = {}
         if self.measure.values:
-            return found
+            return carriers
         for k, coordinate in enumerate(self.mechanism.coordinates):
             if (
                 k in self.frozen
@@ -134,13 +134,13 @@ class Dynamics:
             if below and all(abs(abs(part) - 1.0) < RATE_RTOL for part in along):
                 sign = float(round(along[0]))
                 if self._tied_outside(k, below[0], sign):
-                    found[k] = below[0], sign
-        return found
+                    carriers[k] = below[0], sign
+        return carriers
 
     def _tied_outside(self, k: int, j: int, sign: float) -> bool:
         """Return whether taut strings depend on a body's motion relative to the world, not to its carrier."""
-        for place in self.taut:
-            terms = self.newton.string(place).inertia
+        for index in self.taut:
+            terms = self.newton.string(index).inertia
             own, other = terms.coefficient(f"q{k}"), terms.coefficient(f"q{j}")
             if own and own - other.scaled(sign):
                 return False
@@ -148,18 +148,18 @@ class Dynamics:
 
     def _below(self, body: str) -> list[int]:
         """Return the coordinates of the bodies that carry a body, the nearest first."""
-        found: list[int] = []
+        coordinates: list[int] = []
         step = self.mechanism.body[body].parent
         while step is not None:
-            found += [self.mechanism.number[c.name] for c in reversed(self.mechanism.body[step].coordinates)]
+            coordinates += [self.mechanism.number[c.name] for c in reversed(self.mechanism.body[step].coordinates)]
             step = self.mechanism.body[step].parent
-        return found
+        return coordinates
 
     @property
     def taut(self) -> list[int]:
         """Return the indices of the strings that are taut in this segment."""
         acting = self.segment.found.mode.acting
-        return [place for place in range(len(self.newton.lines)) if acting[place]]
+        return [index for index in range(len(self.newton.lines)) if acting[index]]
 
     def laws(self, goals: Sequence[str]) -> tuple[list[Row], list[str]]:
         """Return all laws of this segment, and their unknowns."""
@@ -169,7 +169,7 @@ class Dynamics:
         pressing |= {int(goal[1:]) for goal in goals if goal[0] == "N"}
         rows = [newton.newton(k) for k in range(size)]
         rows += [newton.normal(face) for face in sorted(pressing)]
-        rows += [newton.string(place) for place in self.taut]
+        rows += [newton.string(index) for index in self.taut]
         rows += [newton.rolling(face) for face in sticking if newton.single_slip_coordinate(face) is None]
         still = {f"q{k}": NIL for k in self.frozen}
         for k, (j, sign) in self.carried.items():  # converted to that relative to the ground
@@ -181,32 +181,32 @@ class Dynamics:
             return rows, [
                 name for name in unknowns if self.measure.known is None or name != f"q{self.measure.known[0]}"
             ]
-        unknowns += [f"T{place}" for place in self.taut] + [f"N{face}" for face in sorted(pressing)]
+        unknowns += [f"T{index}" for index in self.taut] + [f"N{face}" for face in sorted(pressing)]
         return rows, unknowns + [f"f{face}" for face in sticking]
 
     @cached_property
     def values(self) -> dict[str, float]:
         """Return the values of the unknowns, in SI units, as the engine computed them."""
         pairs = zip(self.measure.values, self.newton.scale, strict=False)
-        found = self.newton.values | {f"q{k}": value * scale.here for k, (value, scale) in enumerate(pairs)}
+        values_by_name = self.newton.values | {f"q{k}": value * scale.here for k, (value, scale) in enumerate(pairs)}
         for k, (j, sign) in self.carried.items():  # carriers come first
-            found[f"q{k}"] += sign * found[f"q{j}"]
-        return found
+            values_by_name[f"q{k}"] += sign * values_by_name[f"q{j}"]
+        return values_by_name
 
     def relative_to_ground(self, values: Sequence[float]) -> list[float]:
         """Convert rates relative to carriers to rates relative to the ground."""
-        found = list(values)
+        converted = list(values)
         for k, (j, sign) in self.carried.items():
-            found[k] += sign * found[j]
-        return found
+            converted[k] += sign * converted[j]
+        return converted
 
     def by_themselves(self, relative: Mapping[int, Polynomial]) -> Mapping[int, Polynomial]:
         """Convert symbolic velocities or displacements relative to carriers to those relative to the ground."""
-        found = dict(relative)
+        converted = dict(relative)
         for k, (j, sign) in self.carried.items():
-            if k in found or j in found:
-                found[k] = found.get(k, NIL) + found.get(j, NIL).scaled(sign)
-        return found
+            if k in converted or j in converted:
+                converted[k] = converted.get(k, NIL) + converted.get(j, NIL).scaled(sign)
+        return converted
 
     # ---- names
 
@@ -228,9 +228,9 @@ class Dynamics:
             members[one] |= {k: turned * s for k, s in members[other].items()}
             for k in members[one]:
                 members[k] = members[one]
-        classes = {id(held): held for held in members.values()}.values()
-        for held in classes:
-            self._called(held, alone=len(classes) == 1, goals=goals)
+        classes = {id(group): group for group in members.values()}.values()
+        for group in classes:
+            self._called(group, alone=len(classes) == 1, goals=goals)
 
     def _called(self, held: dict[int, int], *, alone: bool, goals: Sequence[str]) -> None:
         """Give several coordinates with one common rate a symbol, named after one of their bodies."""
@@ -238,8 +238,8 @@ class Dynamics:
         goal = next(
             (self.mechanism.coordinates[int(g[1:])].body for g in goals if g[0] == "q" and int(g[1:]) in held), ""
         )
-        told = [body for body in bodies if body in self.setting.words.mentions]
-        name = goal if goal in told else next(iter(told), bodies[0])
+        mentioned = [body for body in bodies if body in self.setting.words.mentions]
+        name = goal if goal in mentioned else next(iter(mentioned), bodies[0])
         told_already = self.measure.known is not None and self.measure.known[0] in held
         if told_already and self.measure.known is not None:
             named = self.measure.known[1]
@@ -258,9 +258,9 @@ class Dynamics:
             self.relative_to_ground(self.segment.v),
             [self.values[f"q{k}"] for k in range(len(self.segment.v))],
         ):
-            found = next((s * values[k] for k, s in held.items() if abs(values[k]) > RATE_RTOL), 0.0)
-            if found:
-                return 1 if found > 0.0 else -1
+            rate = next((s * values[k] for k, s in held.items() if abs(values[k]) > RATE_RTOL), 0.0)
+            if rate:
+                return 1 if rate > 0.0 else -1
         return 1
 
     def name(self, rows: Sequence[Row], goals: Sequence[str]) -> None:
@@ -317,7 +317,7 @@ class Dynamics:
         """Return words for the direction of motion along a coordinate, such as *in the positive x direction*."""
         coordinate = self.mechanism.coordinates[k]
         x, y, z = coordinate.axis
-        labels = [held.label for held in self.mechanism.body[coordinate.body].coordinates]
+        labels = [each.label for each in self.mechanism.body[coordinate.body].coordinates]
         if coordinate.label in AXES and {*AXES} <= {*labels}:
             return f"in the {'positive' if sense > 0 else 'negative'} {coordinate.label} direction"
         parent = self.mechanism.body[coordinate.body].parent if k not in self.carried else None

@@ -55,8 +55,10 @@ def phase_at(state: State) -> SwitchState:
     m, time = state.mechanism, float(state.times[0])
     inside: list[tuple[bool, ...]] = []
     for force in m.forces:
-        place = state.vector(state.frames.center(force.body).place)[0]
-        margins = force.region.margins((place[0], place[1], place[2]), math) if force.region is not None else ()
+        position = state.vector(state.frames.center(force.body).place)[0]
+        margins = (
+            force.region.margins((position[0], position[1], position[2]), math) if force.region is not None else ()
+        )
         inside.append((all(float(margin) >= 0.0 for margin in margins),))  # type: ignore[arg-type]
     lengths = {line.name: float(state.free_length(line)[0][0]) for line, _ in m.half_springs}
     return SwitchState(
@@ -246,10 +248,10 @@ class EquationsOfMotion:
             return cube
         if operation == "/" and (sign := _by_itself(first, second)):
             return Polynomial.of(sign)
-        found = _joined(operation, first, second)
-        if operation == "/" and len(second.terms) > 1 and len(found.terms) == 1 and first.number is not None:
-            self._below[next(iter(found.terms))[0][0]] = second.scaled(1.0 / first.number)
-        return found
+        joined = _joined(operation, first, second)
+        if operation == "/" and len(second.terms) > 1 and len(joined.terms) == 1 and first.number is not None:
+            self._below[next(iter(joined.terms))[0][0]] = second.scaled(1.0 / first.number)
+        return joined
 
     def _cubed(self, one: Polynomial, other: Polynomial) -> Polynomial | None:
         """Return r³ for r times its radicand, r²; None for any other product."""

@@ -54,12 +54,12 @@ def write_inner_answer(inner: ProblemContext, book: SolutionBuilder, offered: It
         UnsolvedError: no strategy succeeds.
     """
     reasons = ["no strategy has a way to what is asked about"]
-    for way in offered:
-        if way.why_not_applicable(inner):
+    for strategy in offered:
+        if strategy.why_not_applicable(inner):
             continue
         saved = book.saved()
         try:
-            return way.write(inner, book)
+            return strategy.write(inner, book)
         except (UnsolvedError, UnreadError) as error:
             reasons.append(str(error))
             vars(book).update(saved)
@@ -80,17 +80,20 @@ def with_other_value(
 
     If all steps combine to a short formula, that formula is used; else each step is repeated.
     """
-    whole = short_formula(inner, book, goal)
-    other = tidy(_put(whole, {symbol: changed})) if whole is not None else None
+    goal_formula = short_formula(inner, book, goal)
+    other = tidy(_put(goal_formula, {symbol: changed})) if goal_formula is not None else None
     step = book.begin_step("other value")
-    for label in (goal, *(name for held in book.steps for name in held.gives if name.startswith(AGAIN))):
+    for label in (
+        goal,
+        *(name for earlier_step in book.steps for name in earlier_step.gives if name.startswith(AGAIN)),
+    ):
         step.rest_on(label)
-    if whole is not None and other is not None and len(other.latex()) <= SHORT:
+    if goal_formula is not None and other is not None and len(other.latex()) <= SHORT:
         after = book.fresh(goal, NEW)
-        step.add_text(inserted(book, goal, step.derived(Symbol(goal), whole)))
+        step.add_text(inserted(book, goal, step.derived(Symbol(goal), goal_formula)))
         step.add_text(f"{lead}, this becomes {step.result(after, other, book.units.get(goal, ''), law=True)}.")
     else:
-        said: list[str] = []
+        equations: list[str] = []
         renamed: dict[str, Expression] = {symbol: changed}
         for name, formula in _leading(book, goal):
             if renamed.keys().isdisjoint(formula.symbols()):
@@ -98,9 +101,9 @@ def with_other_value(
             if _is_in_numbers(formula):
                 raise UnsolvedError("the equations on the way were solved in numbers")
             after = book.fresh(name, NEW)
-            said.append(step.result(after, _put(formula, renamed), book.units.get(name, ""), law=True))
+            equations.append(step.result(after, _put(formula, renamed), book.units.get(name, ""), law=True))
             renamed[name] = after
-        step.add_text(f"{lead}, the same equations give {join_words(said)}.")
+        step.add_text(f"{lead}, the same equations give {join_words(equations)}.")
     step.close()
     return Symbol(book.last)
 
@@ -125,10 +128,10 @@ def _shortened(formula: Expression) -> Expression | None:
     if len(formula.latex()) > UNSHORTENED:
         return None
     try:
-        found = simplified_form(formula)
+        simplified = simplified_form(formula)
     except ClosedFormError:
         return None
-    return found.expression if len(found.latex) <= SHORT else None
+    return simplified.expression if len(simplified.latex) <= SHORT else None
 
 
 def _put(formula: Expression, renamed: Mapping[str, Expression]) -> Expression:
@@ -140,23 +143,23 @@ def _put(formula: Expression, renamed: Mapping[str, Expression]) -> Expression:
     return _multiplied_out(formula)
 
 
-def _multiplied_out(held: Expression) -> Expression:
+def _multiplied_out(formula: Expression) -> Expression:
     """Expand powers of multiples: 4 v² for (2 v)²."""
-    if not held.parts:
-        return held
-    found = held.built_of([_multiplied_out(part) for part in held.parts])
-    match found:
+    if not formula.parts:
+        return formula
+    expanded = formula.built_of([_multiplied_out(part) for part in formula.parts])
+    match expanded:
         case Power(Product((Number(x), *others)), exponent):
             return multiplied(Number(x**exponent), Power(reduce(multiplied, others), exponent))
         case _:
-            return simplify_inverse(found)
+            return simplify_inverse(expanded)
 
 
-def _is_in_numbers(held: Expression) -> bool:
+def _is_in_numbers(formula: Expression) -> bool:
     """Return whether a formula contains a rounded number."""
-    if isinstance(held, NumericFormula) or (isinstance(held, Number) and simple_fraction(held.x) is None):
+    if isinstance(formula, NumericFormula) or (isinstance(formula, Number) and simple_fraction(formula.x) is None):
         return True
-    return any(map(_is_in_numbers, held.parts))
+    return any(map(_is_in_numbers, formula.parts))
 
 
 def _leading(book: SolutionBuilder, goal: str) -> list[tuple[str, Expression]]:
@@ -178,8 +181,8 @@ def _leading(book: SolutionBuilder, goal: str) -> list[tuple[str, Expression]]:
 
 def _whole(inner: ProblemContext, book: SolutionBuilder, goal: str) -> Expression:
     """Return the formula of a result in the quantities that scene and question give."""
-    said = {given.symbol for given in inner.lexicon.givens.values()} | book.stated.keys()
-    given = tuple(Relation(Symbol(name), Number(book.values[name]), "given") for name in said if name in book.values)
+    stated = {given.symbol for given in inner.lexicon.givens.values()} | book.stated.keys()
+    given = tuple(Relation(Symbol(name), Number(book.values[name]), "given") for name in stated if name in book.values)
     steps = (Step(-1, "givens", "", given, (), ()), *book.steps)
     return combined_formula(Solution("", steps, book.values, goal, answer=book.values[goal], constants=book.constants))
 
@@ -187,7 +190,7 @@ def _whole(inner: ProblemContext, book: SolutionBuilder, goal: str) -> Expressio
 def lone_symbol(setting: ProblemContext, path: str) -> str:
     """Return the symbol of the number at an address; UnsolvedError if another number shares it."""
     given = setting.lexicon.givens.get(path)
-    alike = [held for held in setting.lexicon.givens.values() if given is not None and held.symbol == given.symbol]
+    alike = [other for other in setting.lexicon.givens.values() if given is not None and other.symbol == given.symbol]
     if given is None or len(alike) > 1:
         raise UnsolvedError("the number has no symbol of its own")
     return given.symbol
@@ -207,14 +210,14 @@ def verify_again(book: SolutionBuilder, symbol: str, changed: Expression, lead: 
     formulas = {name: formula for name, formula in defined_by(book.steps).items() if name not in book.stated}
     hanging = _hanging(formulas, symbol)
     for step in [*book.steps]:
-        for held in step.relations:
-            if held.role == "exceeds" and not {symbol, *hanging}.isdisjoint(held.symbols()):
-                sides = [_changed(side, symbol, changed, hanging) for side in (held.left, held.right)]
+        for relation in step.relations:
+            if relation.role == "exceeds" and not {symbol, *hanging}.isdisjoint(relation.symbols()):
+                sides = [_changed(side, symbol, changed, hanging) for side in (relation.left, relation.right)]
                 left, right = sides
                 if left is not None and right is not None:
-                    _verify(book, step, held, (left, right), lead)
+                    _verify(book, step, relation, (left, right), lead)
                 else:
-                    _exceeds_still(book, held, {symbol: changed, **dict(reversed(hanging.items()))})
+                    _exceeds_still(book, relation, {symbol: changed, **dict(reversed(hanging.items()))})
 
 
 def _hanging(formulas: Mapping[str, Expression], symbol: str) -> dict[str, Expression]:
@@ -237,7 +240,7 @@ def _changed(
     return side
 
 
-def _exceeds_still(book: SolutionBuilder, held: Relation, formulas: Mapping[str, Expression]) -> None:
+def _exceeds_still(book: SolutionBuilder, relation: Relation, formulas: Mapping[str, Expression]) -> None:
     """Check numerically that an inequality of the solution still holds with other formulas for names.
 
     Raises:
@@ -246,18 +249,18 @@ def _exceeds_still(book: SolutionBuilder, held: Relation, formulas: Mapping[str,
     at = dict(book.values)
     for name, formula in formulas.items():
         at[name] = book.value(formula, at)
-    if not book.value(held.left, at) > book.value(held.right, at):
-        raise UnsolvedError(f"{held.left.latex()} no longer exceeds {held.right.latex()}")
+    if not book.value(relation.left, at) > book.value(relation.right, at):
+        raise UnsolvedError(f"{relation.left.latex()} no longer exceeds {relation.right.latex()}")
 
 
-def _verify(book: SolutionBuilder, step: Step, held: Relation, sides: Sequence[Expression], lead: str) -> None:
+def _verify(book: SolutionBuilder, step: Step, relation: Relation, sides: Sequence[Expression], lead: str) -> None:
     """Write that an inequality from an earlier step still holds for the new values of both sides."""
     writing, (left, right) = book.begin_step("verify"), sides
     record_inequality(book, writing, left, right)
     if max(len(side.latex()) for side in sides) > MAX_WRITTEN_LENGTH:
         return
-    said = [_told(writing, step, pair) for pair in ((held.left, left), (held.right, right))]
-    writing.add_text(f"{lead}, {said[0]} still exceeds {said[1]}.")
+    side_texts = [_told(writing, step, pair) for pair in ((relation.left, left), (relation.right, right))]
+    writing.add_text(f"{lead}, {side_texts[0]} still exceeds {side_texts[1]}.")
     writing.label(f"{AGAIN} {len(book.steps)}")
     writing.close()
 

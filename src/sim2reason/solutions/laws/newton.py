@@ -81,25 +81,25 @@ class Newton:
     @cached_property
     def scale(self) -> list[DualValue]:
         """Return, by coordinate, the factor of its rate: the largest rim radius of a rotating body, or 1."""
-        found = [DualValue(1.0, 1.0)] * len(self.mechanism.coordinates)
+        factors = [DualValue(1.0, 1.0)] * len(self.mechanism.coordinates)
         for k, radii in self._rims.items():
-            found[k] = max(radii, key=lambda both: both.here)
+            factors[k] = max(radii, key=lambda both: both.here)
         for number, face in enumerate(self.mechanism.faces):
-            for place, (name, _) in enumerate(face.slip):
+            for index, (name, _) in enumerate(face.slip):
                 k = self.mechanism.number[name]
                 if self.mechanism.coordinates[k].kind == "hinge":
-                    found[k] = self._both(lambda m, _, n=number, p=place: abs(m.faces[n].slip[p][1]))
-        return found
+                    factors[k] = self._both(lambda m, _, n=number, p=index: abs(m.faces[n].slip[p][1]))
+        return factors
 
     @cached_property
     def _rims(self) -> dict[int, list[DualValue]]:
         """Return the radii at which lines are wound round rotating bodies, by coordinate."""
-        found: dict[int, list[DualValue]] = {}
+        radii: dict[int, list[DualValue]] = {}
         for number, line in enumerate(self.mechanism.lines):
-            for place, wheel in enumerate(line.wheels):
-                both = self._both(lambda m, _, n=number, p=place: abs(m.lines[n].wheels[p].radius))
-                found.setdefault(self.mechanism.number[wheel.coordinate], []).append(both)
-        return found
+            for index, wheel in enumerate(line.wheels):
+                both = self._both(lambda m, _, n=number, p=index: abs(m.lines[n].wheels[p].radius))
+                radii.setdefault(self.mechanism.number[wheel.coordinate], []).append(both)
+        return radii
 
     def _over(self, number: DualValue, *coordinates: int) -> Polynomial:
         """Divide a number by the rim radii of coordinates; for several radii, by the symbol of the largest one."""
@@ -121,12 +121,12 @@ class Newton:
 
     def mass(self, body: str) -> Polynomial:
         """Return the mass of a body."""
-        return self._masses[next(n for n, held in enumerate(self.mechanism.bodies) if held.name == body)]
+        return self._masses[next(n for n, candidate in enumerate(self.mechanism.bodies) if candidate.name == body)]
 
     def moving_coordinates(self, body: str) -> list[int]:
         """Return the coordinates that move the centre of mass of a body."""
         gradient = self._sides[0][1].center(body).gradient
-        return [k for k, way in gradient.items() if dot(way, way) > 1e-18]
+        return [k for k, direction in gradient.items() if dot(direction, direction) > 1e-18]
 
     def along(self, body: str, k: int, way: tuple[float, float, float]) -> Polynomial:
         """Return the component of a body's displacement per unit of coordinate k, along a world direction."""
@@ -151,15 +151,15 @@ class Newton:
 
     def _pushes(self, way: Callable[[Frames, str], Triple | None]) -> list[Polynomial]:
         """Return the components of all constant forces along the directions that `way` gives for their bodies."""
-        found = list[Polynomial]()
+        components = list[Polynomial]()
         for number, force in enumerate(self.mechanism.forces):
             if way(self._sides[0][1], force.body) is not None:
                 size = self.read(lambda m, _, n=number: _push(m, n).profile.value)
                 along = self.read(
                     lambda m, f, n=number, b=force.body: dot(_push(m, n).direction, way(f, b) or (0.0, 0.0, 0.0))
                 )
-                found.append(size * along)
-        return found
+                components.append(size * along)
+        return components
 
     def _dot(self, body: str, k: int, j: int) -> Polynomial:
         """Return the scalar product of two vectors: a body's displacements per unit of two of its coordinates."""
@@ -196,8 +196,8 @@ class Newton:
             return self.read(lambda m, _: getattr(m.lines[number].law, "force", 0.0))
         if not line.law.row:
             raise UnreadError("there is a spring")
-        place = self.lines.index(line)
-        return symbol("T", place) if self.segment.found.mode.acting[place] else NIL
+        index = self.lines.index(line)
+        return symbol("T", index) if self.segment.found.mode.acting[index] else NIL
 
     def stretch(self, number: int, k: int) -> Polynomial:
         """Return the increase of a line's length per unit of a coordinate."""
@@ -235,12 +235,12 @@ class Newton:
 
     def slip(self, face: int) -> dict[int, Polynomial]:
         """Return the slip at a contact per unit of each coordinate, by index."""
-        found: dict[int, Polynomial] = {}
-        for place, (name, _) in enumerate(self.mechanism.faces[face].slip):
+        ratios: dict[int, Polynomial] = {}
+        for index, (name, _) in enumerate(self.mechanism.faces[face].slip):
             k = self.mechanism.number[name]
-            both = self._both(lambda m, _, p=place: m.faces[face].slip[p][1]) / self.scale[k]
-            found[k] = self.lexicon.read(both)
-        return found
+            both = self._both(lambda m, _, p=index: m.faces[face].slip[p][1]) / self.scale[k]
+            ratios[k] = self.lexicon.read(both)
+        return ratios
 
     def single_slip_coordinate(self, face: int) -> int | None:
         """Return the only coordinate along which a contact slips; None if there are several."""
@@ -266,8 +266,8 @@ class Newton:
 
     def _rubbing(self, k: int) -> list[Polynomial]:
         """Return the friction forces along a coordinate."""
-        found = [(self.friction(face), self.slip(face)) for face in self.slip_directions]
-        return [force * slip[k] for force, slip in found if k in slip]
+        pairs = [(self.friction(face), self.slip(face)) for face in self.slip_directions]
+        return [force * slip[k] for force, slip in pairs if k in slip]
 
     def normal(self, face: int) -> Row:
         """Return Newton's law along the normal of a contact, for the body on it with all that it carries."""
@@ -296,8 +296,8 @@ class Newton:
     @cached_property
     def values(self) -> dict[str, float]:
         """Return the values of the unknowns, in SI units, as the engine computed them."""
-        found = self.segment.found
-        scaled = {f"q{k}": a * s.here for k, (a, s) in enumerate(zip(found.a, self.scale, strict=True))}
-        tension = {f"T{n}": value for n, value in enumerate(found.rows)}
-        normal = {f"N{n}": value for n, value in enumerate(found.normal)}
-        return {**scaled, **tension, **normal, **{f"f{n}": value for n, value in enumerate(found.friction)}}
+        force_balance = self.segment.found
+        scaled = {f"q{k}": a * s.here for k, (a, s) in enumerate(zip(force_balance.a, self.scale, strict=True))}
+        tension = {f"T{n}": value for n, value in enumerate(force_balance.rows)}
+        normal = {f"N{n}": value for n, value in enumerate(force_balance.normal)}
+        return {**scaled, **tension, **normal, **{f"f{n}": value for n, value in enumerate(force_balance.friction)}}

@@ -111,11 +111,13 @@ class Burning(StraightMotion):
         """Write that a rocket that rose from the start would come to rest before the given time."""
         step = self.book.begin_step("verify")
         record_inequality(self.book, step, time, longest)
-        told = self._observed(step, r"\text{max}", longest)
+        equation = self._observed(step, r"\text{max}", longest)
         step.add_text(
             f"If {self.name} rose from the start, ${self.first.latex()}$ would be at most ${self.full.latex()}$,"
         )
-        step.add_text(f"and {self.name} would come to rest at the latest after {told}, which is before the given time.")
+        step.add_text(
+            f"and {self.name} would come to rest at the latest after {equation}, which is before the given time."
+        )
         step.close()
 
     def _risen(self, time: Expression) -> Expression:
@@ -125,17 +127,17 @@ class Burning(StraightMotion):
     @cached_property
     def _wait(self) -> Symbol:
         """Return the time until lift-off."""
-        said, formula = f"The mass of {self.name} has fallen to this value after", self.first - self.full
+        text, formula = f"The mass of {self.name} has fallen to this value after", self.first - self.full
         name = self.book.fresh("t", r"\text{lift}")
-        return self.book.add_step("wait", said, name, formula / self.rate_of_burning, SECONDS)
+        return self.book.add_step("wait", text, name, formula / self.rate_of_burning, SECONDS)
 
     @cached_property
     def rising(self) -> Symbol:
         """Return the duration of the ascent with the engine on."""
         if not self.waits:
             return self.burned
-        said, formula = "From lift-off on, the fuel lasts for", (self.full - self.dry) / self.rate_of_burning
-        return self.book.add_step("time", said, self.book.fresh("t", r"\text{up}"), formula, SECONDS)
+        text, formula = "From lift-off on, the fuel lasts for", (self.full - self.dry) / self.rate_of_burning
+        return self.book.add_step("time", text, self.book.fresh("t", r"\text{up}"), formula, SECONDS)
 
     @cached_property
     def burned(self) -> Symbol:
@@ -158,14 +160,14 @@ class Burning(StraightMotion):
     def course(self) -> str:
         """Return a clause with the velocity as a function of the time since lift-off."""
         since = "lift-off" if self.waits else "the start"
-        said = f"{self.rocket_equation}, the velocity of {self.name} with the engine on is ${self._velocity.latex()}$"
-        return f"{said} at the time ${self.since.latex()}$ after {since}"
+        text = f"{self.rocket_equation}, the velocity of {self.name} with the engine on is ${self._velocity.latex()}$"
+        return f"{text} at the time ${self.since.latex()}$ after {since}"
 
     @property
     def _velocity(self) -> Expression:
         """Return the velocity as a function of the time since lift-off."""
-        found = self.exhaust * Call("ln", ratio(self.full, self.full - self.rate_of_burning * self.since))
-        return found - self.gravity.expression() * self.since if self.gravity else found
+        velocity_gain = self.exhaust * Call("ln", ratio(self.full, self.full - self.rate_of_burning * self.since))
+        return velocity_gain - self.gravity.expression() * self.since if self.gravity else velocity_gain
 
     def integrated(self, left: Expression, risen: Expression) -> str:
         """Return words that integrate the velocity over time, with the mass as the variable of integration."""
@@ -213,10 +215,12 @@ class Burning(StraightMotion):
         step = self.book.begin_step("verify")
         names = [self.book.fresh("F", mark) for mark in (r"\text{thrust}", r"\text{weight}")]
         pairs = [*zip(names, (thrust, weight), strict=True)]
-        self.book.observed |= {name.name: self.book.value(held) for name, held in pairs}
-        told = [step.verified(name, held, NEWTONS) for name, held in pairs]
+        self.book.observed |= {name.name: self.book.value(force) for name, force in pairs}
+        equations = [step.verified(name, force, NEWTONS) for name, force in pairs]
         record_inequality(self.book, step, thrust, weight)
-        step.add_text(f"{self.who} rises from the start, since the thrust {told[0]} exceeds the weight {told[1]}.")
+        step.add_text(
+            f"{self.who} rises from the start, since the thrust {equations[0]} exceeds the weight {equations[1]}."
+        )
         step.close()
 
     def assumed_at(self, time: Symbol) -> str:
@@ -236,16 +240,16 @@ class Burning(StraightMotion):
         """Write the comparison of a time with the time of burnout."""
         step = self.book.begin_step("verify")
         record_inequality(self.book, step, time, formula)
-        told = self._observed(step, r"\text{out}", formula)
-        step.add_text(f"The fuel lasts for {told}, so at ${time.name}$ the engine is off.")
+        equation = self._observed(step, r"\text{out}", formula)
+        step.add_text(f"The fuel lasts for {equation}, so at ${time.name}$ the engine is off.")
         step.close()
 
     def verify_burning(self, time: Symbol, spent: Expression) -> None:
         """Write that the fuel lasts longer than a given time."""
         step = self.book.begin_step("verify")
         record_inequality(self.book, step, spent, time)
-        told = self._observed(step, r"\text{out}", spent)
-        step.add_text(f"The fuel lasts for {told}, so the engine is still on at this time.")
+        equation = self._observed(step, r"\text{out}", spent)
+        step.add_text(f"The fuel lasts for {equation}, so the engine is still on at this time.")
         step.close()
 
     def _observed(self, step: StepBuilder, mark: str, formula: Expression) -> str:
@@ -264,18 +268,18 @@ class Burning(StraightMotion):
 def _pull(mechanism: Mechanism) -> float:
     """Return the initial gravitational acceleration along the rocket's line, m/s²."""
     axis = mechanism.coordinates[0].axis
-    found = -sum(a * b for a, b in zip(axis, mechanism.gravity, strict=True))
+    acceleration = -sum(a * b for a, b in zip(axis, mechanism.gravity, strict=True))
     frames = initial_frames(mechanism)
     for pull in mechanism.attractions:
-        found += _attracted(mechanism, pull, frames.center(pull.a).place, frames.center(pull.b).place)
-    return found
+        acceleration += _attracted(mechanism, pull, frames.center(pull.a).place, frames.center(pull.b).place)
+    return acceleration
 
 
 def _attracted(mechanism: Mechanism, pull: Attraction, one: Vector, other: Vector) -> float:
     """Return the magnitude of the gravitational acceleration by one attraction at given positions, m/s²."""
-    apart = sum((a - b) ** 2 for a, b in zip(one, other, strict=True)) ** 0.5
+    distance = sum((a - b) ** 2 for a, b in zip(one, other, strict=True)) ** 0.5
     heavy = max(mechanism.body[pull.a].mass, mechanism.body[pull.b].mass)
-    return pull.constant * heavy / apart**pull.power
+    return pull.constant * heavy / distance**pull.power
 
 
 def tell_in_the_air(rocket: Burning, velocity: Symbol, risen: Expression) -> None:
@@ -293,11 +297,11 @@ def tell_in_the_air(rocket: Burning, velocity: Symbol, risen: Expression) -> Non
     )
     step, name = book.begin_step("verify"), book.fresh("h")
     record_inequality(book, step, height, ZERO)
-    told = step.verified(name, height, METRES)
+    equation = step.verified(name, height, METRES)
     step.add_text(
         f"{rocket.who} is falling then, but it is still in the air: by integration of its velocity, its height is"
     )
-    step.add_text(f"{told}.")
+    step.add_text(f"{equation}.")
     step.close()
 
 
@@ -311,8 +315,8 @@ def _exclude_falling(rocket: Burning, velocity: Symbol, risen: Expression) -> No
         return
     step, name = book.begin_step("verify"), book.fresh(dry.name, r"\text{down}")
     record_inequality(book, step, would, rocket.full)
-    told = step.verified(name, would, KILOGRAMS)
-    step.add_text(f"If {rocket.name} moved down at this speed, its empty mass would be {told}, more than the mass")
+    equation = step.verified(name, would, KILOGRAMS)
+    step.add_text(f"If {rocket.name} moved down at this speed, its empty mass would be {equation}, more than the mass")
     step.add_text(f"${rocket.full.latex()}$ at which it begins to rise.")
     step.close()
 
@@ -336,7 +340,7 @@ def exclude_burning(rocket: Burning, time: Symbol) -> None:
         return
     step, name = book.begin_step("verify"), book.fresh("s", r"\text{max}")
     record_inequality(book, step, Symbol(far), most)
-    told = step.verified(name, most, METRES)
+    equation = step.verified(name, most, METRES)
     step.add_text(f"If the engine were still on at ${time.latex()}$, ${rate.latex()}$ would be at most")
-    step.add_text(f"${(fuel / time).latex()}$, and {rocket.name} at most {told} from its start, less than ${far}$.")
+    step.add_text(f"${(fuel / time).latex()}$, and {rocket.name} at most {equation} from its start, less than ${far}$.")
     step.close()

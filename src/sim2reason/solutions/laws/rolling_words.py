@@ -34,7 +34,11 @@ def rolling_bodies(dynamics: Dynamics, shared: SharedRate) -> list[str]:
     The rate is that of the rim relative to the centre, which is the radius times the angular rate.
     """
     bodies = (dynamics.mechanism.coordinates[k] for k in shared.sense)
-    return [held.body for held in bodies if held.kind == "hinge" and dynamics.newton.moving_coordinates(held.body)]
+    return [
+        coordinate.body
+        for coordinate in bodies
+        if coordinate.kind == "hinge" and dynamics.newton.moving_coordinates(coordinate.body)
+    ]
 
 
 def only_turning(dynamics: Dynamics, shared: SharedRate) -> str:
@@ -69,8 +73,8 @@ def rolling_way(dynamics: Dynamics, k: int, sense: float) -> str:
         slides = [j for j in slip if dynamics.mechanism.coordinates[j].kind == "slide"]
         if k in slip and len(slides) == 1:
             values = dynamics.book.values
-            way = -sense * slip[k].value(values) * slip[slides[0]].value(values)
-            return dynamics.moving(slides[0], 1 if way > 0.0 else -1)
+            sign = -sense * slip[k].value(values) * slip[slides[0]].value(values)
+            return dynamics.moving(slides[0], 1 if sign > 0.0 else -1)
     return ""
 
 
@@ -80,8 +84,8 @@ def _positive(dynamics: Dynamics, shared: SharedRate, *, last: bool = True) -> s
     ways = [(k, sense, rolling_way(dynamics, k, float(sense))) for k, sense in hinges]
     if not ways:
         return ""
-    k, sense, way = ways[0]
-    how = f"in the sense of rolling {way}" if way else winding_way(dynamics, k, sense)
+    k, sense, direction = ways[0]
+    how = f"in the sense of rolling {direction}" if direction else winding_way(dynamics, k, sense)
     return f", counted as positive {how}{'' if last else ','}" if how else ""
 
 
@@ -112,8 +116,8 @@ def glided_words(dynamics: Dynamics, k: int) -> str:
 
 def not_slipping(dynamics: Dynamics, row: Row) -> str:
     """Return a clause such as *, nor does it slip on pulley P*; empty if no body turns with the string."""
-    held = (int(name[1:]) for name in sorted(row.inertia.names()) if name[0] == "q" and name[1:].isdigit())
-    bodies = [c.body for c in (dynamics.mechanism.coordinates[k] for k in held) if c.kind == "hinge"]
+    indices = (int(name[1:]) for name in sorted(row.inertia.names()) if name[0] == "q" and name[1:].isdigit())
+    bodies = [c.body for c in (dynamics.mechanism.coordinates[k] for k in indices) if c.kind == "hinge"]
     return f", nor does it slip on {dynamics.setting.bodies_phrase(bodies)}" if bodies else ""
 
 

@@ -268,9 +268,9 @@ class Stage:
             return self._by_distance(shared, begun)
         time = self.time
         step, name = self.book.begin_step("velocity"), self.book.fresh("v", subscript(shared.symbol.name))
-        told = step.result(name, added(begun, multiplied(a, time)), SPEED, law=True)
-        said = speed_words(self.dynamics, shared, begun, name)
-        step.add_text(f"After the time ${time.name}$, {said}{told}.")
+        equation = step.result(name, added(begun, multiplied(a, time)), SPEED, law=True)
+        words = speed_words(self.dynamics, shared, begun, name)
+        step.add_text(f"After the time ${time.name}$, {words}{equation}.")
         step.close()
         return Polynomial.of(name)
 
@@ -309,8 +309,11 @@ class Stage:
         else:
             time = self.time
             step, name = self.book.begin_step("distance"), self.book.fresh("s", subscript(shared.symbol.name))
-            told, what = step.result(name, _path(begun, a, time), METRES, law=True), arc_words(self.dynamics, shared)
-            step.add_text(f"After the time ${time.name}$, {what}{told}.")
+            equation, what = (
+                step.result(name, _path(begun, a, time), METRES, law=True),
+                arc_words(self.dynamics, shared),
+            )
+            step.add_text(f"After the time ${time.name}$, {what}{equation}.")
         step.close()
         return Polynomial.of(name)
 

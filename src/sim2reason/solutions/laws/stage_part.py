@@ -58,11 +58,11 @@ def tell_arcs(book: SolutionBuilder, stages: Sequence[Course], k: int) -> None:
     senses = [1.0 if book.value(gain.expression()) > 0.0 else -1.0 for gain in gains]
     arcs = [f"${gain.scaled(sense).expression().latex()}$" for gain, sense in zip(gains, senses, strict=True)]
     turns = ("further" if now == before else "back" for before, now in pairwise(senses))
-    later = (f", then {way} through {arc}" for way, arc in zip(turns, arcs[1:], strict=True))
+    later = (f", then {direction} through {arc}" for direction, arc in zip(turns, arcs[1:], strict=True))
     who = dynamics.setting.display_name(dynamics.mechanism.coordinates[k].body)
-    way = rolling_way(dynamics, k, senses[0])
+    direction = rolling_way(dynamics, k, senses[0])
     step.add_text(
-        f"The rim of {who} first turns through the arc {arcs[0]} in the sense of rolling {way}{''.join(later)}."
+        f"The rim of {who} first turns through the arc {arcs[0]} in the sense of rolling {direction}{''.join(later)}."
     )
     for name in dict.fromkeys(name for gain in gains for name in gain.names()):
         step.rest_on(name)
@@ -95,7 +95,7 @@ class StagePart(MotionPart):
             if isinstance(line.law, ConstantTension):
                 return self._newton.tension(m.lines.index(line), line)
             return names.get(f"T{m.constraints.index(line)}", NIL)
-        face = next(number for number, held in enumerate(m.faces) if held.subject == name)
+        face = next(number for number, candidate in enumerate(m.faces) if candidate.subject == name)
         side = self._newton.slip_directions.get(face, 0)
         return (self._newton.coefficient(face) * names[f"N{face}"]).scaled(float(side)) if side else NIL
 
@@ -110,7 +110,7 @@ class StagePart(MotionPart):
 
     def slipped(self, body: str) -> Polynomial:
         """Return the displacement of a body relative to the surface under it."""
-        face = next(n for n, held in enumerate(self.way.mechanism.faces) if held.subject == body)
+        face = next(n for n, candidate in enumerate(self.way.mechanism.faces) if candidate.subject == body)
         return total(part * self.stage.gained(k) for k, part in self._newton.slip(face).items())
 
     def drawn(self, line: str) -> Polynomial:
@@ -135,9 +135,9 @@ def _along(mechanism: Mechanism, frames: Frames, of: tuple[str, str, int]) -> fl
     body, line, k = of
     through = mechanism.line[line].through
     ends = through if mechanism.site[through[0]].body == body else through[::-1]
-    apart = minus(frames.site(ends[1]).place, frames.site(ends[0]).place)
-    size = float(dot(apart, apart)) ** 0.5
-    return float(dot(apart, frames.center(body).gradient[k])) / size
+    separation = minus(frames.site(ends[1]).place, frames.site(ends[0]).place)
+    size = float(dot(separation, separation)) ** 0.5
+    return float(dot(separation, frames.center(body).gradient[k])) / size
 
 
 def verify_still_sliding(stages: Sequence[Stage]) -> None:
@@ -146,11 +146,11 @@ def verify_still_sliding(stages: Sequence[Stage]) -> None:
     No other step depends on it. With unknown numbers it is written at the end.
     """
     for number, stage in enumerate(stages):
-        told = stages[: number + 1]
-        if stage.book.in_symbols or any(held.uniform or held.written_time is None for held in told):
+        stages_so_far = stages[: number + 1]
+        if stage.book.in_symbols or any(each.uniform or each.written_time is None for each in stages_so_far):
             return
         for face in _slowing(stage):
-            parts = [_gained(held, face, first=n == 0) for n, held in enumerate(told)]
+            parts = [_gained(each, face, first=n == 0) for n, each in enumerate(stages_so_far)]
             known = [part for part in parts if part is not None]
             if len(known) < len(parts):
                 continue
@@ -163,7 +163,7 @@ def verify_still_sliding(stages: Sequence[Stage]) -> None:
 
 def _slowing(stage: Stage) -> list[int]:
     """Return the contacts at which sliding slows down without coming to rest at the end of the stage."""
-    m, segment, found = stage.dynamics.mechanism, stage.segment, list[int]()
+    m, segment, contacts = stage.dynamics.mechanism, stage.segment, list[int]()
     for number, side in stage.dynamics.newton.slip_directions.items():
         face = m.faces[number]
         parts = sliding_coordinates(m, number)
@@ -174,8 +174,8 @@ def _slowing(stage: Stage) -> list[int]:
         if not side or ends or not rides or isinf(face.friction) or rubs_at_rest(stage.dynamics, number):
             continue
         speed, change = (sum(float(rates[k]) * part for k, part in parts) for rates in (segment.v, segment.found.a))
-        found += [number] if speed * change < 0.0 else []
-    return found
+        contacts += [number] if speed * change < 0.0 else []
+    return contacts
 
 
 def _gained(stage: Stage, face: int, *, first: bool) -> Polynomial | None:
@@ -188,20 +188,20 @@ def _gained(stage: Stage, face: int, *, first: bool) -> Polynomial | None:
     if len(moving) == 1 and moving[0][0] in dynamics.carried:
         j, sign = dynamics.carried[moving[0][0]]
         moving.append((j, -sign))
-    found = NIL
+    change = NIL
     for n, part in moving:
         gain = NIL if n in dynamics.frozen else dynamics.names.get(f"q{n}", NIL)
         if not gain.names() <= stage.book.values.keys():
             return None
         begun = stage.speeds.get(n, NIL) if first else NIL
-        found = found + (begun + gain * Polynomial.of(stage.time)).scaled(part)
-    return found if len(parts) == 1 else None
+        change = change + (begun + gain * Polynomial.of(stage.time)).scaled(part)
+    return change if len(parts) == 1 else None
 
 
-def _size(stage: Stage, held: Polynomial) -> Expression:
+def _size(stage: Stage, polynomial: Polynomial) -> Expression:
     """Return the magnitude of a polynomial as a formula: its negative if its value is negative."""
-    formula = held.collected((stage.time.name,))
-    return formula if stage.book.value(formula) >= 0.0 else held.scaled(-1.0).collected((stage.time.name,))
+    formula = polynomial.collected((stage.time.name,))
+    return formula if stage.book.value(formula) >= 0.0 else polynomial.scaled(-1.0).collected((stage.time.name,))
 
 
 def _tell(stage: Stage, face: int, velocity: Expression) -> None:
@@ -215,8 +215,8 @@ def _tell(stage: Stage, face: int, velocity: Expression) -> None:
         book.fresh("u", f"{setting.subscript_of(under)}{setting.subscript_of(body)}"),
     )
     record_inequality(book, step, velocity, ZERO)
-    told = step.verified(name, velocity, SPEED)
+    equation = step.verified(name, velocity, SPEED)
     further = "further " if stage.segment.start else ""
     step.add_text(f"After the {further}time ${stage.time.latex()}$, {setting.display_name(body)} still slides on")
-    step.add_text(f"{setting.display_name(under)}, as their relative speed is {told}.")
+    step.add_text(f"{setting.display_name(under)}, as their relative speed is {equation}.")
     step.close()

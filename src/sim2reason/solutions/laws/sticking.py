@@ -18,11 +18,11 @@ FRICTION_LIMIT_RATIO = 1.0 + 1e-9  # largest ratio of the needed friction to µ_
 def verify_sticking(dynamics: Dynamics) -> None:
     """Write, for each sticking body whose own law gives its friction, that this does not exceed its maximum."""
     mechanism, newton = dynamics.mechanism, dynamics.newton
-    spoken = {mechanism.coordinates[row.number].body for group in dynamics.groups for row in group}
-    spoken |= {carrier for body in spoken for carrier in carriers(dynamics, body)}
+    law_bodies = {mechanism.coordinates[row.number].body for group in dynamics.groups for row in group}
+    law_bodies |= {carrier for body in law_bodies for carrier in carriers(dynamics, body)}
     for number, side in newton.slip_directions.items():
         face = mechanism.faces[number]
-        if side or isinf(face.friction) or not spoken & {face.subject, *carriers(dynamics, face.subject)}:
+        if side or isinf(face.friction) or not law_bodies & {face.subject, *carriers(dynamics, face.subject)}:
             continue
         rows, _ = dynamics.laws([f"N{number}"])
         friction, normal = (force_from_one_law(dynamics, rows, f"{kind}{number}") for kind in "fN")
@@ -48,13 +48,13 @@ def _tell(dynamics: Dynamics, number: int, friction: Expression, normal: Express
         return
     step = book.begin_step("verify")
     named = dynamics.names.get(f"f{number}", NIL).names() - book.values.keys()
-    said = friction_formulas(book, step, dynamics.setting.subscript_of(body), friction, most, *map(Symbol, named))
+    equations = friction_formulas(book, step, dynamics.setting.subscript_of(body), friction, most, *map(Symbol, named))
     who = f"{dynamics.setting.display_name(body)} does not slip"
     starts = [segment.start for segment in dynamics.setting.motion.segments]
     if any(dynamics.segment.start < start < dynamics.setting.time for start in starts):
         who = f"in this phase {who}"
     step.add_text(
-        f"{capitalized(who)}: the friction required, {said[0]}, is within the limit of static friction, {said[1]}."
+        f"{capitalized(who)}: the friction required, {equations[0]}, is within the limit of static friction, {equations[1]}."
     )
     step.close()
 
@@ -63,21 +63,21 @@ def tell_slipping_on(newton: Newton, setting: ProblemContext, book: SolutionBuil
     """Write that a body whose slip has stopped slips in the opposite direction from then on, with the reason."""
     body = setting.mechanism.faces[face].subject
     step, who, carrier = book.begin_step("verify"), setting.display_name(body), setting.mechanism.body[body].parent
-    said = f"{who} slips in the opposite direction from then on, and the friction on it is reversed"
+    sentence = f"{who} slips in the opposite direction from then on, and the friction on it is reversed"
     if carrier is not None:
-        way = f"in the opposite direction relative to {setting.display_name(carrier)}"
-        said = f"{who} slips {way} from then on, and the friction between them is reversed"
+        direction = f"in the opposite direction relative to {setting.display_name(carrier)}"
+        sentence = f"{who} slips {direction} from then on, and the friction between them is reversed"
     needed = required_friction(newton, setting, face)
     if needed is None:
-        step.add_text(f"{capitalized(said)}.")
+        step.add_text(f"{capitalized(sentence)}.")
     elif book.in_symbols:
-        step.add_text(f"By assumption {said}.")
+        step.add_text(f"By assumption {sentence}.")
     elif book.is_hidden(needed) or book.is_hidden(limit_of_friction(newton, face)):
-        step.add_text(f"Assume that {said}.")
+        step.add_text(f"Assume that {sentence}.")
         book.afterwards.append(lambda: tell_not_held(newton, setting, book, face, needed, ", so it slips, as assumed"))
     else:
         tell_not_held(newton, setting, book, face, needed)
-        step.add_text(f"So {said}.")
+        step.add_text(f"So {sentence}.")
     step.close()
 
 
@@ -104,22 +104,22 @@ def _needed_words(
     subject = setting.mechanism.faces[face].subject
     mark, who = setting.subscript_of(subject), setting.display_name(subject)
     if newton.single_slip_coordinate(face) is not None:
-        told = friction_formulas(book, step, mark, *forces)
-        return f"To stay at rest, {who} would need the friction {told[0]}, more than {told[1]}"
+        equations = friction_formulas(book, step, mark, *forces)
+        return f"To stay at rest, {who} would need the friction {equations[0]}, more than {equations[1]}"
     (k,) = [j for j in newton.slip(face) if setting.mechanism.coordinates[j].kind == "hinge"]
     heavy = newton.mass(subject) + newton.turning(k, k)
     load = newton.mass(subject) * newton.gravity * newton.along(subject, _way(setting, subject), (0.0, 0.0, -1.0))
     pull, name = reduced_quotient(load, heavy), book.fresh("a", r"\text{roll}")
     x, y, z = setting.mechanism.coordinates[_way(setting, subject)].axis
     sign = 1.0 if book.value(pull) >= 0.0 else -1.0
-    way = setting.direction_words((sign * x, sign * y, sign * z))
-    rolls = f"{step.verified(name, pull if sign > 0.0 else -pull, ACCELERATION)} {way}"
-    told = friction_formulas(book, step, mark, *forces)
-    whole = (
+    direction = setting.direction_words((sign * x, sign * y, sign * z))
+    rolls = f"{step.verified(name, pull if sign > 0.0 else -pull, ACCELERATION)} {direction}"
+    equations = friction_formulas(book, step, mark, *forces)
+    clause = (
         f"{who} would move like a mass of ${heavy.expression().latex()}$, including the moment of inertia divided by"
     )
-    whole = f"Rolling without slipping, {whole} the square of the radius, with the acceleration {rolls}"
-    return f"{whole}. This takes the friction {told[0]}, more than {told[1]}"
+    clause = f"Rolling without slipping, {clause} the square of the radius, with the acceleration {rolls}"
+    return f"{clause}. This takes the friction {equations[0]}, more than {equations[1]}"
 
 
 def _way(setting: ProblemContext, body: str) -> int:
@@ -153,7 +153,7 @@ def friction_formulas(
 ) -> list[str]:
     """Return the equations of the needed and of the greatest friction; `named` is the needed one's symbol, if any."""
     names = [named or book.fresh("f", mark), book.fresh(r"f_{\text{max}}", mark)]
-    return [step.verified(name, held, NEWTONS) for name, held in zip(names, (friction, most), strict=True)]
+    return [step.verified(name, force, NEWTONS) for name, force in zip(names, (friction, most), strict=True)]
 
 
 def force_from_one_law(dynamics: Dynamics, rows: list[Row], name: str) -> Expression | None:
@@ -164,7 +164,7 @@ def force_from_one_law(dynamics: Dynamics, rows: list[Row], name: str) -> Expres
         if named.names() <= dynamics.book.values.keys():
             return named.expression()
     for row in rows:
-        zero = row.zero.substitute({key: held for key, held in dynamics.names.items() if key != name})
+        zero = row.zero.substitute({key: polynomial for key, polynomial in dynamics.names.items() if key != name})
         others = zero.names() - {name}
         if name in zero.names() and others <= dynamics.book.values.keys():
             return solve_linear(zero, name)
@@ -173,8 +173,8 @@ def force_from_one_law(dynamics: Dynamics, rows: list[Row], name: str) -> Expres
 
 def carriers(dynamics: Dynamics, body: str) -> list[str]:
     """Return the bodies that carry a body, the nearest first."""
-    found, step = list[str](), dynamics.mechanism.body[body].parent
+    bodies, step = list[str](), dynamics.mechanism.body[body].parent
     while step is not None:
-        found.append(step)
+        bodies.append(step)
         step = dynamics.mechanism.body[step].parent
-    return found
+    return bodies

@@ -60,7 +60,7 @@ class StraightMotion(ABC):
     def moving(self, bodies: Sequence[str]) -> list[int]:
         """Return the coordinates that move given bodies."""
         ways = (self._start.center(body).gradient.items() for body in bodies)
-        return sorted({k for found in ways for k, way in found if dot(way, way) > COMPONENT_ATOL})
+        return sorted({k for entries in ways for k, direction in entries if dot(direction, direction) > COMPONENT_ATOL})
 
     def own(self, body: str) -> list[int]:
         """Return the coordinates whose rates add up to a body's motion; by default all that move it."""
@@ -137,14 +137,14 @@ class StraightMotion(ABC):
             rates = self.first_speeds if kind == "u" else {k: self.rate(kind, k) for k in own}
             parts = [*(rates.get(k, NIL) for k in own), NIL]
             return parts[0], parts[1], parts[2]
-        x, y, z = (self.component(kind, body, way) for way in WORLD_AXES)
+        x, y, z = (self.component(kind, body, direction) for direction in WORLD_AXES)
         return x, y, z
 
     def lone(self, kind: str, body: str) -> Polynomial | None:
         """Return a vector's component along a body's only line, signed like the coordinate; None for several lines."""
         own = self.moving([body]) if kind == "u" else self.own(body)
         ways = [self._start.center(body).gradient[k] for k in own]
-        senses = [dot(way, ways[-1]) for way in ways]
+        senses = [dot(direction, ways[-1]) for direction in ways]
         if not own or any(abs(abs(sense) - 1.0) > COMPONENT_ATOL for sense in senses):
             return None
         rates = [self.first_speeds.get(k, NIL) if kind == "u" else self.rate(kind, k) for k in own]
@@ -152,9 +152,9 @@ class StraightMotion(ABC):
 
     def _own(self, body: str) -> list[int]:
         """Return the two coordinates of a free body along its own axes x and y; an empty list for other bodies."""
-        found = [c for c in self.mechanism.body[body].coordinates if c.label in AXES and c.kind == "slide"]
-        free = self.mechanism.body[body].parent is None and len(found) == 2
-        return [self.mechanism.number[c.name] for c in found] if free else []
+        slides = [c for c in self.mechanism.body[body].coordinates if c.label in AXES and c.kind == "slide"]
+        free = self.mechanism.body[body].parent is None and len(slides) == 2
+        return [self.mechanism.number[c.name] for c in slides] if free else []
 
     def apart(self, one: str, other: str) -> Components:
         """Return the initial vector from the centre of one body to that of another."""
@@ -168,7 +168,10 @@ class StraightMotion(ABC):
                 (m.coordinates[own[n]].axis if n < len(own) else WORLD_AXES[n]) for m in (self.mechanism, lexicon.twin)
             ]
             ways.append((axes[0], axes[1]))
-        pairs = ([float(dot(place, way)) for place, way in zip(places, axes, strict=True)] for axes in ways)
+        pairs = (
+            [float(dot(separation, direction)) for separation, direction in zip(places, axes, strict=True)]
+            for axes in ways
+        )
         x, y, z = (lexicon.read(DualValue(*pair)) for pair in pairs)
         return (x, y, NIL) if own else (x, y, z)
 
@@ -238,5 +241,5 @@ class StraightMotion(ABC):
     @property
     def speeds(self) -> AbstractSet[str]:
         """Return the names of initial speeds, and of the distances and times in the question."""
-        first = {name for held in self.first_speeds.values() for name in held.names()}
+        first = {name for speed in self.first_speeds.values() for name in speed.names()}
         return first | set(self.book.stated)

@@ -26,27 +26,27 @@ def balanced_tensions(
 
     `goals` are eliminated last. UnsolvedError if a balance has a varying ratio.
     """
-    found: dict[str, Polynomial] = {}
+    tensions: dict[str, Polynomial] = {}
     labels: dict[str, frozenset[str]] = {}
     for equation in light:
-        used = {name for name in equation.zero.names() if name in found}
-        zero = equation.forces.substitute(found)
+        used = {name for name in equation.zero.names() if name in tensions}
+        zero = equation.forces.substitute(tensions)
         names = [n for n in sorted(zero.names() & unknown) if n not in known]
         name = min(names, key=lambda n: (n in goals, abs(zero.coefficient(n).number or 0.0) != 1.0, n))
         before = zero.coefficient(name).number
         if not before:
             raise UnsolvedError("a light pulley balances at a ratio that changes")
-        found[name] = zero.without((name,)).scaled(-1.0 / before)
+        tensions[name] = zero.without((name,)).scaled(-1.0 / before)
         labels[name] = frozenset({equation.label}).union(*(labels[n] for n in used))
-        labels |= {n: labels[n] | labels[name] for n, held in found.items() if name in held.names()}
-        found = {n: p.substitute({name: found[name]}) for n, p in found.items()}
-    return found, labels
+        labels |= {n: labels[n] | labels[name] for n, tension in tensions.items() if name in tension.names()}
+        tensions = {n: p.substitute({name: tensions[name]}) for n, p in tensions.items()}
+    return tensions, labels
 
 
 def doubling_reason(dynamics: Dynamics, row: Row) -> str:
     """Return a clause with the reason why a pulley's acceleration has the factor 2 in a law; "" if none has."""
-    held = [int(name[1:]) for name in row.inertia.names() if name[1:].isdigit()]
-    twice = [k for k in held if abs(row.inertia.coefficient(f"q{k}").number or 0.0) == TWICE]
+    indices = [int(name[1:]) for name in row.inertia.names() if name[1:].isdigit()]
+    twice = [k for k in indices if abs(row.inertia.coefficient(f"q{k}").number or 0.0) == TWICE]
     bodies = [dynamics.mechanism.coordinates[k].body for k in sorted(twice)]
     pulleys = [body for body in bodies if body in dynamics.setting.pulleys]
     if not pulleys:
@@ -114,66 +114,67 @@ def verify_taut(dynamics: Dynamics, rows: Sequence[Row]) -> None:
 
 def after_what_they_rest_on(steps: Sequence[Step], late: AbstractSet[str]) -> list[Step]:
     """Move checks that strings are taut directly behind the steps they depend on, except checks with `late` symbols."""
-    found = [step for step in steps if step.kind != TAUT or not late.isdisjoint(step.symbols())]
-    for step in (step for step in steps if step.kind == TAUT and step not in found):
-        found.insert(
-            max((n for n, held in enumerate(found) if held.id in step.needs), default=len(found) - 1) + 1, step
+    ordered = [step for step in steps if step.kind != TAUT or not late.isdisjoint(step.symbols())]
+    for step in (step for step in steps if step.kind == TAUT and step not in ordered):
+        ordered.insert(
+            max((n for n, earlier in enumerate(ordered) if earlier.id in step.needs), default=len(ordered) - 1) + 1,
+            step,
         )
-    return found
+    return ordered
 
 
 def _tell(dynamics: Dynamics, rows: Sequence[Row], phase: int) -> None:
     """Write the check that strings stay taut."""
     book, rows = dynamics.book, _with_weights(dynamics, rows)
     now, book.phase = book.phase, phase
-    step, told = book.begin_step(TAUT), list[tuple[int, str]]()
+    step, tensions = book.begin_step(TAUT), list[tuple[int, str]]()
     waiting, symbols = [n for n in dynamics.taut if not _is_told(dynamics, n)], dict(dynamics.names)
     while (ready := _ready(dynamics, rows, waiting, symbols)) is not None:
-        place, law = ready
-        waiting.remove(place)
-        new = _positive(dynamics, step, place, law, symbols)
+        index, law = ready
+        waiting.remove(index)
+        new = _positive(dynamics, step, index, law, symbols)
         if not new:
             break
-        told += new
-    if len(told) == 1:
-        ((place, formula),) = told
-        alone = len(dynamics.newton.lines) == 1 and f"T{place}" in dynamics.names
-        who, what = ("The string", "") if alone else (capitalized(_line(dynamics, place)), "its tension ")
+        tensions += new
+    if len(tensions) == 1:
+        ((index, formula),) = tensions
+        alone = len(dynamics.newton.lines) == 1 and f"T{index}" in dynamics.names
+        who, what = ("The string", "") if alone else (capitalized(_line(dynamics, index)), "its tension ")
         step.add_text(f"{who} stays taut, as {what}{formula} is positive.")
-    elif told:
+    elif tensions:
         named = [
-            formula if f"T{place}" in dynamics.names else f"the tension {formula} in {_line(dynamics, place)}"
-            for place, formula in told
+            formula if f"T{index}" in dynamics.names else f"the tension {formula} in {_line(dynamics, index)}"
+            for index, formula in tensions
         ]
-        every = "The" if len(told) == len(dynamics.taut) else "These"
+        every = "The" if len(tensions) == len(dynamics.taut) else "These"
         step.add_text(f"{every} strings stay taut, as {join_words(named)} are positive.")
     step.close()
     book.phase = now
 
 
-def _line(dynamics: Dynamics, place: int) -> str:
+def _line(dynamics: Dynamics, index: int) -> str:
     """Return the name of a string."""
-    return dynamics.setting.string_phrases[dynamics.newton.lines[place].name]
+    return dynamics.setting.string_phrases[dynamics.newton.lines[index].name]
 
 
 def _positive(
-    dynamics: Dynamics, step: StepBuilder, place: int, law: Polynomial, symbols: dict[str, Polynomial]
+    dynamics: Dynamics, step: StepBuilder, index: int, law: Polynomial, symbols: dict[str, Polynomial]
 ) -> list[tuple[int, str]]:
     """Record that a tension is positive; return a list with index and equation, empty if the tension is zero."""
-    own = next(iter(symbols[f"T{place}"].names())) if f"T{place}" in symbols else f"T{place}"
+    own = next(iter(symbols[f"T{index}"].names())) if f"T{index}" in symbols else f"T{index}"
     formula, book = solve_linear(law, own), dynamics.book
-    line = dynamics.newton.lines[place]
+    line = dynamics.newton.lines[index]
     bodies = [dynamics.mechanism.site[site].body or "" for site in (line.through[0], line.through[-1])]
     symbol = (
-        Symbol(own) if f"T{place}" in symbols else book.fresh("T", "".join(map(dynamics.setting.subscript_of, bodies)))
+        Symbol(own) if f"T{index}" in symbols else book.fresh("T", "".join(map(dynamics.setting.subscript_of, bodies)))
     )
-    symbols[f"T{place}"] = Polynomial.of(symbol)
-    told = step.verified(symbol, formula, NEWTONS)
+    symbols[f"T{index}"] = Polynomial.of(symbol)
+    equation = step.verified(symbol, formula, NEWTONS)
     if book.observed[symbol.name] <= 0.0:
         step.relations.pop()
         return []
     step.relations.append(Relation(symbol, ZERO, "exceeds"))
-    return [(place, told)]
+    return [(index, equation)]
 
 
 def _ready(
@@ -183,20 +184,20 @@ def _ready(
     known = dynamics.book.values.keys() | {
         name for n in dynamics.taut if n not in waiting for name in symbols.get(f"T{n}", NIL).names()
     }
-    found: list[tuple[int, Polynomial]] = []
-    for place in waiting:
-        name = next(iter(symbols[f"T{place}"].names())) if f"T{place}" in symbols else f"T{place}"
+    candidates: list[tuple[int, Polynomial]] = []
+    for index in waiting:
+        name = next(iter(symbols[f"T{index}"].names())) if f"T{index}" in symbols else f"T{index}"
         for row in rows:
-            if f"T{place}" in row.zero.names():
+            if f"T{index}" in row.zero.names():
                 law = row.zero.substitute(symbols).substitute(dynamics.bound)
                 if name in law.names() and law.names() - {name} <= known:
-                    found.append((place, law))
-    return min(found, key=lambda pair: len(pair[1].terms), default=None)
+                    candidates.append((index, law))
+    return min(candidates, key=lambda pair: len(pair[1].terms), default=None)
 
 
-def _is_told(dynamics: Dynamics, place: int) -> bool:
+def _is_told(dynamics: Dynamics, index: int) -> bool:
     """Return whether the solution already computes the tension of a string."""
-    named = dynamics.names.get(f"T{place}")
+    named = dynamics.names.get(f"T{index}")
     return named is not None and named.names() <= dynamics.book.values.keys()
 
 

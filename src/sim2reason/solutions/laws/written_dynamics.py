@@ -32,8 +32,8 @@ def tell_unforced(dynamics: Dynamics, goals: Sequence[str]) -> None:
     for k in sorted(dynamics.unforced - dynamics.frozen):
         if f"q{k}" in goals:
             coordinate = dynamics.mechanism.coordinates[k]
-            who, way = dynamics.setting.display_name(coordinate.body), f"in the {coordinate.label} direction"
-            step.add_text(f"No force acts on {who} {way}, so its velocity in this direction is constant.")
+            who, direction = dynamics.setting.display_name(coordinate.body), f"in the {coordinate.label} direction"
+            step.add_text(f"No force acts on {who} {direction}, so its velocity in this direction is constant.")
     step.close()
 
 
@@ -57,8 +57,8 @@ class WrittenDynamics(Dynamics):
         verify_sticking(self)
         verify_sliding(self)
         verify_taut(self, rows)
-        for name, held in self.names.items():
-            for monomial, part in held.terms.items():
+        for name, polynomial in self.names.items():
+            for monomial, part in polynomial.terms.items():
                 self.book.observed.setdefault(monomial[0][0].latex(), self.values[name] / part)
 
 
@@ -103,12 +103,12 @@ class DynamicsWriter:
     def _introduce(self) -> None:
         """Write the names of accelerations and tensions."""
         step, noun = self._open("names"), self.d.measure.noun
-        said = [f"${shared.symbol.name}${self._what(shared)}" for shared in self.d.shared]
-        if len(said) == 1:
-            name, _, what = said[0].partition("$ of ")
+        phrases = [f"${shared.symbol.name}${self._what(shared)}" for shared in self.d.shared]
+        if len(phrases) == 1:
+            name, _, what = phrases[0].partition("$ of ")
             step.add_text(f"Let {name}$ be the {noun} of {what}." if what else f"Let {name.replace(',', ' be', 1)}.")
-        elif said:
-            step.add_text(f"{capitalized(noun)}s: {'; '.join(said)}.")
+        elif phrases:
+            step.add_text(f"{capitalized(noun)}s: {'; '.join(phrases)}.")
         tensions = [f"${_name_of(self.names[n])}$ in {self._line(n)}" for n in self.names if n[0] == "T"]
         if tensions:
             step.add_text(f"Tension{'s' if len(tensions) > 1 else ''}: {'; '.join(tensions)}.")
@@ -117,17 +117,17 @@ class DynamicsWriter:
 
     def _resting(self) -> list[str]:
         """Return sentences that bodies stay at rest relative to the bodies that carry them."""
-        found: dict[str, list[str]] = {}
+        riders_by_parent: dict[str, list[str]] = {}
         for k in sorted(self.d.frozen):
             body = self.d.mechanism.coordinates[k].body
             parent = self.d.mechanism.body[body].parent
             own = [self._body(row.number) for group in self.d.groups for row in group]
             if parent is not None and self._carried(body, own):
-                found.setdefault(parent, []).append(body)
+                riders_by_parent.setdefault(parent, []).append(body)
         return [
             f"{capitalized(self.d.setting.bodies_phrase(bodies))} stay{'' if bodies[1:] else 's'} at rest relative to "
             f"{self.d.setting.display_name(parent)}."
-            for parent, bodies in found.items()
+            for parent, bodies in riders_by_parent.items()
         ]
 
     def _line(self, name: str) -> str:
@@ -154,12 +154,12 @@ class DynamicsWriter:
                 turning += [] if self.d.newton.moving_coordinates(coordinate.body) else [coordinate.body]
                 continue
             parent = self.d.mechanism.body[coordinate.body].parent
-            way = self.d.moving(k, sense)
+            direction = self.d.moving(k, sense)
             if parent is not None and self._moves(parent) and k not in self.d.carried:
-                way += f" relative to {self.d.setting.display_name(parent)}"
-            ways.setdefault(way, []).append(coordinate.body)
-        said = [f"of {self.d.setting.bodies_phrase(bodies)} {way}" for way, bodies in ways.items()]
-        return " and ".join([*said, *(f"of {rim_of(self.d.setting, body)}" for body in turning)])
+                direction += f" relative to {self.d.setting.display_name(parent)}"
+            ways.setdefault(direction, []).append(coordinate.body)
+        phrases = [f"of {self.d.setting.bodies_phrase(bodies)} {direction}" for direction, bodies in ways.items()]
+        return " and ".join([*phrases, *(f"of {rim_of(self.d.setting, body)}" for body in turning)])
 
     def _moves(self, body: str) -> bool:
         """Return whether a body moves."""
@@ -169,7 +169,7 @@ class DynamicsWriter:
 
     def _strings(self) -> list[Equation]:
         """Write the constraints of strings that bind accelerations at ratios other than one; return them."""
-        found: list[Equation] = []
+        equations: list[Equation] = []
         step = self._open("constraint")
         for row in self.rows:
             if row.kind not in ("string", "grip"):
@@ -186,9 +186,9 @@ class DynamicsWriter:
             self.d.bound = {n: p.substitute({name: self.d.bound[name]}) for n, p in self.d.bound.items()}
             line, more = self._line(f"T{row.number}"), f"{not_slipping(self.d, row)}{doubling_reason(self.d, row)}"
             step.add_text(f"{capitalized(line)} does not stretch{more}: {step.law(Symbol(name), rest)}.")
-            found.append(Equation("", NIL, zero, NIL))
+            equations.append(Equation("", NIL, zero, NIL))
         step.close()
-        return found
+        return equations
 
     def _dependent(self, zero: Polynomial) -> str:
         """Return the acceleration to eliminate: preferably one not asked for, and with a coefficient of ±1."""
@@ -201,7 +201,7 @@ class DynamicsWriter:
 
     def _faces(self) -> list[Equation]:
         """Substitute normal forces due to weights alone; write and return the equations of the others."""
-        found: list[Equation] = []
+        equations: list[Equation] = []
         step = self._open("normal")
         for row in self.rows:
             if row.kind != "normal":
@@ -222,11 +222,11 @@ class DynamicsWriter:
             alone = not pressed.names() & self.d.units.keys()
             body = self.d.setting.display_name(self.d.mechanism.faces[row.number].subject)
             name, formula = Symbol(symbol), pressed.expression()
-            told = step.result(name, formula, NEWTONS, law=True) if alone else step.law(name, formula)
-            step.add_text(f"Perpendicular to the surface, {body}: {told}.")
-            found += [] if alone else [Equation("", Polynomial.of(name), pressed, NIL)]
+            law_text = step.result(name, formula, NEWTONS, law=True) if alone else step.law(name, formula)
+            step.add_text(f"Perpendicular to the surface, {body}: {law_text}.")
+            equations += [] if alone else [Equation("", Polynomial.of(name), pressed, NIL)]
         step.close()
-        return found
+        return equations
 
     # ---- rows
 
@@ -267,8 +267,8 @@ class DynamicsWriter:
         """Return the first words of the sentence with Newton's law of a group of bodies."""
         if self.d.measure.values:
             who, _, direction = self._who(group).rpartition(", ")
-            said = f"No external force on {who} has a component {direction}, and they start from rest,"
-            return f"{said} so their centre of mass does not move in this direction"
+            reason = f"No external force on {who} has a component {direction}, and they start from rest,"
+            return f"{reason} so their centre of mass does not move in this direction"
         return capitalized(self._who(group))
 
     def _inertia(self, group: Sequence[Row], equation: Equation) -> Expression:
@@ -298,9 +298,11 @@ class DynamicsWriter:
         own = [self._body(row.number) for row in group]
         if self.d.mechanism.coordinates[k].kind == "hinge":
             return f"torque on {self.d.setting.display_name(own[0])}{inertia_words(self.d, k)}"
-        said = {self.d.setting.display_name(body) for body in own}  # a pulley and its carrier share a name
+        own_names = {self.d.setting.display_name(body) for body in own}  # a pulley and its carrier share a name
         heavy = [b.name for b in self.d.mechanism.bodies if b.mass and b.name not in own]
-        riders = [body for body in heavy if self._carried(body, own) and self.d.setting.display_name(body) not in said]
+        riders = [
+            body for body in heavy if self._carried(body, own) and self.d.setting.display_name(body) not in own_names
+        ]
         who = self.d.setting.bodies_phrase(own)
         if riders:
             who += f" with {self.d.setting.bodies_phrase(riders)}"
@@ -316,6 +318,6 @@ class DynamicsWriter:
         return False
 
 
-def _name_of(held: Polynomial) -> str:
+def _name_of(polynomial: Polynomial) -> str:
     """Return the only symbol of a polynomial."""
-    return next(iter(held.names()), "")
+    return next(iter(polynomial.names()), "")

@@ -105,15 +105,15 @@ def unify_names(solutions: Sequence[Solution], fixed: Collection[str] = ()) -> l
     """
     solved = [solution for solution in solutions if solution.answer is not None]
     fixed = {*fixed, *(name for solution in solved for name in solution.constants)}
-    found = quantities(solved, fixed)
-    naming = _Naming(solved, found, fixed)
+    named_quantities = quantities(solved, fixed)
+    naming = _Naming(solved, named_quantities, fixed)
     names: list[dict[str, str]] = [{} for _ in solved]
     for quantity in naming.ordered():
         name = naming.named(quantity)
         for part, old in quantity.members.items():
             names[part][old] = name
-    told = iter([rename_solution(solution, given) for solution, given in zip(solved, names, strict=True)])
-    return [solution if solution.answer is None else next(told) for solution in solutions]
+    renamed = iter([rename_solution(solution, given) for solution, given in zip(solved, names, strict=True)])
+    return [solution if solution.answer is None else next(renamed) for solution in solutions]
 
 
 class _Naming:
@@ -160,9 +160,9 @@ class _Naming:
 
     def _is_needed(self, name: str, quantity: NamedQuantity) -> bool:
         """Return whether another quantity has only this name, in no fewer parts than `quantity` has the name."""
-        least = [*quantity.members.values()].count(name)
+        occurrences = [*quantity.members.values()].count(name)
         others = (q for q in self._found if q is not quantity and {*q.members.values()} == {name})
-        return any(len(q.members) >= least for q in others)
+        return any(len(q.members) >= occurrences for q in others)
 
 
 LAWS = frozenset({"newton", "constraint", "normal"})  # kinds of steps whose equations are laws
@@ -175,42 +175,42 @@ def shortened_variants(solution: Solution, earlier: Sequence[tuple[str, Solution
     A name that one law of the part gives, from given numbers and results of earlier parts, needs no other steps.
     """
     known = {*recallable_names(solution, earlier, whole=True)}
-    found = [solution]
-    for place in reversed(range(len(solution.steps))):
-        direct = _direct(found[-1], place, known)
-        if direct is not None and _count(direct, known) < _count(found[-1], known):
-            found.append(direct)
-    yield from reversed(found[1:])
+    variants = [solution]
+    for index in reversed(range(len(solution.steps))):
+        direct = _direct(variants[-1], index, known)
+        if direct is not None and _count(direct, known) < _count(variants[-1], known):
+            variants.append(direct)
+    yield from reversed(variants[1:])
 
 
 def _count(solution: Solution, known: Collection[str]) -> int:
     return sum(bool(step.gives) for step in kept_steps(solution, known) if step.kind not in LAWS)
 
 
-def _direct(solution: Solution, place: int, known: Collection[str]) -> Solution | None:
-    """Return a solution in which the step at index `place` computes its result from a single law; None if none does."""
-    step = solution.steps[place]
+def _direct(solution: Solution, index: int, known: Collection[str]) -> Solution | None:
+    """Return a solution in which the step at index `index` computes its result from a single law; None if none does."""
+    step = solution.steps[index]
     results = [relation for relation in step.relations if relation.role == "result"]
     if step.kind not in SOLVED or len(results) != 1 or step.gives != (results[0].left.latex(),):
         return None
     name = step.gives[0]
-    given = {r.left.latex() for held in solution.steps for r in held.relations if r.role == "given"}
-    if _is_direct(step, solution.steps[:place]):
+    given = {r.left.latex() for each in solution.steps for r in each.relations if r.role == "given"}
+    if _is_direct(step, solution.steps[:index]):
         return None
-    for source in solution.steps[:place]:
+    for source in solution.steps[:index]:
         for law in source.relations if source.kind in LAWS else ():
             if law.role != "law" or {*law.symbols()} - {name} - given - {*known} or name not in {*law.symbols()}:
                 continue
             formula = _solved(name, law, solution)
             if formula is not None:
                 new = _step(step, results[0], source, law, formula, solution)
-                return replace(solution, steps=(*solution.steps[:place], new, *solution.steps[place + 1 :]))
+                return replace(solution, steps=(*solution.steps[:index], new, *solution.steps[index + 1 :]))
     return None
 
 
 def _is_direct(step: Step, before: Sequence[Step]) -> bool:
     """Return whether a step already computes its result from a single law."""
-    labels = {label for held in before if held.kind in LAWS for label, _ in DEFINED.findall(held.text)}
+    labels = {label for earlier in before if earlier.kind in LAWS for label, _ in DEFINED.findall(earlier.text)}
     used = cited_labels(step.text)
     return len(used) == 1 and used[0] in labels
 
@@ -246,21 +246,21 @@ def sequential_solutions(
     if that is impossible, no part has an answer.
     """
     fixed = {given.symbol for setting in settings for given in setting.lexicon.givens.values()}
-    found, earlier = list[Solution](), list[tuple[str, Solution]]()
+    rewritten, earlier = list[Solution](), list[tuple[str, Solution]]()
     for label, alone, setting in zip(LABELS, unify_names(solutions, fixed), settings, strict=False):
-        held = _without_repeated_checks(alone, earlier) if whole else alone
-        solution = recall_results(held, earlier, whole=whole)
-        known = results_of(found, whole=whole)
+        reduced = _without_repeated_checks(alone, earlier) if whole else alone
+        solution = recall_results(reduced, earlier, whole=whole)
+        known = results_of(rewritten, whole=whole)
         accepted = partial(_accepted, setting=setting, known=known)
         if whole:
-            direct = (recall_results(each, earlier, whole=True) for each in shortened_variants(held, earlier))
+            direct = (recall_results(each, earlier, whole=True) for each in shortened_variants(reduced, earlier))
             solution = next((each for each in direct if accepted(each)), solution)
-        checked = solution if solution is held else verify_solution(solution, setting, known)
-        found.append(checked if whole else without_unused(checked, accepted))
-        earlier.append((label, found[-1]))
-    if fault := naming_fault(found):
-        return [Solution("", reason=f"{UNCLEAR}: {fault}") for _ in found]
-    return quote_earlier_parts(found) if whole else found
+        checked = solution if solution is reduced else verify_solution(solution, setting, known)
+        rewritten.append(checked if whole else without_unused(checked, accepted))
+        earlier.append((label, rewritten[-1]))
+    if fault := naming_fault(rewritten):
+        return [Solution("", reason=f"{UNCLEAR}: {fault}") for _ in rewritten]
+    return quote_earlier_parts(rewritten) if whole else rewritten
 
 
 def _without_repeated_checks(solution: Solution, earlier: Sequence[tuple[str, Solution]]) -> Solution:
@@ -282,10 +282,10 @@ def _accepted(solution: Solution, setting: ProblemContext, known: Mapping[str, f
 
 def results_of(earlier: Iterable[Solution], *, whole: bool = False) -> dict[str, float]:
     """Return results by name that a later part may use: answers, with `whole` also intermediate results."""
-    found: dict[str, float] = {}
+    results: dict[str, float] = {}
     for solution in earlier:
         if solution.answer is None:
             continue
         names = [solution.goal, *(name for step in solution.steps for name in step.gives if whole)]
-        found |= {name: solution.values[name] for name in names if name in solution.values}
-    return found
+        results |= {name: solution.values[name] for name in names if name in solution.values}
+    return results

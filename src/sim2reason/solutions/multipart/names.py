@@ -41,33 +41,33 @@ class NamedQuantity:
 
 def quantities(solutions: Sequence[Solution], fixed: Collection[str]) -> list[NamedQuantity]:
     """Return all quantities in the order of the parts; `fixed` names mean the same in all and are left out."""
-    found: list[NamedQuantity] = []
+    collected: list[NamedQuantity] = []
     for part, solution in enumerate(solutions):
         own = [*_own(part, solution, {*fixed, *solution.constants})]
-        place: dict[str, int] = {}
+        index_by_name: dict[str, int] = {}
         for number, (name, quantity) in enumerate(own):
             right = _formula(solution, name)
-            quantity.formula = None if right is None else _by_number(tree(right), place)
+            quantity.formula = None if right is None else _by_number(tree(right), index_by_name)
             rest = [other for each, other in own if each != name]
-            known = _known(found, part, name, quantity, rest)
+            known = _known(collected, part, name, quantity, rest)
             if known is None:
-                found.append(quantity)
+                collected.append(quantity)
                 known = quantity
             known.members[part] = name
             known.places.append((part, number))
             known.meaning = known.meaning or quantity.meaning
-            place[name] = next(n for n, each in enumerate(found) if each is known)
-    return found
+            index_by_name[name] = next(n for n, each in enumerate(collected) if each is known)
+    return collected
 
 
 def meanings(solution: Solution) -> dict[str, str]:
     """Return the meanings, in words by name, that a solution introduces in its text."""
-    found: dict[str, str] = {}
+    words_by_name: dict[str, str] = {}
     for step in solution.steps:
         if step.kind == "names" or step.text.startswith("Let $"):
             for match in _INTRODUCED.finditer(step.text):
-                found[match["name"]] = _SAID.sub("", match["words"].strip())
-    return found
+                words_by_name[match["name"]] = _SAID.sub("", match["words"].strip())
+    return words_by_name
 
 
 def introduced_names(text: str) -> list[str]:
@@ -99,12 +99,14 @@ def names_of(steps: Sequence[Step]) -> Iterator[str]:
     """Yield the names of quantities in steps, some more than once; labels of equations are excluded."""
     for step in steps:
         yield from step.symbols()
-        held = step.integration
-        if held is not None:
-            yield from (held.time, *held.unknowns, *(each.name for each in held.accumulated))
-            yield from (name for c in held.coordinates for name in (c.place, c.rate, c.acceleration))
-        said = {r.left.latex() for r in step.relations} | ({name for _, name in held.ends} if held else set[str]())
-        yield from (name for name in step.gives if name in said)
+        integration = step.integration
+        if integration is not None:
+            yield from (integration.time, *integration.unknowns, *(each.name for each in integration.accumulated))
+            yield from (name for c in integration.coordinates for name in (c.place, c.rate, c.acceleration))
+        mentioned = {r.left.latex() for r in step.relations} | (
+            {name for _, name in integration.ends} if integration else set[str]()
+        )
+        yield from (name for name in step.gives if name in mentioned)
 
 
 def _own(part: int, solution: Solution, fixed: Collection[str]) -> Iterator[tuple[str, NamedQuantity]]:
@@ -118,42 +120,48 @@ def _own(part: int, solution: Solution, fixed: Collection[str]) -> Iterator[tupl
 
 
 def _formula(solution: Solution, name: str) -> Expression | None:
-    found = (
+    formulas = (
         r.right
         for step in solution.steps
         if name in step.gives
         for r in step.relations
         if isinstance(r.left, Symbol) and r.left.name == name and r.role in ("law", "result")
     )
-    return next(found, None)
+    return next(formulas, None)
 
 
-def _by_number(held: Tree, place: Mapping[str, int]) -> Tree:
+def _by_number(node: Tree, index_by_name: Mapping[str, int]) -> Tree:
     """Return a formula with the indices of quantities in place of their names."""
-    if isinstance(held, str):
-        return f"#{place[held]}" if held in place else held
-    return [held[0], *(_by_number(each, place) for each in held[1:])] if isinstance(held, list) else held
+    if isinstance(node, str):
+        return f"#{index_by_name[node]}" if node in index_by_name else node
+    return [node[0], *(_by_number(each, index_by_name) for each in node[1:])] if isinstance(node, list) else node
 
 
 def _known(
-    found: Sequence[NamedQuantity], part: int, name: str, held: NamedQuantity, rest: Sequence[NamedQuantity]
+    earlier: Sequence[NamedQuantity], part: int, name: str, quantity: NamedQuantity, rest: Sequence[NamedQuantity]
 ) -> NamedQuantity | None:
     """Return the quantity of earlier parts that a name denotes, by meaning, formula, name or value; None if new."""
-    alike = [q for q in found if part not in q.members and q.stem == held.stem and q.has(held)]
-    alike = [q for q in alike if not (q.meaning and held.meaning) or q.meaning == held.meaning or _same(q, held, name)]
-    by_words = [q for q in alike if held.meaning and q.meaning == held.meaning]
-    by_formula = [q for q in alike if held.formula is not None and q.formula == held.formula]
+    alike = [q for q in earlier if part not in q.members and q.stem == quantity.stem and q.has(quantity)]
+    alike = [
+        q
+        for q in alike
+        if not (q.meaning and quantity.meaning) or q.meaning == quantity.meaning or _same(q, quantity, name)
+    ]
+    by_words = [q for q in alike if quantity.meaning and q.meaning == quantity.meaning]
+    by_formula = [q for q in alike if quantity.formula is not None and q.formula == quantity.formula]
     by_name = [q for q in alike if name in q.members.values()]
     for group in (by_words, by_formula, by_name):
         if group:
             return group[0]
-    alone = len(alike) == 1 and not any(other.stem == held.stem and other.has(held) for other in rest)
-    by_value = alone and held.value is not None and all(_marks_agree(name, each) for each in alike[0].members.values())
+    alone = len(alike) == 1 and not any(other.stem == quantity.stem and other.has(quantity) for other in rest)
+    by_value = (
+        alone and quantity.value is not None and all(_marks_agree(name, each) for each in alike[0].members.values())
+    )
     return alike[0] if by_value else None
 
 
-def _same(held: NamedQuantity, other: NamedQuantity, name: str) -> bool:
-    return name in held.members.values() and are_same_meaning(name, held.meaning, other.meaning)
+def _same(quantity: NamedQuantity, other: NamedQuantity, name: str) -> bool:
+    return name in quantity.members.values() and are_same_meaning(name, quantity.meaning, other.meaning)
 
 
 def _marks_agree(one: str, other: str) -> bool:
@@ -199,20 +207,20 @@ def rename_solution(solution: Solution, names: Names) -> Solution:
     )
 
 
-def rename_in_formula(held: Expression, names: Names) -> Expression:
+def rename_in_formula(formula: Expression, names: Names) -> Expression:
     """Return a formula with names replaced."""
-    if isinstance(held, Symbol):
-        return Symbol(names.get(held.name, held.name))
-    if not is_dataclass(held):
-        return held
+    if isinstance(formula, Symbol):
+        return Symbol(names.get(formula.name, formula.name))
+    if not is_dataclass(formula):
+        return formula
     changed: dict[str, object] = {}
-    for entry in fields(held):
-        value: object = getattr(held, entry.name)
+    for entry in fields(formula):
+        value: object = getattr(formula, entry.name)
         if isinstance(value, Expression | tuple):
             changed[entry.name] = _inside(cast("Expression | tuple[object, ...]", value), names)
-        elif isinstance(held, NumericRoot) and entry.name == "name":
-            changed[entry.name] = names.get(held.name, held.name)
-    return cast("Expression", replace(cast("Any", held), **changed))
+        elif isinstance(formula, NumericRoot) and entry.name == "name":
+            changed[entry.name] = names.get(formula.name, formula.name)
+    return cast("Expression", replace(cast("Any", formula), **changed))
 
 
 def in_relation(relation: Relation, names: Names) -> Relation:
@@ -237,49 +245,49 @@ def rename_in_text(text: str, names: Names, relations: Sequence[Relation] = ()) 
 
 def names_in_text(text: str) -> frozenset[str]:
     """Return all names in the formulas of a text."""
-    found: set[str] = set()
+    names: set[str] = set()
     for part in text.split("$")[1::2]:
         for match in TOKEN.finditer(part):
             if match["name"] or match["inside"]:
-                found.add(_plain(match["name"] or match["inside"] + (match["below"] or "")))
-    return frozenset(found)
+                names.add(_plain(match["name"] or match["inside"] + (match["below"] or "")))
+    return frozenset(names)
 
 
 def _inside(value: "Expression | tuple[object, ...]", names: Names) -> object:
     if isinstance(value, Expression):
         return rename_in_formula(value, names)
     return tuple(
-        _inside(cast("Expression | tuple[object, ...]", held), names)
-        if isinstance(held, Expression | tuple)
-        else names.get(held, held)
-        if isinstance(held, str)
-        else held
-        for held in value
+        _inside(cast("Expression | tuple[object, ...]", item), names)
+        if isinstance(item, Expression | tuple)
+        else names.get(item, item)
+        if isinstance(item, str)
+        else item
+        for item in value
     )
 
 
 def renamed_step(step: Step, names: Names) -> Step:
     """Return a step with names replaced; names missing from the mapping are kept."""
-    held = step.integration
+    integration = step.integration
     return replace(
         step,
         text=rename_in_text(step.text, names, step.relations),
         relations=tuple(in_relation(relation, names) for relation in step.relations),
         gives=tuple(names.get(name, name) for name in step.gives),
-        integration=None if held is None else _integration(held, names),
+        integration=None if integration is None else _integration(integration, names),
     )
 
 
-def _integration(held: Integration, names: Names) -> Integration:
+def _integration(integration: Integration, names: Names) -> Integration:
     """Return an initial-value problem with names replaced."""
 
     def of(name: str) -> str:
         return names.get(name, name)
 
     return replace(
-        held,
-        time=of(held.time),
-        begin=rename_in_formula(held.begin, names),
+        integration,
+        time=of(integration.time),
+        begin=rename_in_formula(integration.begin, names),
         coordinates=tuple(
             Coordinate(
                 of(c.place),
@@ -288,15 +296,15 @@ def _integration(held: Integration, names: Names) -> Integration:
                 rename_in_formula(c.initial_place, names),
                 rename_in_formula(c.initial_rate, names),
             )
-            for c in held.coordinates
+            for c in integration.coordinates
         ),
-        unknowns=tuple(map(of, held.unknowns)),
-        equations=tuple(in_relation(relation, names) for relation in held.equations),
-        until=replace(held.until, expression=rename_in_formula(held.until.expression, names)),
-        ends=tuple((of(symbol), of(name)) for symbol, name in held.ends),
+        unknowns=tuple(map(of, integration.unknowns)),
+        equations=tuple(in_relation(relation, names) for relation in integration.equations),
+        until=replace(integration.until, expression=rename_in_formula(integration.until.expression, names)),
+        ends=tuple((of(symbol), of(name)) for symbol, name in integration.ends),
         accumulated=tuple(
             Accumulated(of(a.name), rename_in_formula(a.rate, names), rename_in_formula(a.initial, names))
-            for a in held.accumulated
+            for a in integration.accumulated
         ),
     )
 
@@ -306,8 +314,8 @@ def _in_latex(text: str, names: Names) -> str:
 
 
 def _token(match: re.Match[str], names: Names) -> str:
-    said = match["name"] or (match["inside"] or "") + (match["below"] or "")
-    new = names.get(_plain(said)) if said else None
+    name = match["name"] or (match["inside"] or "") + (match["below"] or "")
+    new = names.get(_plain(name)) if name else None
     if new is None:
         return match[0]
     if match["name"]:

@@ -24,12 +24,12 @@ def quote_earlier_parts(parts: Sequence[Solution]) -> list[Solution]:
     Integrated phases keep all their steps, unless there is but one. An initial-value problem that an earlier part
     states is not stated again.
     """
-    told = _StatedParts()
-    found = [told.add_part(label, part) for label, part in zip(LABELS, parts, strict=False)]
-    texts = "\n".join(step.text for part in found for step in part.steps)
+    stated_parts = _StatedParts()
+    rewritten = [stated_parts.add_part(label, part) for label, part in zip(LABELS, parts, strict=False)]
+    texts = "\n".join(step.text for part in rewritten for step in part.steps)
     labels = dict.fromkeys(label for label, _ in DEFINED.findall(texts))
     names = {label: f"({number})" for number, label in enumerate(labels, start=1)}
-    return [replace(part, steps=tuple(labelled(step, names) for step in part.steps)) for part in found]
+    return [replace(part, steps=tuple(labelled(step, names) for step in part.steps)) for part in rewritten]
 
 
 class _StatedParts:
@@ -49,9 +49,9 @@ class _StatedParts:
         kept = steps if several else self._without([self._integrated(label, step) for step in steps], part.values)
         used = with_bases(names_of(kept), part)
         for step in kept:
-            said = [step.text, *SENTENCE.split(step.text), *_items(step.text)]
+            texts = [step.text, *SENTENCE.split(step.text), *_items(step.text)]
             self._sentences |= {
-                text for text in said if used.issuperset(introduced_names(text)) or step.kind != "names"
+                text for text in texts if used.issuperset(introduced_names(text)) or step.kind != "names"
             }
             for relation in step.relations:
                 self._parts.setdefault(relation.latex(), label)
@@ -105,7 +105,7 @@ class _StatedParts:
         """Return a step without repeated sentences and without equations that no step cites."""
         sentences = SENTENCE.split(step.text)
         if step.kind == "names":
-            kept = [said for sentence in sentences if (said := self._new(sentence))]
+            kept = [new_sentence for sentence in sentences if (new_sentence := self._new(sentence))]
             return replace(step, text=" ".join(kept))
         labels = [match[1] if (match := DEFINED.match(sentence)) else "" for sentence in sentences]
         if not all(labels) or not self._sentences & {*sentences}:
@@ -154,8 +154,8 @@ def shortened(sentence: str, kept: Callable[[str], bool]) -> str:
 def _citation_text(part: str, labels: Sequence[str], plain: Sequence[Relation]) -> str:
     named = join_words(sorted(labels, key=lambda label: int(label[1:-1]))) if labels else ""
     numbered = f"equation{'s' if len(labels) > 1 else ''} {named}" if labels else ""
-    held = [each for each in (numbered, *(relation.latex() for relation in plain)) if each]
-    return f"As in part ({part}), {join_words(held)} hold{'s' if len(labels) + len(plain) == 1 else ''}."
+    cited = [each for each in (numbered, *(relation.latex() for relation in plain)) if each]
+    return f"As in part ({part}), {join_words(cited)} hold{'s' if len(labels) + len(plain) == 1 else ''}."
 
 
 def labelled(step: Step, names: Mapping[str, str]) -> Step:
@@ -197,8 +197,8 @@ def without_unused(solution: Solution, accepted: Callable[[Solution], bool]) -> 
     steps = solution.steps
     while (shorter := _shorter(steps, lambda trial: accepted(replace(solution, steps=trial)))) != steps:
         steps = shorter
-    found = replace(solution, steps=_tidied(steps))
-    return found if accepted(found) else solution
+    reduced = replace(solution, steps=_tidied(steps))
+    return reduced if accepted(reduced) else solution
 
 
 def _shorter(steps: tuple[Step, ...], accepted: Callable[[tuple[Step, ...]], bool]) -> tuple[Step, ...]:
@@ -206,17 +206,17 @@ def _shorter(steps: tuple[Step, ...], accepted: Callable[[tuple[Step, ...]], boo
 
     The text does not state which equations those in numbers use; if some remain, all before them remain as well.
     """
-    for place in reversed(range(len(steps))):
-        headed = _HEADING.match(steps[place].text)
-        if headed and any(DEFINED.search(step.text) for step in steps[place + 1 :]):
+    for index in reversed(range(len(steps))):
+        headed = _HEADING.match(steps[index].text)
+        if headed and any(DEFINED.search(step.text) for step in steps[index + 1 :]):
             break
-        for equation in reversed(_stated_equations(steps[place])):
-            others = (*steps[:place], *steps[place + 1 :])
+        for equation in reversed(_stated_equations(steps[index])):
+            others = (*steps[:index], *steps[index + 1 :])
             if any(label in cited_labels(step.text) for step in others for label, _ in DEFINED.findall(equation)):
                 continue
-            trial = (*steps[:place], _without(steps[place], equation), *steps[place + 1 :])
+            trial = (*steps[:index], _without(steps[index], equation), *steps[index + 1 :])
             steps = trial if accepted(trial) else steps
-        if headed and steps[place].text:
+        if headed and steps[index].text:
             break
     return steps
 

@@ -23,20 +23,20 @@ def recall_results(solution: Solution, earlier: Sequence[tuple[str, Solution]], 
     is unchanged if no step can be left out, or if it integrates the motion.
     """
     known = recallable_names(solution, earlier, whole=whole)
-    said = {text for _, other in earlier for text in _introduced(other)} if whole else set[str]()
-    steps = (step for step in kept_steps(solution, known, said) if step.kind != "givens")
+    known_texts = {text for _, other in earlier for text in _introduced(other)} if whole else set[str]()
+    steps = (step for step in kept_steps(solution, known, known_texts) if step.kind != "givens")
     kept = [_without(step, known, solution.goal) for step in steps]
     used = {*names_of(kept), *names_in_text(" ".join(step.text for step in kept))} & known.keys()
     recalled = used - {name for step in kept for name in step.gives}
     shorter = whole and bool(earlier) and _results(kept) < _results(solution.steps)
     if not recalled and not shorter:
         return solution
-    kept = sorted([*kept, *_introductions(solution, kept, said)], key=lambda step: step.id)
+    kept = sorted([*kept, *_introductions(solution, kept, known_texts)], key=lambda step: step.id)
     symbols = {name for step in kept for name in step.symbols()}
     first = [reduce_givens(step, symbols) for step in solution.steps if step.kind == "givens"]
-    told = _recalled({name: known[name] for name in known if name in recalled}, solution)
-    told = told or _verified_earlier(solution, earlier)
-    return replace(solution, steps=renumbered([*first, *told, *kept]))
+    recalled_steps = _recalled({name: known[name] for name in known if name in recalled}, solution)
+    recalled_steps = recalled_steps or _verified_earlier(solution, earlier)
+    return replace(solution, steps=renumbered([*first, *recalled_steps, *kept]))
 
 
 def _verified_earlier(solution: Solution, earlier: Sequence[tuple[str, Solution]]) -> list[Step]:
@@ -58,14 +58,14 @@ def recallable_names(solution: Solution, earlier: Sequence[tuple[str, Solution]]
     return known
 
 
-def kept_steps(solution: Solution, known: Collection[str], said: Container[str] = ()) -> list[Step]:
-    """Return the steps from known names to the goal, and the verifications whose texts are not in `said`.
+def kept_steps(solution: Solution, known: Collection[str], known_texts: Container[str] = ()) -> list[Step]:
+    """Return the steps from known names to the goal, and the verifications whose texts are not in `known_texts`.
 
     All steps are returned if none can be left out.
     """
     if solution.answer is None or any(step.integration is not None for step in solution.steps):
         return [*solution.steps]
-    kept = _needed(solution, known, said)
+    kept = _needed(solution, known, known_texts)
     return kept if _results(kept) < _results(solution.steps) else [*solution.steps]
 
 
@@ -76,14 +76,14 @@ def _results(steps: Collection[Step]) -> int:
 
 def renumbered(steps: Sequence[Step]) -> tuple[Step, ...]:
     """Return steps with new numbers, and with needs among the remaining steps and recalled results."""
-    place = {step.id: number for number, step in enumerate(steps) if step.id >= 0}
+    number_by_id = {step.id: number for number, step in enumerate(steps) if step.id >= 0}
     recalled = {name: number for number, step in enumerate(steps) if step.kind == EARLIER for name in step.gives}
-    found: list[Step] = []
+    updated: list[Step] = []
     for number, step in enumerate(steps):
-        needs = {place[need] for need in step.needs if need in place}
+        needs = {number_by_id[need] for need in step.needs if need in number_by_id}
         needs |= {recalled[name] for name in step.symbols() if name in recalled and step.kind != EARLIER}
-        found.append(replace(step, id=number, needs=tuple(sorted(needs))))
-    return tuple(found)
+        updated.append(replace(step, id=number, needs=tuple(sorted(needs))))
+    return tuple(updated)
 
 
 def _result_names(solution: Solution) -> list[str]:
@@ -96,25 +96,27 @@ def _tells(other: Solution, name: str, solution: Solution, *, whole: bool) -> bo
     """Return whether another solution gives a name the same value, as its answer or, with `whole`, as any result."""
     if other.answer is None or name not in other.values:
         return False
-    found = other.goal == name or (whole and any(name in step.gives and step.kind != EARLIER for step in other.steps))
+    is_result = other.goal == name or (
+        whole and any(name in step.gives and step.kind != EARLIER for step in other.steps)
+    )
     value = solution.values[name]
     same = abs(value - other.values[name]) <= VALUE_RTOL * abs(value) and unit_of(name, other) == unit_of(
         name, solution
     )
-    return found and same
+    return is_result and same
 
 
 def _without(step: Step, known: Collection[str], goal: str) -> Step:
     """Return a step that lists several results, reduced to those that are not known."""
     *_, formulas = ["", *re.findall(r"(?:\$[^$]*\$(?:, | and )?)+(?=\.$)", step.text)]
-    told = re.findall(r"\$[^$]*\$", formulas)
+    equations = re.findall(r"\$[^$]*\$", formulas)
     rest = [n for n, name in enumerate(step.gives) if name not in known or name == goal]
-    if not len(told) == len(step.gives) == len(step.relations) or not 0 < len(rest) < len(told):
+    if not len(equations) == len(step.gives) == len(step.relations) or not 0 < len(rest) < len(equations):
         return step
     lead = step.text.removesuffix(f"{formulas}.")
     many = next((ending for ending in _ONE if lead.endswith(ending)), "") if len(rest) == 1 else ""
     lead = lead.removesuffix(many) + _ONE.get(many, "")
-    text = f"{lead}{join_words([told[n] for n in rest])}."
+    text = f"{lead}{join_words([equations[n] for n in rest])}."
     return replace(
         step,
         text=text,
@@ -123,11 +125,13 @@ def _without(step: Step, known: Collection[str], goal: str) -> Step:
     )
 
 
-def _introductions(solution: Solution, kept: Sequence[Step], said: Container[str]) -> list[Step]:
-    """Return the steps that introduce symbols of the kept steps, except those whose texts are in `said`."""
+def _introductions(solution: Solution, kept: Sequence[Step], known_texts: Container[str]) -> list[Step]:
+    """Return the steps that introduce symbols of the kept steps, except those whose texts are in `known_texts`."""
     symbols = with_bases((name for step in kept for name in step.symbols()), solution)
-    found = (step for step in solution.steps if step.kind == "names" and step not in kept and step.text not in said)
-    return [step for step in found if symbols & {*_NAMED.findall(step.text)}]
+    candidates = (
+        step for step in solution.steps if step.kind == "names" and step not in kept and step.text not in known_texts
+    )
+    return [step for step in candidates if symbols & {*_NAMED.findall(step.text)}]
 
 
 def with_bases(names: Iterable[str], solution: Solution) -> set[str]:
@@ -135,9 +139,9 @@ def with_bases(names: Iterable[str], solution: Solution) -> set[str]:
 
     x_1 is a value of the x that a text introduces; but if a text introduces a_1, it is a different acceleration from a.
     """
-    found = {*names}
+    all_names = {*names}
     own = {name for step in solution.steps if step.kind == "names" for name in introduced_names(step.text)}
-    return found | {name.partition("_")[0] for name in found - own}
+    return all_names | {name.partition("_")[0] for name in all_names - own}
 
 
 def _introduced(solution: Solution) -> Iterator[str]:
@@ -146,13 +150,13 @@ def _introduced(solution: Solution) -> Iterator[str]:
     yield from (step.text for step in solution.steps if step.kind != "names" or used & {*introduced_names(step.text)})
 
 
-def _needed(solution: Solution, known: Collection[str], said: Container[str]) -> list[Step]:
-    """Return the steps from known names to the goal, and the reasons for these steps whose texts are not in `said`.
+def _needed(solution: Solution, known: Collection[str], known_texts: Container[str]) -> list[Step]:
+    """Return the steps from known names to the goal, and the reasons for these steps whose texts are not in `known_texts`.
 
     The steps that exclude earlier collisions are kept with everything on which they depend.
     """
     last = next((step for step in reversed(solution.steps) if solution.goal in step.gives), None)
-    orders = [step for step in solution.steps if step.kind == ORDER and step.text not in said]
+    orders = [step for step in solution.steps if step.kind == ORDER and step.text not in known_texts]
     waiting, kept = [*orders, *([last] if last is not None else [])], dict[int, Step]()
     while waiting:
         step = waiting.pop()
@@ -161,17 +165,19 @@ def _needed(solution: Solution, known: Collection[str], said: Container[str]) ->
         kept[step.id] = step
         waiting += [solution.steps[need] for need in step.needs if not _is_known(solution.steps[need], step, known)]
     if _results(kept.values()) < _results(solution.steps):
-        kept |= {step.id: step for step in _reasons(solution, kept, known, said)}
+        kept |= {step.id: step for step in _reasons(solution, kept, known, known_texts)}
     return [kept[number] for number in sorted(kept)]
 
 
-def _reasons(solution: Solution, kept: Collection[int], known: Collection[str], said: Container[str]) -> Iterator[Step]:
-    """Yield the steps that give reasons for the kept steps, except those whose texts are in `said`."""
+def _reasons(
+    solution: Solution, kept: Collection[int], known: Collection[str], known_texts: Container[str]
+) -> Iterator[Step]:
+    """Yield the steps that give reasons for the kept steps, except those whose texts are in `known_texts`."""
     for step in solution.steps:
-        needs = [held for need in step.needs if (held := solution.steps[need]).gives]
-        apart = [held for held in needs if held.id not in kept]
-        if _is_reason(step) and step.text not in said and len(apart) < max(len(needs), 1):
-            yield from [step] if all(_is_known(held, step, known) for held in apart) else []
+        needs = [needed_step for need in step.needs if (needed_step := solution.steps[need]).gives]
+        missing = [needed_step for needed_step in needs if needed_step.id not in kept]
+        if _is_reason(step) and step.text not in known_texts and len(missing) < max(len(needs), 1):
+            yield from [step] if all(_is_known(needed_step, step, known) for needed_step in missing) else []
 
 
 def _is_reason(step: Step) -> bool:
@@ -187,11 +193,13 @@ def _is_known(needed: Step, step: Step, known: Collection[str]) -> bool:
 
 def reduce_givens(step: Step, used: Collection[str]) -> Step:
     """Reduce the step that lists the given numbers to the names in use."""
-    said = re.findall(r"\$[^$]*\$(?: \([a-z]+\))?", step.text)
-    if len(said) != len(step.relations):
+    given_texts = re.findall(r"\$[^$]*\$(?: \([a-z]+\))?", step.text)
+    if len(given_texts) != len(step.relations):
         return step
     pairs = [
-        (text, r) for text, r in zip(said, step.relations, strict=True) if not {*r.left.symbols()}.isdisjoint(used)
+        (text, r)
+        for text, r in zip(given_texts, step.relations, strict=True)
+        if not {*r.left.symbols()}.isdisjoint(used)
     ]
     lead, colon, _ = step.text.partition(": ")
     texts = [text for text, _ in pairs]
@@ -206,9 +214,11 @@ def _recalled(known: Mapping[str, str], solution: Solution) -> list[Step]:
     for label in sorted({*known.values()}):
         names = [name for name in known if known[name] == label]
         relations = [Relation(Symbol(n), Number(solution.values[n]), "given", unit_of(n, solution)) for n in names]
-        said = [
+        equations = [
             f"${r.left.latex()} = {with_unit(solution.values[n], r.unit)}$"
             for n, r in zip(names, relations, strict=True)
         ]
-        steps.append(Step(-1, EARLIER, f"From part ({label}), {join_words(said)}.", tuple(relations), tuple(names), ()))
+        steps.append(
+            Step(-1, EARLIER, f"From part ({label}), {join_words(equations)}.", tuple(relations), tuple(names), ())
+        )
     return steps

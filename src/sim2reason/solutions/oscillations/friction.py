@@ -23,12 +23,12 @@ REST_TOLERANCE = 1e-6  # relative tolerance of times, and tolerance of positions
 
 def continues_after_rest(setting: ProblemContext) -> bool:
     """Return whether the motion, by the engine, continues after it first comes to rest."""
-    return any(0.0 < held.start < setting.time * (1.0 - REST_TOLERANCE) for held in setting.motion.segments)
+    return any(0.0 < segment.start < setting.time * (1.0 - REST_TOLERANCE) for segment in setting.motion.segments)
 
 
-def write_fastest_position(way: OneCoordinateModel, seen: float) -> Symbol:
+def write_fastest_position(model: OneCoordinateModel, seen: float) -> Symbol:
     """Write the position of zero net force, m; UnsolvedError unless it is the position `seen` of greatest speed."""
-    motion, name = way.motion, way.name
+    motion, name = model.motion, model.name
     (i,) = motion.free
     stiffness, load = motion.stiffness(i, i), motion.load(i)
     if not stiffness:
@@ -38,82 +38,86 @@ def write_fastest_position(way: OneCoordinateModel, seen: float) -> Symbol:
         raise UnsolvedError("the greatest value is not where forces balance")
     if not load:
         raise UnsolvedError("it begins in balance")
-    step = way.book.begin_step("balance")
+    step = model.book.begin_step("balance")
     gathered = collect_stiffness(load, stiffness)
     law = step.law(stiffness.expression() * name, gathered)
-    if isinstance(motion, LinearMotion) and motion.friction(i) and continues_after_rest(way.setting):
-        step.add_text(f"Friction makes each swing smaller than the one before, so {way.mover} is fastest in the first.")
+    if isinstance(motion, LinearMotion) and motion.friction(i) and continues_after_rest(model.setting):
+        step.add_text(
+            f"Friction makes each swing smaller than the one before, so {model.mover} is fastest in the first."
+        )
     formula = reduced_quotient(load, stiffness) if gathered == load.expression() else gathered / stiffness.expression()
     step.add_text(f"The kinetic energy is greatest where the net force is zero: {law},")
     step.add_text(f"so {step.result(name, formula, METRES)}.")
     step.close()
-    _tell_on_the_way(way, name)
+    _tell_on_the_way(model, name)
     return name
 
 
-def _tell_on_the_way(way: OneCoordinateModel, name: Symbol) -> None:
+def _tell_on_the_way(model: OneCoordinateModel, name: Symbol) -> None:
     """Verify that the body passes the position of greatest speed before the motion in question ends."""
-    book, end = way.book, _end(way)
+    book, end = model.book, _end(model)
     if end is None or book.is_hidden(end) or book.is_hidden(name):
         return
-    near, far = (-held if book.value(held) < 0.0 else held for held in (name, end))
+    near, far = (-position if book.value(position) < 0.0 else position for position in (name, end))
     step, last = book.begin_step("verify"), book.fresh(name.name, r"\text{end}")
     record_inequality(book, step, far, near)
-    told = step.verified(last, end, METRES)
-    spring = way.setting.spring_phrases[way.query.moment.name] if isinstance(way.query.moment, NaturalLength) else ""
-    there = f"{spring} has its natural length, at {told}" if spring else f"${name.name} = {end.latex()}$ is reached"
+    equation = step.verified(last, end, METRES)
+    spring = (
+        model.setting.spring_phrases[model.query.moment.name] if isinstance(model.query.moment, NaturalLength) else ""
+    )
+    there = f"{spring} has its natural length, at {equation}" if spring else f"${name.name} = {end.latex()}$ is reached"
     step.add_text(f"This point is passed before {there}.")
     step.close()
 
 
-def _end(way: OneCoordinateModel) -> Expression | None:
+def _end(model: OneCoordinateModel) -> Expression | None:
     """Return the position, m, at which the interval of the question ends; None if no position defines its end."""
-    moment = way.query.moment
+    moment = model.query.moment
     if isinstance(moment, NaturalLength):
-        return way.relaxed_place(moment.name)
-    return way.moved_to(moment) if isinstance(moment, Moved) and isinstance(way.motion, LinearMotion) else None
+        return model.relaxed_place(moment.name)
+    return model.moved_to(moment) if isinstance(moment, Moved) and isinstance(model.motion, LinearMotion) else None
 
 
-def friction_words(way: LinearMotionModel, motion: LinearMotion) -> str:
+def friction_words(model: LinearMotionModel, motion: LinearMotion) -> str:
     """Return the direction of kinetic friction in words, with the bodies unless only the mover of `motion` slides."""
     ways: dict[str, list[str]] = {}
     for face, side in motion.laws.slip_directions.items():
-        found = [(k, radius) for k, radius in sliding_coordinates(motion.mechanism, face) if motion.ratios[k]]
-        if side and found:
-            k, radius = found[0]
-            against = way.towards(k, forward=side * radius < 0.0)
+        pairs = [(k, radius) for k, radius in sliding_coordinates(motion.mechanism, face) if motion.ratios[k]]
+        if side and pairs:
+            k, radius = pairs[0]
+            against = model.towards(k, forward=side * radius < 0.0)
             ways.setdefault(against, []).append(motion.mechanism.faces[face].subject)
     if [body for bodies in ways.values() for body in bodies] == [motion.mechanism.coordinates[motion.free[0]].body]:
         return next(iter(ways))
-    return join_words([f"on {way.setting.bodies_phrase(bodies)} {against}" for against, bodies in ways.items()])
+    return join_words([f"on {model.setting.bodies_phrase(bodies)} {against}" for against, bodies in ways.items()])
 
 
-def first_friction(way: LinearMotionModel, motion: LinearMotion) -> str:
+def first_friction(model: LinearMotionModel, motion: LinearMotion) -> str:
     """Return a clause, without a full stop, about kinetic friction in motion that begins from rest."""
-    acts = f"friction acts {friction_words(way, motion)}"
+    acts = f"friction acts {friction_words(model, motion)}"
     return (
-        f"Until {way.mover_phrase(motion.free[0])} first comes to rest, {acts}"
-        if continues_after_rest(way.setting)
+        f"Until {model.mover_phrase(motion.free[0])} first comes to rest, {acts}"
+        if continues_after_rest(model.setting)
         else capitalized(acts)
     )
 
 
-def swing_words(way: LinearMotionModel, held: HarmonicOscillation, number: int) -> list[str]:
+def swing_words(model: LinearMotionModel, oscillation: HarmonicOscillation, number: int) -> list[str]:
     """Return sentences about friction and motion in the half-oscillation `number`, counted from 0."""
-    motion = held.motion
+    motion = oscillation.motion
     assert isinstance(motion, LinearMotion)
-    who, acts = way.mover_phrase(motion.free[0]), friction_words(way, motion)
+    who, acts = model.mover_phrase(motion.free[0]), friction_words(model, motion)
     half = "half an oscillation, symmetric about the point at which the net force is zero"
     if number:
-        begun = way.first(motion.free[0]) and number == 1
-        counted = f"let ${held.name.name}$ be the displacement {way.towards(motion.free[0])} from here"
+        begun = model.first(motion.free[0]) and number == 1
+        counted = f"let ${oscillation.name.name}$ be the displacement {model.towards(motion.free[0])} from here"
         return [
             f"Until it next comes to rest, friction acts {acts}; {counted}.",
             f"The motion is then {half}." if begun else "",
         ]
-    whole = half if not held.first else "harmonic about the point at which the net force is zero"
+    description = half if not oscillation.first else "harmonic about the point at which the net force is zero"
     friction = f"constant friction{_size(motion)} acts {acts}"
-    return [f"Until {who} first comes to rest, {friction}, so the motion is {whole}."]
+    return [f"Until {who} first comes to rest, {friction}, so the motion is {description}."]
 
 
 def _size(motion: LinearMotion) -> str:
@@ -148,8 +152,8 @@ class StaticFrictionChecks:
 
     def write_stays(self, motion: LinearMotion, number: int) -> None:
         """Write that static friction holds the body at the turning point with this number."""
-        said = "is less than", f"so {self._way.mover_phrase(motion.free[0])} stays at rest"
-        self._compare(motion, number, "here", said, moves=False)
+        phrases = "is less than", f"so {self._way.mover_phrase(motion.free[0])} stays at rest"
+        self._compare(motion, number, "here", phrases, moves=False)
 
     def hidden(self, motion: LinearMotion) -> bool:
         """Return whether the net force without friction, or the greatest static friction, depends on the unknown."""
@@ -160,9 +164,9 @@ class StaticFrictionChecks:
     def _compare(self, motion: LinearMotion, number: int, where: str, said: tuple[str, str], *, moves: bool) -> bool:
         if self.hidden(motion):
             if not self._book.in_symbols:
-                place = f"at ${motion.begin.expression().latex()}$" if number else where
+                location = f"at ${motion.begin.expression().latex()}$" if number else where
                 later = said[0], said[1] if not moves else "as was assumed"
-                self._book.afterwards.append(lambda: self._tell(motion, number, place, later, moves=moves))
+                self._book.afterwards.append(lambda: self._tell(motion, number, location, later, moves=moves))
             return False
         self._tell(motion, number, where, said, moves=moves)
         return True
@@ -185,7 +189,7 @@ class StaticFrictionChecks:
         elif len(motion.springs) > 1:
             what = "net force of the springs"
         step, name = book.begin_step("verify"), book.fresh("F", str(number))
-        told, limit = step.verified(name, pull, NEWTONS), f"${self._most}$"
+        equation, limit = step.verified(name, pull, NEWTONS), f"${self._most}$"
         if not self._most:
             greatest = book.fresh("f", r"\text{max}")
             self._most = greatest.name
@@ -193,7 +197,7 @@ class StaticFrictionChecks:
         if moves:
             record_inequality(book, step, pull, most)
         towards, (than, so) = self._way.towards(i, forward=forward), said
-        step.add_text(f"The {what} {where} is {told} {towards}; it {than} {limit}, {so}.")
+        step.add_text(f"The {what} {where} is {equation} {towards}; it {than} {limit}, {so}.")
         step.close()
 
     def _size(self, held: Polynomial) -> Expression:
@@ -220,11 +224,12 @@ class StaticFrictionChecks:
         """
         for face, own in self.resting(motion):
             needed = [
-                self._holding(motion, face, own, Polynomial.of(place) if place != ZERO else NIL) for place in places
+                self._holding(motion, face, own, Polynomial.of(position) if position != ZERO else NIL)
+                for position in places
             ]
             beyond = self._holding(motion, face, own, Polynomial.of(later))
             if beyond is not None:
-                self._rests(motion, face, [held for held in needed if held is not None], self._size(beyond))
+                self._rests(motion, face, [force for force in needed if force is not None], self._size(beyond))
 
     def _rests(self, motion: LinearMotion, face: int, needed: Sequence[Polynomial], beyond: Expression) -> None:
         book = self._book
@@ -248,11 +253,11 @@ class StaticFrictionChecks:
             raise UnsolvedError("friction could not hold what rests")
         body = motion.mechanism.faces[face].subject
         step, mark = book.begin_step("verify"), self._setting.subscript_of(body)
-        told = friction_formulas(book, step, mark, greatest, most)
+        equations = friction_formulas(book, step, mark, greatest, most)
         step.add_text(
             f"{capitalized(self._setting.display_name(body))} stays at rest: "
-            f"the friction required is at most {told[0]}, within "
-            f"the limit of static friction, {told[1]}."
+            f"the friction required is at most {equations[0]}, within "
+            f"the limit of static friction, {equations[1]}."
         )
         step.close()
 

@@ -28,7 +28,7 @@ from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError
 TWO = Number(2.0)
 
 
-def measured_period(book: SolutionBuilder, query: PeriodQuery, rate: Expression, said: str = "The period is") -> Symbol:
+def measured_period(book: SolutionBuilder, query: PeriodQuery, rate: Expression, text: str = "The period is") -> Symbol:
     """Write the period, frequency or angular frequency asked for, from ω in rad/s, and return the answer's symbol."""
     if query.measure == "angular frequency" and isinstance(rate, Symbol):
         return rate
@@ -36,7 +36,7 @@ def measured_period(book: SolutionBuilder, query: PeriodQuery, rate: Expression,
         return book.add_step("period", "The angular frequency is", book.fresh(r"\omega"), rate, ANGULAR_SPEED)
     if query.measure == "frequency":
         return book.add_step("period", "The frequency is", book.fresh("f"), rate / (TWO * PI), latex("Hz"))
-    return book.add_step("period", said, book.fresh("T"), TWO * PI / rate, SECONDS)
+    return book.add_step("period", text, book.fresh("T"), TWO * PI / rate, SECONDS)
 
 
 HALF = Number(0.5)
@@ -89,8 +89,8 @@ class HarmonicOscillation:
         """Return the times, s, of turning points and of passages through the equilibrium, up to the time `until`."""
         omega, rest, fast = self.numbers
         begun = atan2(fast / omega, -rest)
-        found = [(begun + n * pi / 2.0) / omega for n in range(-4, int(2.0 * omega * until / pi) + 5)]
-        return [time for time in found if 0.0 < time <= until * (1.0 + AMPLITUDE_RTOL)]
+        times = [(begun + n * pi / 2.0) / omega for n in range(-4, int(2.0 * omega * until / pi) + 5)]
+        return [time for time in times if 0.0 < time <= until * (1.0 + AMPLITUDE_RTOL)]
 
     # ---- in writing
 
@@ -114,22 +114,22 @@ class HarmonicOscillation:
         """Return the effective mass of all bodies that move with the free coordinate, in kg."""
         if self.like is not None:
             return self.like.mass
-        held = self.motion.mass(self._free, self._free)
-        if len(held.terms) == 1:
-            return held.expression()
-        said = f"The kinetic energy is that of one body with the displacement ${self.name.name}$ and the effective mass"
-        return self.book.add_step("inertia", said, self._fresh("M"), held.factored(), KILOGRAMS)
+        effective_mass = self.motion.mass(self._free, self._free)
+        if len(effective_mass.terms) == 1:
+            return effective_mass.expression()
+        text = f"The kinetic energy is that of one body with the displacement ${self.name.name}$ and the effective mass"
+        return self.book.add_step("inertia", text, self._fresh("M"), effective_mass.factored(), KILOGRAMS)
 
     @cached_property
     def stiffness(self) -> Expression:
         """Return the effective stiffness, in N/m: the decrease of the net force per unit displacement."""
         if self.like is not None:
             return self.like.stiffness
-        held = self.motion.stiffness(self._free, self._free)
-        if len(held.terms) == 1:
-            return held.expression()
-        said = "Together the springs act like a single spring of stiffness"
-        return self.book.add_step("stiffness", said, self._fresh("k"), held.factored(), STIFFNESS)
+        total_stiffness = self.motion.stiffness(self._free, self._free)
+        if len(total_stiffness.terms) == 1:
+            return total_stiffness.expression()
+        text = "Together the springs act like a single spring of stiffness"
+        return self.book.add_step("stiffness", text, self._fresh("k"), total_stiffness.factored(), STIFFNESS)
 
     def _fresh(self, base: str) -> Symbol:
         return self.book.fresh(base, r"\text{eff}")
@@ -141,8 +141,8 @@ class HarmonicOscillation:
             return self.like.angular_frequency
         formula = Root(self.stiffness / self.mass)
         whence = "the point where it is zero" if self._rubs else "equilibrium"
-        said = f"The net force is proportional to the displacement from {whence}, so the angular frequency is"
-        return self.book.add_step("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
+        text = f"The net force is proportional to the displacement from {whence}, so the angular frequency is"
+        return self.book.add_step("oscillation", text, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
 
     @cached_property
     def equilibrium(self) -> Expression:
@@ -153,12 +153,16 @@ class HarmonicOscillation:
         base, mark = split_name(self.name.name)
         name = self.book.fresh(base, rf"\text{{eq}},{mark}" if mark.isdecimal() else "0")
         step = self.book.begin_step("balance")
-        held = self.motion.stiffness(self._free, self._free)
-        gathered = collect_stiffness(load, held)
+        total_stiffness = self.motion.stiffness(self._free, self._free)
+        gathered = collect_stiffness(load, total_stiffness)
         law = step.law(self.stiffness * name, gathered)
         what = "The net force is zero" if self._rubs else "The equilibrium is"
         step.add_text(f"{what} at ${name.name}$, where {law},")
-        formula = reduced_quotient(load, held) if len(held.terms) == 1 else load.factored() / self.stiffness
+        formula = (
+            reduced_quotient(load, total_stiffness)
+            if len(total_stiffness.terms) == 1
+            else load.factored() / self.stiffness
+        )
         formula = gathered / self.stiffness if gathered != load.expression() else formula
         step.add_text(f"so {step.result(name, formula, METRES)}.")
         step.close()
@@ -216,7 +220,7 @@ class HarmonicOscillation:
     def angle_of(self, place: Expression, time: float) -> Expression:
         """Return the phase ωt at which a position is reached near a time, s."""
         omega = self.numbers[0]
-        apart = place - self.equilibrium
+        deviation = place - self.equilibrium
         if self.equilibrium == place == ZERO:
             return Number(round(omega * time / pi)) * PI
         if self.equilibrium == ZERO:
@@ -228,26 +232,26 @@ class HarmonicOscillation:
             base, plain = ZERO, Call("arccos", ONE + -share if share.negative else ONE - share)
             options = [(plain, 0.0, 1.0), (plain, 0.0, -1.0)]
         else:
-            level = abs(self.book.value(apart)) <= AMPLITUDE_RTOL * self.amplitude_value
-            plain = HALF * PI if level else Call("arccos", apart / self.amplitude)
+            level = abs(self.book.value(deviation)) <= AMPLITUDE_RTOL * self.amplitude_value
+            plain = HALF * PI if level else Call("arccos", deviation / self.amplitude)
             base = self._first_phase
             options = [(plain, 0.0, 1.0), (plain, 0.0, -1.0)]
         start = self.book.value(base) if base != ZERO else 0.0
         best = (float("inf"), ZERO, 0.0)
-        for held, shift, sign in options:
-            value = start + sign * self.book.value(held) + shift * pi
+        for option, shift, sign in options:
+            value = start + sign * self.book.value(option) + shift * pi
             rounds = round((omega * time - value) / (2.0 * pi))
             off = abs(value + 2.0 * pi * rounds - omega * time)
             if off < best[0]:
-                best = (off, held if sign > 0.0 else -held, 2.0 * rounds + shift)
-        found = base + best[1]
-        return found + Number(best[2]) * PI if best[2] else found
+                best = (off, option if sign > 0.0 else -option, 2.0 * rounds + shift)
+        angle = base + best[1]
+        return angle + Number(best[2]) * PI if best[2] else angle
 
     def _share(self, one: Expression, other: Expression) -> Expression:
         """Return the quotient of two formulas, with at most one minus sign."""
         sizes = [part if self.book.value(part) >= 0.0 else -part for part in (one, other)]
-        held = sizes[0] / sizes[1]
-        return held if self.book.value(one) * self.book.value(other) >= 0.0 else -held
+        quotient = sizes[0] / sizes[1]
+        return quotient if self.book.value(one) * self.book.value(other) >= 0.0 else -quotient
 
     @cached_property
     def _first_phase(self) -> Symbol:
@@ -256,5 +260,5 @@ class HarmonicOscillation:
         if self.numbers[1] > 0.0:
             formula = formula + PI
         whence = self.balance if self._rubs else "equilibrium"
-        said = f"The displacement from {whence} is ${self.amplitude.latex()} \\cos(\\omega t - \\varphi)$ with"
-        return self.book.add_step("phase", said, self.book.fresh(r"\varphi"), formula, RADIANS)
+        text = f"The displacement from {whence} is ${self.amplitude.latex()} \\cos(\\omega t - \\varphi)$ with"
+        return self.book.add_step("phase", text, self.book.fresh(r"\varphi"), formula, RADIANS)

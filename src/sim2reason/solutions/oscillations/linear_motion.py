@@ -85,9 +85,9 @@ def nonlinear_reason(mechanism: Mechanism) -> str:
     """Return why the equations are not linear with constant coefficients; empty if they are."""
     frames = initial_frames(mechanism)
     plain = replace(mechanism, lines=tuple(line for line in mechanism.lines if not isinstance(line.law, Elastic)))
-    found = changing(plain, frames)
-    if found and not _on_a_ring(mechanism):
-        return f"{found} makes the equations change"
+    cause = changing(plain, frames)
+    if cause and not _on_a_ring(mechanism):
+        return f"{cause} makes the equations change"
     springs = [line for line in mechanism.lines if isinstance(line.law, Elastic) and line.circle is None]
     return next((f"{line.name} turns" for line in springs if bending(line, frames)), "")
 
@@ -126,17 +126,17 @@ class LinearMotion:
         if setting.scene is not setting.study.scene:
             return cls(setting, segment, wanted)
         key = "linear motion", setting.lexicon, segment.start, wanted
-        found = setting.study.memoize(key, lambda: _tried(lambda: cls(setting, segment, wanted)))
-        if isinstance(found, UnsolvedError | UnreadError):
-            raise found.with_traceback(None)
-        return found
+        cached = setting.study.memoize(key, lambda: _tried(lambda: cls(setting, segment, wanted)))
+        if isinstance(cached, UnsolvedError | UnreadError):
+            raise cached.with_traceback(None)
+        return cached
 
     def counted_from(self, begin: Expression, at: float) -> "LinearMotion":
         """Return the equations with the free coordinate counted from `begin`, a symbol whose value is `at`, m."""
-        found = copy(self)
-        found.begin = NIL if begin == ZERO else Polynomial.of(begin)
-        found.givens = self.givens | dict.fromkeys(begin.symbols(), at)
-        return found
+        shifted = copy(self)
+        shifted.begin = NIL if begin == ZERO else Polynomial.of(begin)
+        shifted.givens = self.givens | dict.fromkeys(begin.symbols(), at)
+        return shifted
 
     # ---- constraints
 
@@ -144,20 +144,20 @@ class LinearMotion:
     def rows(self) -> list[Row]:
         """Return the constraints that tie coordinates together: taut strings and rolling contacts."""
         acting = self.segment.found.mode.acting
-        found = [self.laws.string(place) for place in range(len(self.laws.lines)) if acting[place]]
-        return found + [self.laws.rolling(face) for face, side in self.laws.slip_directions.items() if side == 0]
+        string_rows = [self.laws.string(index) for index in range(len(self.laws.lines)) if acting[index]]
+        return string_rows + [self.laws.rolling(face) for face, side in self.laws.slip_directions.items() if side == 0]
 
     def _matrix(self) -> Array:
         """Return the constraint matrix, (rows, coordinates); UnsolvedError unless its entries are plain numbers."""
         size = len(self.mechanism.coordinates)
-        found = np.zeros((len(self.rows), size))
+        matrix = np.zeros((len(self.rows), size))
         for number, row in enumerate(self.rows):
             for k in range(size):
                 part = row.inertia.coefficient(f"q{k}").number
                 if part is None:
                     raise UnsolvedError("a string binds motions at a ratio that is no plain number")
-                found[number, k] = part
-        return found
+                matrix[number, k] = part
+        return matrix
 
     def _free(self) -> list[int]:
         """Return the indices of the free coordinates, and set `ratios`: the rate of each coordinate per free one."""
@@ -195,7 +195,7 @@ class LinearMotion:
     @cached_property
     def _sums(self) -> list[tuple[Polynomial, Polynomial]]:
         """Return force and inertia along each free coordinate: Newton's laws weighted so that tensions cancel."""
-        bound, found = self._bound(), list[tuple[Polynomial, Polynomial]]()
+        bound, sums = self._bound(), list[tuple[Polynomial, Polynomial]]()
         laws = {k: self.laws.newton(k) for k in self.ratios if self.ratios[k]}
         normal = {f"N{face}": self.normal(face) for face, side in self.laws.slip_directions.items() if side}
         for i in self.free:
@@ -204,16 +204,16 @@ class LinearMotion:
             inertia = total(row.inertia.substitute(bound).scaled(part) for row, part in parts)
             if any(name[0] in "Tf" and name[1:].isdigit() for name in forces.names()):
                 raise UnsolvedError("a tension does not cancel")
-            found.append((forces, inertia))
-        return found
+            sums.append((forces, inertia))
+        return sums
 
     def normal(self, face: int) -> Polynomial:
         """Return the normal force on a face; UnsolvedError unless it is constant."""
         row = self.laws.normal(face)
-        found = row.inertia - row.forces.without((f"N{face}",))
-        if any(name[0] in "qTSN" and name[1:].isdigit() for name in found.names()):
+        normal_force = row.inertia - row.forces.without((f"N{face}",))
+        if any(name[0] in "qTSN" and name[1:].isdigit() for name in normal_force.names()):
             raise UnsolvedError("a normal force that changes")
-        return found
+        return normal_force
 
     def mass(self, i: int, j: int) -> Polynomial:
         """Return the entry of the mass matrix M for two free coordinates."""
@@ -226,15 +226,15 @@ class LinearMotion:
 
     def extension_ratio(self, number: int, i: int) -> float:
         """Return the rate of a line's length per rate of a free coordinate; UnsolvedError if it is not a number."""
-        found = 0.0
+        ratio = 0.0
         for k in self.ratios:
             part = self.ratio(k, i)
             if part and self.laws.changes(number, k).here:
                 plain = self.laws.stretch(number, k).number
                 if plain is None:
                     raise UnsolvedError("a spring is stretched at a ratio that is no plain number")
-                found += part * plain
-        return found if abs(found) > RATIO_TOLERANCE else 0.0
+                ratio += part * plain
+        return ratio if abs(ratio) > RATIO_TOLERANCE else 0.0
 
     def stiffness(self, i: int, j: int) -> Polynomial:
         """Return the entry of the stiffness matrix K for two free coordinates."""
@@ -262,18 +262,20 @@ class LinearMotion:
         return self._rubbed(i, self.laws.static_coefficient)
 
     def _rubbed(self, i: int, coefficient: Callable[[int], Polynomial]) -> Polynomial:
-        found = NIL
+        friction = NIL
         for face, side in self.laws.slip_directions.items():
             along = total(part.scaled(self.ratio(k, i)) for k, part in self.laws.slip(face).items())
             if side and along:
-                found = found + (coefficient(face) * self.normal(face) * along).scaled(float(-side))
-        return found
+                friction = friction + (coefficient(face) * self.normal(face) * along).scaled(float(-side))
+        return friction
 
     def load(self, i: int) -> Polynomial:
         """Return Q, the net force along a free coordinate at the zero of this coordinate, by default the start."""
         pulls = [(n, self.extension_ratio(n, i)) for n in self.springs]
-        found = self.steady(i) - total(self.laws.stiffness(n) * self.laws.strain(n).scaled(p) for n, p in pulls if p)
-        return found - self.stiffness(i, i) * self.begin if self.begin else found
+        net_force = self.steady(i) - total(
+            self.laws.stiffness(n) * self.laws.strain(n).scaled(p) for n, p in pulls if p
+        )
+        return net_force - self.stiffness(i, i) * self.begin if self.begin else net_force
 
     @property
     def damped(self) -> bool:

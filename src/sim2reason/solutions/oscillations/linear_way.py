@@ -49,10 +49,10 @@ class LinearMotionModel(StraightMotion):
     def segment(self) -> Segment:
         """Return the only segment of the motion up to the question's moment; UnsolvedError if there are several."""
         until = time_of_greatest(self.setting) if self.greatest else self.setting.time
-        held = [s for s in self.setting.motion.segments if s.start < until or s.start == 0.0]
-        if len(held) > 1:
+        segments = [s for s in self.setting.motion.segments if s.start < until or s.start == 0.0]
+        if len(segments) > 1:
             raise UnsolvedError("something changes on the way")
-        return held[0]
+        return segments[0]
 
     @property
     def motion(self) -> LinearMotion | RelativeMotion:
@@ -109,13 +109,15 @@ class LinearMotionModel(StraightMotion):
         ways: dict[tuple[str, bool], list[int]] = {}
         for i in names:
             ways.setdefault((self.towards(i), self._turns_by_itself(i)), []).append(i)
-        said: list[str] = []
-        for (way, _), held in ways.items():
-            who = [self.mechanism.coordinates[i].body for i in held]
-            called = self.setting.bodies_phrase(who) if len(held) > 1 else self.mover_phrase(held[0])
-            noun = "displacements" if len(held) > 1 else "displacement"
-            said.append(f"{join_words([f'${names[i].name}$' for i in held])} be the {noun} of {called} {way}")
-        return said
+        clauses: list[str] = []
+        for (direction, _), indices in ways.items():
+            who = [self.mechanism.coordinates[i].body for i in indices]
+            called = self.setting.bodies_phrase(who) if len(indices) > 1 else self.mover_phrase(indices[0])
+            noun = "displacements" if len(indices) > 1 else "displacement"
+            clauses.append(
+                f"{join_words([f'${names[i].name}$' for i in indices])} be the {noun} of {called} {direction}"
+            )
+        return clauses
 
     def _turns_by_itself(self, k: int) -> bool:
         """Return whether a coordinate is the rotation of a rim."""
@@ -129,12 +131,12 @@ class LinearMotionModel(StraightMotion):
 
     def towards(self, k: int, *, forward: bool = True) -> str:
         """Return the direction of a coordinate, or the opposite one, in words."""
-        held = self.mechanism.coordinates[k]
-        if held.kind == "hinge":
+        coordinate = self.mechanism.coordinates[k]
+        if coordinate.kind == "hinge":
             turning = "anticlockwise" if forward else "clockwise"
-            return turning if held.axis[2] > COMPONENT_ATOL else "round its axis"
-        parent, (x, y, z) = self.mechanism.body[held.body].parent, held.axis
-        return self.setting.direction_words(held.axis if forward else (-x, -y, -z), on=parent)
+            return turning if coordinate.axis[2] > COMPONENT_ATOL else "round its axis"
+        parent, (x, y, z) = self.mechanism.body[coordinate.body].parent, coordinate.axis
+        return self.setting.direction_words(coordinate.axis if forward else (-x, -y, -z), on=parent)
 
     # ---- bodies on a ring
 
@@ -187,8 +189,8 @@ class LinearMotionModel(StraightMotion):
 
     def spring(self, what: str, line: str) -> Polynomial:
         """Return a parameter of a spring, such as its stiffness."""
-        found: Polynomial = getattr(self.newton, what)(self._number(line))
-        return found
+        parameter: Polynomial = getattr(self.newton, what)(self._number(line))
+        return parameter
 
     def stretching(self, line: str) -> list[int]:
         """Return the coordinates on which the length of a line depends."""
@@ -204,11 +206,11 @@ class LinearMotionModel(StraightMotion):
         """Return the symbol of a force from Newton's law of one body, once its acceleration is known."""
         if self.target is None or self.goal is None:
             raise UnsolvedError(f"no {kind} of {name}")
-        asked = self.goal.force(self.target, self.setting)
-        row = self._alone(asked, "TNf")
+        force_name = self.goal.force(self.target, self.setting)
+        row = self._alone(force_name, "TNf")
         if row is None:
             raise UnsolvedError("no law of a single body gives the force")
-        return self._from(row, asked, kind, name)
+        return self._from(row, force_name, kind, name)
 
     def _alone(self, asked: str, letters: str) -> Row | None:
         """Return the shortest of Newton's laws with a force but no other force of the given letters; else None."""
@@ -226,8 +228,8 @@ class LinearMotionModel(StraightMotion):
         """Return Newton's law of a body on which only the tension asked for and its weight act; None without one."""
         if self.target is None or self.goal is None or not self.goal.throughout:
             return None
-        asked = self.goal.force(self.target, self.setting)
-        return self._alone(asked, "TNfS") if asked.startswith("T") else None
+        force_name = self.goal.force(self.target, self.setting)
+        return self._alone(force_name, "TNfS") if force_name.startswith("T") else None
 
     @property
     def gaining(self) -> list[int]:
@@ -241,21 +243,21 @@ class LinearMotionModel(StraightMotion):
         row, target, goal = self._pulled, self.target, self.goal
         if row is None or target is None or goal is None:
             raise UnsolvedError("no law of a single body gives the impulse")
-        asked = goal.force(target, self.setting)
+        force_name = goal.force(target, self.setting)
         gained = {f"q{k}": self.rate("v", k) - self.first_speeds.get(k, NIL) for k in self.gaining}
-        weight = row.forces.substitute({asked: NIL})
-        found = Polynomial.of(self.book.fresh("J"))
-        pushed = (row.forces - weight).substitute({asked: found}) + weight * Polynomial.of(self.clock())
+        weight = row.forces.substitute({force_name: NIL})
+        unknown_impulse = Polynomial.of(self.book.fresh("J"))
+        pushed = (row.forces - weight).substitute({force_name: unknown_impulse}) + weight * Polynomial.of(self.clock())
         step, gain = self.book.begin_step("impulse"), row.inertia.substitute(gained)
         who = self.setting.display_name(self.mechanism.coordinates[row.number].body)
         law = step.law(pushed.expression(), gain.expression())
-        assert found.symbol is not None
-        formula = solve_linear(pushed - gain, found.symbol.name)
+        assert unknown_impulse.symbol is not None
+        formula = solve_linear(pushed - gain, unknown_impulse.symbol.name)
         step.add_text(
-            f"The impulse on {who} is its change in momentum: {law}, so {step.result(found.symbol, formula, IMPULSE)}."
+            f"The impulse on {who} is its change in momentum: {law}, so {step.result(unknown_impulse.symbol, formula, IMPULSE)}."
         )
         step.close()
-        return found.symbol
+        return unknown_impulse.symbol
 
     def work(self, line: str, body: str) -> Symbol | None:
         """Write the work of a tension from the change in kinetic energy of a body, and return its symbol."""
@@ -274,23 +276,25 @@ class LinearMotionModel(StraightMotion):
             known[f"S{n}"] = self.spring("stiffness", line) * extension
             if damping := self.spring("damping", line):
                 known[f"S{n}"] = known[f"S{n}"] + damping * self.growth("v", line)
-        found = self.book.fresh(kind, self.setting.subscript_of(name) if name in self.mechanism.body else "")
+        force_symbol = self.book.fresh(kind, self.setting.subscript_of(name) if name in self.mechanism.body else "")
         bound = (row.forces - row.inertia).substitute(known)
         turned = kind == "f" and self.book.value(solve_linear(bound, asked)) < 0.0
-        named = {asked: Polynomial.of(found).scaled(-1.0 if turned else 1.0)}
+        named = {asked: Polynomial.of(force_symbol).scaled(-1.0 if turned else 1.0)}
         forces, inertia = row.forces.substitute(known).substitute(named), row.inertia.substitute(known)
         step = self.book.begin_step("newton")
         who = self.setting.display_name(self.mechanism.coordinates[row.number].body) if row.kind == "newton" else "it"
         where = "" if row.kind == "newton" else "Perpendicular to the surface: "
         law = step.law(forces.expression(), inertia.expression())
-        formula = solve_linear(forces - inertia, found.name)
+        formula = solve_linear(forces - inertia, force_symbol.name)
         m = self.mechanism
         noun = f"the tension in {self.setting.string_phrases[name]}" if kind == "T" else ""
-        step.add_text(f"Let ${found.latex()}$ be {noun}." if noun and name in (line.name for line in m.lines) else "")
-        step.add_text(f"{where}{capitalized(who)}: {law}, so {step.result(found, formula, NEWTONS)}.")
+        step.add_text(
+            f"Let ${force_symbol.latex()}$ be {noun}." if noun and name in (line.name for line in m.lines) else ""
+        )
+        step.add_text(f"{where}{capitalized(who)}: {law}, so {step.result(force_symbol, formula, NEWTONS)}.")
         step.close()
-        return found
+        return force_symbol
 
 
-def _radius(way: Vector) -> float:
-    return float(dot(way, way)) ** 0.5
+def _radius(vector: Vector) -> float:
+    return float(dot(vector, vector)) ** 0.5

@@ -40,11 +40,11 @@ class Mode:
 
 def _summed(modes: Sequence[Mode], i: int, t: Symbol, order: int) -> Expression:
     """Return a free coordinate's displacement as a sum over modes, or its time derivative of the given `order`."""
-    found: Expression = ZERO
+    mode_sum: Expression = ZERO
     for mode in modes:
         inner = _free(mode, t, order) if mode.rate is None else _swung(mode, mode.rate, t, order)
-        found = found + mode.shape[i] * inner
-    return found
+        mode_sum = mode_sum + mode.shape[i] * inner
+    return mode_sum
 
 
 def _free(mode: Mode, t: Symbol, order: int) -> Expression:
@@ -61,8 +61,8 @@ def _swung(mode: Mode, rate: Symbol, t: Symbol, order: int) -> Expression:
     cosine, sine = Call("cos", rate * t), Call("sin", rate * t)
     rises = {0: ONE - cosine, 1: sine, 2: cosine, 3: -sine}[order]
     swings = {0: sine, 1: cosine, 2: -sine, 3: -cosine}[order]
-    found = mode.rise * rises + mode.swing * swings
-    return found if order == 0 else (Power(rate, order) if order > 1 else rate) * found
+    combination = mode.rise * rises + mode.swing * swings
+    return combination if order == 0 else (Power(rate, order) if order > 1 else rate) * combination
 
 
 def place(modes: Sequence[Mode], i: int, t: Symbol) -> Expression:
@@ -122,13 +122,13 @@ class ModeLaws:
         self.told: frozenset[int] = frozenset()  # indices of the modes that the solution shows
         self.mass, self.stiffness = motion.matrix("mass"), motion.matrix("stiffness")
         half = np.linalg.inv(np.linalg.cholesky(self.mass))  # makes M one, so that K stays symmetric
-        found = np.linalg.eigh(half @ self.stiffness @ half.T)
-        self.squares: Array = np.asarray(found[0], dtype=np.float64)
-        self.shapes: Array = half.T @ np.asarray(found[1], dtype=np.float64)
+        decomposition = np.linalg.eigh(half @ self.stiffness @ half.T)
+        self.squares: Array = np.asarray(decomposition[0], dtype=np.float64)
+        self.shapes: Array = half.T @ np.asarray(decomposition[1], dtype=np.float64)
         if self.squares[0] < -ZERO_MODE_RTOL * self.squares[-1]:
             raise UnsolvedError("something is driven away")
         self.load: Array = np.array([motion.load(i).value(motion.givens) for i in motion.free])
-        self.begun: Array = np.array([held.value(motion.givens) for held in first])
+        self.begun: Array = np.array([rate.value(motion.givens) for rate in first])
         self._tell_equations(loaded=loaded)
 
     @property
@@ -144,23 +144,23 @@ class ModeLaws:
         return self.motion.stiffness(free[i], free[j]), self.motion.mass(free[i], free[j])
 
     def _tell_equations(self, *, loaded: bool) -> None:
-        said: list[str] = []
+        equations: list[str] = []
         for i, number in enumerate(self.motion.free):
-            held = [(*self.entry(i, j), name) for j, name in enumerate(self.names)]
-            inertia = total(mass * Polynomial.of(dotted(name)) for _, mass, name in held)
-            pull = total(stiff * Polynomial.of(name) for stiff, _, name in held)
+            entries = [(*self.entry(i, j), name) for j, name in enumerate(self.names)]
+            inertia = total(mass * Polynomial.of(dotted(name)) for _, mass, name in entries)
+            pull = total(stiff * Polynomial.of(name) for stiff, _, name in entries)
             forces = (self.motion.load(number) if loaded else NIL) - pull
-            said.append(f"${inertia.expression().latex()} = {forces.expression().latex()}$")
+            equations.append(f"${inertia.expression().latex()} = {forces.expression().latex()}$")
         step = self.book.begin_step("equations of motion")
         step.add_text(
-            f"The {'equations of motion are' if len(said) > 1 else 'equation of motion is'} {join_words(said)}."
+            f"The {'equations of motion are' if len(equations) > 1 else 'equation of motion is'} {join_words(equations)}."
         )
         step.close()
 
     @cached_property
     def powers(self) -> list[Polynomial]:
         """Return the coefficients of det(K − λM) by the power of λ."""
-        found = [NIL] * (self.size + 1)
+        coefficients = [NIL] * (self.size + 1)
         for sign, order in signed_permutations(self.size):
             product = [Polynomial.of(sign)]
             for i, j in enumerate(order):
@@ -170,8 +170,8 @@ class ModeLaws:
                     longer[power] = longer[power] + part * stiff
                     longer[power + 1] = longer[power + 1] - part * mass
                 product = longer
-            found = [a + b for a, b in zip(found, product, strict=True)]
-        return found
+            coefficients = [a + b for a, b in zip(coefficients, product, strict=True)]
+        return coefficients
 
     @cached_property
     def modes(self) -> list[Mode]:
@@ -194,16 +194,16 @@ class ModeLaws:
 
     def _two(self, powers: Sequence[Polynomial]) -> list[Mode]:
         """Write the roots of a quadratic characteristic equation and return their modes."""
-        c, b, a = (held.expression() for held in powers)
-        found: list[Mode] = []
+        c, b, a = (coefficient.expression() for coefficient in powers)
+        modes: list[Mode] = []
         for n, sign in ((0, 1.0), (1, -1.0)):  # the coefficient of λ² and that of λ have opposite signs
             mode = self._named(self.zeros + n)
             turned = sign if self.book.value(a) > 0.0 else -sign
             formula = (-b - Number(turned) * Root(Power(b, 2) - 4.0 * a * c)) / (2.0 * a)
             implicit = not self.loaded and self.book.is_hidden(formula) and not self.book.in_symbols
             self._root(mode, powers, self._implicit(mode, powers) if implicit else self.book.worked(formula))
-            found.append(mode)
-        return found
+            modes.append(mode)
+        return modes
 
     def _implicit(self, mode: Mode, powers: Sequence[Polynomial]) -> Expression:
         """Return λ as an implicit root of its quadratic equation, which is easier to solve for the unknown."""
@@ -212,17 +212,17 @@ class ModeLaws:
 
     def _several(self, powers: Sequence[Polynomial]) -> list[Mode]:
         """Write the numerical roots of a characteristic equation of higher degree and return their modes."""
-        found: list[Mode] = []
+        modes: list[Mode] = []
         for n in range(len(powers) - 1):
             mode = self._named(self.zeros + n)
             assert isinstance(mode.square, Symbol)
             self._root(mode, powers, None)
-            found.append(mode)
-        return found
+            modes.append(mode)
+        return modes
 
     def _vanishing(self, powers: Sequence[Polynomial], square: Symbol) -> Expression:
         """Return the characteristic polynomial, in numbers if its coefficients are long and known."""
-        held: Expression = ZERO
+        characteristic: Expression = ZERO
         long = sum(len(part.expression().latex()) for part in powers) > MAX_COEFFICIENT_LENGTH
         for power, part in reversed([*enumerate(powers)]):
             size = part.expression()
@@ -232,8 +232,8 @@ class ModeLaws:
             elif value < 0.0:
                 size = part.scaled(-1.0).expression()
             term = size if power == 0 else size * (square if power == 1 else Power(square, power))
-            held = held + term if value > 0.0 else held - term
-        return held
+            characteristic = characteristic + term if value > 0.0 else characteristic - term
+        return characteristic
 
     def _named(self, number: int) -> Mode:
         """Write the laws that determine λ and the shape of the mode with an index, and return the mode."""
@@ -259,17 +259,17 @@ class ModeLaws:
         rate = f"$-{mode.square.latex()}$"
         if names:
             accelerations = f"each acceleration is {rate} times the deviation"
-            held = accelerations if driven else "the forces of the springs do not change"
-            step.add_text(f"In normal mode {mode.number + 1} {self._shares(mode)}, and {held}:")
+            clause = accelerations if driven else "the forces of the springs do not change"
+            step.add_text(f"In normal mode {mode.number + 1} {self._shares(mode)}, and {clause}:")
         else:
             step.add_text(
                 f"The acceleration is {f'{rate} times the displacement from equilibrium' if driven else 'zero'}:"
             )
-        said: list[str] = []
+        laws: list[str] = []
         for i in range(self.size) if driven else unknown:
             pulls, inertia = self.row(mode, i)
-            said.append(step.law(pulls.expression(), inertia.expression()))
-        step.add_text(f"{join_words(said)}.")
+            laws.append(step.law(pulls.expression(), inertia.expression()))
+        step.add_text(f"{join_words(laws)}.")
         step.close()
 
     def row(self, mode: Mode, i: int) -> tuple[Polynomial, Polynomial]:
@@ -286,21 +286,23 @@ class ModeLaws:
             step.add_text(f"Together they give {step.result(mode.square, formula, PER_SECOND_SQUARED)}.")
             step.close()
             return
-        held = self._vanishing(powers, mode.square)
+        characteristic = self._vanishing(powers, mode.square)
         if not again:
-            said = "They hold only if the determinant of the coefficients of the displacements is zero"
-            said += "; apart from the root 0," if self.zeros else ","
-            step.add_text(f"{said} {step.derived(held, ZERO)}.")
+            text = "They hold only if the determinant of the coefficients of the displacements is zero"
+            text += "; apart from the root 0," if self.zeros else ","
+            step.add_text(f"{text} {step.derived(characteristic, ZERO)}.")
         count, of = len(powers) - 1, " of the same equation" if again else ""
         which = f"{self._order(mode.number - self.zeros, count)} root{of}"
         if formula is not None:
-            told = step.result(mode.square, formula, PER_SECOND_SQUARED)
+            equation = step.result(mode.square, formula, PER_SECOND_SQUARED)
             implicit = isinstance(formula, QuadraticRoot)
-            step.add_text(f"Here ${mode.square.latex()}$ is the {which}." if implicit else f"The {which} is {told}.")
+            step.add_text(
+                f"Here ${mode.square.latex()}$ is the {which}." if implicit else f"The {which} is {equation}."
+            )
         else:
             near = float(self.squares[mode.number])
-            said = f"By numerical solution, the {which} is"
-            step.add_text(root_sentence(self.book, step, mode.square, held, near, PER_SECOND_SQUARED, said))
+            text = f"By numerical solution, the {which} is"
+            step.add_text(root_sentence(self.book, step, mode.square, characteristic, near, PER_SECOND_SQUARED, text))
         step.close()
 
     @staticmethod

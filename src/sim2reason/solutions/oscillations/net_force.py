@@ -28,8 +28,8 @@ def greatest_target(setting: ProblemContext) -> Target | None:
     query = setting.query
     if not isinstance(query, StretchQuery):
         return None
-    held = FUNCTIONALS[query.functional]
-    return Target(held.quantity.name, query.name, held.sense) if isinstance(held, Extreme) else None
+    functional = FUNCTIONALS[query.functional]
+    return Target(functional.quantity.name, query.name, functional.sense) if isinstance(functional, Extreme) else None
 
 
 def time_of_greatest(setting: ProblemContext) -> float:
@@ -58,38 +58,38 @@ UNIT_RATIO_TOLERANCE = 1e-9  # tolerance of a ratio of 1
 LINEAR = frozenset({"tension", "acceleration", "net force", "spring force"})  # linear in the position
 
 
-def extension(motion: LinearMotion | RelativeMotion, number: int, place: Expression) -> Expression:
+def extension(motion: LinearMotion | RelativeMotion, number: int, position: Expression) -> Expression:
     """Return the extension of a spring, m, at a value of the free coordinate."""
     strain, part = motion.laws.strain(number), motion.extension_ratio(number, motion.free[0])
-    return strain.expression() + (place if part == 1.0 else -place if part == -1.0 else Number(part) * place)
+    return strain.expression() + (position if part == 1.0 else -position if part == -1.0 else Number(part) * position)
 
 
-def net_force(motion: LinearMotion | RelativeMotion, place: Expression) -> Expression:
+def net_force(motion: LinearMotion | RelativeMotion, position: Expression) -> Expression:
     """Return the net force along the free coordinate at a value of it, with the extension of each spring."""
     (i,) = motion.free
-    found = motion.steady(i).factored() if motion.steady(i) else ZERO
+    force = motion.steady(i).factored() if motion.steady(i) else ZERO
     for n in motion.springs:
-        stretched, part = extension(motion, n, place), -motion.extension_ratio(n, i)
+        stretched, part = extension(motion, n, position), -motion.extension_ratio(n, i)
         if stretched.negative:
             stretched, part = -stretched, -part
         pull = motion.laws.stiffness(n).expression() * stretched
-        found = found + (-pull if part == -1.0 else Number(part) * pull)
-    return found
+        force = force + (-pull if part == -1.0 else Number(part) * pull)
+    return force
 
 
-def collect_stiffness(held: Polynomial, stiffness: Polynomial) -> Expression:
+def collect_stiffness(forces: Polynomial, stiffness: Polynomial) -> Expression:
     """Return a sum of forces with the stiffness of each spring factored out."""
-    return held.collected([n for n in sorted(stiffness.names()) if len(held.coefficient(n).terms) > 1])
+    return forces.collected([n for n in sorted(stiffness.names()) if len(forces.coefficient(n).terms) > 1])
 
 
 def without_friction(motion: LinearMotion, *, sign: float = 1.0) -> Expression:
     """Return the net force along the free coordinate at its origin, without friction, times `sign`."""
     (i,) = motion.free
-    whole = (motion.load(i) - motion.friction(i)).scaled(sign)
-    if common_monomial([*whole.terms]):
-        return whole.factored()
+    load = (motion.load(i) - motion.friction(i)).scaled(sign)
+    if common_monomial([*load.terms]):
+        return load.factored()
     steady = (motion.steady(i) - motion.friction(i)).scaled(sign)
-    found = steady.factored() if steady else ZERO
+    force = steady.factored() if steady else ZERO
     for n in motion.springs:
         drawn = motion.extension_ratio(n, i)
         stretched, part = motion.laws.strain(n) + motion.begin.scaled(drawn), -sign * drawn
@@ -98,68 +98,72 @@ def without_friction(motion: LinearMotion, *, sign: float = 1.0) -> Expression:
         if part < 0.0:
             stretched, part = stretched.scaled(-1.0), -part
         pull = motion.laws.stiffness(n).expression() * _positive_first(stretched)
-        found = found + (pull if part == 1.0 else Number(part) * pull)
-    return found
+        force = force + (pull if part == 1.0 else Number(part) * pull)
+    return force
 
 
-def _positive_first(held: Polynomial) -> Expression:
+def _positive_first(polynomial: Polynomial) -> Expression:
     """Return a sum with the terms of positive sign first."""
-    ordered = sorted(held.terms.items(), key=lambda term: term[1] < 0.0)
+    ordered = sorted(polynomial.terms.items(), key=lambda term: term[1] < 0.0)
     return Polynomial(dict(ordered)).expression()
 
 
-def work(motion: LinearMotion | RelativeMotion, place: Expression, relaxed: int = -1) -> Expression:
+def work(motion: LinearMotion | RelativeMotion, position: Expression, relaxed: int = -1) -> Expression:
     """Return the work of all forces along the free coordinate from the start to a position, J.
 
     `relaxed` is the index of a spring that has its natural length there, if one is known to have.
     """
     (i,) = motion.free
-    found = motion.steady(i)
-    whole = found.factored() * place if found else ZERO
+    steady = motion.steady(i)
+    work_done = steady.factored() * position if steady else ZERO
     for n in motion.springs:
         stiffness, strain = motion.laws.stiffness(n).expression(), motion.laws.strain(n)
         before = Power(strain.expression(), 2) if strain else ZERO
-        lost = before if n == relaxed else before - Power(extension(motion, n, place), 2)
-        whole = whole + HALF * stiffness * lost
-    return whole
+        lost = before if n == relaxed else before - Power(extension(motion, n, position), 2)
+        work_done = work_done + HALF * stiffness * lost
+    return work_done
 
 
 def law_words(
-    mechanism: Mechanism, motion: LinearMotion | RelativeMotion, mass: Expression, place: Symbol, acceleration: Symbol
+    mechanism: Mechanism,
+    motion: LinearMotion | RelativeMotion,
+    mass: Expression,
+    position: Symbol,
+    acceleration: Symbol,
 ) -> tuple[str, str]:
     """Return the sentences before the equation of motion of the free coordinate.
 
     The equation is the sum of Newton's second laws if all bodies move along fixed lines at equal speeds; otherwise it
     follows from the power.
     """
-    rate, along = Symbol(rf"\dot{{{place.name}}}"), f"along ${place.name}$"
+    rate, along = Symbol(rf"\dot{{{position.name}}}"), f"along ${position.name}$"
     if isinstance(motion, LinearMotion) and _as_one(mechanism, motion):
-        way = f"each in the direction in which its body moves while ${place.name}$ grows"
-        said = f"When Newton's second laws of the bodies, {way}, are added up, tensions cancel:"
-        return f"Let ${acceleration.name}$ be the acceleration {along}.", said
+        direction = f"each in the direction in which its body moves while ${position.name}$ grows"
+        sentence = f"When Newton's second laws of the bodies, {direction}, are added up, tensions cancel:"
+        return f"Let ${acceleration.name}$ be the acceleration {along}.", sentence
     energy, growth = (HALF * mass * Power(rate, 2)).latex(), (mass * rate * acceleration).latex()
     changes = f"the kinetic energy ${energy}$ changes at the rate ${growth}$;"
     power = f"this is the power of the forces, ${rate.name}$ times the net force {along}."
-    said = f"With the acceleration ${acceleration.name}$ {along}, {changes}"
-    return said, f"{power} As this holds however small the velocity is,"
+    sentence = f"With the acceleration ${acceleration.name}$ {along}, {changes}"
+    return sentence, f"{power} As this holds however small the velocity is,"
 
 
 def _as_one(mechanism: Mechanism, motion: LinearMotion) -> bool:
     """Return whether several bodies move along fixed lines, all as fast as the free coordinate."""
-    parts = {k: part for k, held in motion.ratios.items() for part in held.values()}
-    held = [mechanism.coordinates[k] for k in parts]
-    straight = all(c.kind == "slide" and mechanism.body[c.body].parent is None for c in held)
-    return len(held) > 1 and straight and all(abs(abs(part) - 1.0) < UNIT_RATIO_TOLERANCE for part in parts.values())
+    parts = {k: part for k, entries in motion.ratios.items() for part in entries.values()}
+    entries = [mechanism.coordinates[k] for k in parts]
+    straight = all(c.kind == "slide" and mechanism.body[c.body].parent is None for c in entries)
+    return len(entries) > 1 and straight and all(abs(abs(part) - 1.0) < UNIT_RATIO_TOLERANCE for part in parts.values())
 
 
-def tell_extreme_end(setting: ProblemContext, book: SolutionBuilder, place: Symbol, mover: str) -> None:
+def tell_extreme_end(setting: ProblemContext, book: SolutionBuilder, position: Symbol, mover: str) -> None:
     """Write why a quantity that is linear in the position is extreme at a turning point."""
     target, query = greatest_target(setting), setting.query
     if target is None or not isinstance(query, StretchQuery) or target.quantity not in LINEAR:
         return
     step, noun = book.begin_step("extreme"), target.quantity
     superlative = query.functional.partition(" ")[0]
-    linear = f"is a linear function of ${place.name}$"
+    linear = f"is a linear function of ${position.name}$"
     step.add_text(f"The net force, and with it the acceleration, {linear}.")
     step.add_text(f"So is the {noun}." if noun not in ("acceleration", "net force") else "")
     end = f"at one end of the motion; a comparison of both shows that it is where {mover} turns back"
@@ -167,50 +171,50 @@ def tell_extreme_end(setting: ProblemContext, book: SolutionBuilder, place: Symb
     step.close()
 
 
-def told_extensions(motion: LinearMotion | RelativeMotion, place: Expression, setting: ProblemContext) -> str:
+def told_extensions(motion: LinearMotion | RelativeMotion, position: Expression, setting: ProblemContext) -> str:
     """Return a sentence with the extension or compression of each spring at a position; empty if all are known."""
-    said: list[str] = []
+    clauses: list[str] = []
     for n in motion.springs:
-        stretched = extension(motion, n, place)
-        if place == ZERO or not motion.laws.strain(n):
+        stretched = extension(motion, n, position)
+        if position == ZERO or not motion.laws.strain(n):
             continue  # the text says by how much, or the displacement does
         size, what = (-stretched, "compression") if stretched.negative else (stretched, "extension")
-        said.append(f"the {what} of {setting.spring_phrases[setting.mechanism.lines[n].name]} is ${size.latex()}$")
-    return f"{capitalized(join_words(said))}." if said else ""
+        clauses.append(f"the {what} of {setting.spring_phrases[setting.mechanism.lines[n].name]} is ${size.latex()}$")
+    return f"{capitalized(join_words(clauses))}." if clauses else ""
 
 
-def write_tension_work(way: StraightMotion, springs: Collection[int], body: str) -> Symbol:
+def write_tension_work(motion: StraightMotion, springs: Collection[int], body: str) -> Symbol:
     """Write the work of a tension on a body and return its symbol; UnsolvedError if other forces vary.
 
     `springs` are the indices of all lines that are springs; their work and that of the weight are known.
     """
-    (k, *others), target, goal = way.moving([body]), way.target, way.goal
+    (k, *others), target, goal = motion.moving([body]), motion.target, motion.goal
     if others or target is None or goal is None:
         raise UnsolvedError("the body moves along no line of its own")
-    row, asked = way.newton.newton(k), goal.force(target, way.setting)
+    row, force_name = motion.newton.newton(k), goal.force(target, motion.setting)
     pulling = [n for n in springs if f"S{n}" in row.forces.names()]
-    steady = row.forces.without([asked, *(f"S{n}" for n in pulling)])
+    steady = row.forces.without([force_name, *(f"S{n}" for n in pulling)])
     unknown = any(name[0] in "TNf" and name[1:].isdigit() for name in steady.names())
-    if unknown or not all(_is_fixed(way, n) for n in pulling):
+    if unknown or not all(_is_fixed(motion, n) for n in pulling):
         raise UnsolvedError("other forces than the tension change, too")
-    found, speed, before = way.book.fresh("W"), way.rate("v", k), way.first_speeds.get(k, NIL)
+    found, speed, before = motion.book.fresh("W"), motion.rate("v", k), motion.first_speeds.get(k, NIL)
     gained = (row.inertia.coefficient(f"q{k}") * (speed * speed - before * before)).scaled(0.5).expression()
-    rest = (steady * way.rate("s", k)).expression() + summed(_given_off(way, n) for n in pulling)
-    step, who = way.book.begin_step("work"), way.setting.display_name(body)
+    rest = (steady * motion.rate("s", k)).expression() + summed(_given_off(motion, n) for n in pulling)
+    step, who = motion.book.begin_step("work"), motion.setting.display_name(body)
     law = step.law(found + rest, gained)
-    said = f"The work of all forces on {who} is its kinetic energy: {law}, so"
-    step.add_text(f"{said} {step.result(found, gained - rest, JOULES)}.")
+    text = f"The work of all forces on {who} is its kinetic energy: {law}, so"
+    step.add_text(f"{text} {step.result(found, gained - rest, JOULES)}.")
     step.close()
     return found
 
 
-def _is_fixed(way: StraightMotion, number: int) -> bool:
+def _is_fixed(motion: StraightMotion, number: int) -> bool:
     """Return whether a spring is fixed at one end."""
-    return any(way.mechanism.site[site].body is None for site in way.mechanism.lines[number].through)
+    return any(motion.mechanism.site[site].body is None for site in motion.mechanism.lines[number].through)
 
 
-def _given_off(way: StraightMotion, number: int) -> Expression:
+def _given_off(motion: StraightMotion, number: int) -> Expression:
     """Return the energy that a spring has given off, J."""
-    line = way.mechanism.lines[number].name
-    strain, growth = way.spring("strain", line).expression(), way.growth("s", line).expression()
-    return HALF * way.spring("stiffness", line).expression() * (sum_of_squares([strain]) - Power(strain + growth, 2))
+    line = motion.mechanism.lines[number].name
+    strain, growth = motion.spring("strain", line).expression(), motion.growth("s", line).expression()
+    return HALF * motion.spring("stiffness", line).expression() * (sum_of_squares([strain]) - Power(strain + growth, 2))

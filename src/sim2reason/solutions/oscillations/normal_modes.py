@@ -29,25 +29,25 @@ from sim2reason.solutions.writing.steps import StepBuilder, UnsolvedError, recor
 SMALLER = {"slower": "smaller", "faster": "greater", "slowest": "smallest", "fastest": "greatest"}
 
 
-def natural_frequency(held: ModeLaws, query: PeriodQuery) -> Symbol:
+def natural_frequency(laws: ModeLaws, query: PeriodQuery) -> Symbol:
     """Write the angular frequency that a question asks about; UnsolvedError if the motion has no period."""
-    if not query.small and held.size - held.zeros > 1:
+    if not query.small and laws.size - laws.zeros > 1:
         raise UnsolvedError("the motion as a whole has no period")
-    mode = held.modes[held.zeros + (query.rank if query.small else 0)]
-    said = "The angular frequency is"
+    mode = laws.modes[laws.zeros + (query.rank if query.small else 0)]
+    text = "The angular frequency is"
     if query.small and query.modes > 1:
         which = SPEEDS[query.modes][query.rank > 0]
-        said = f"As each root is the square of an angular frequency, the {which} mode has the {SMALLER[which]} one:"
-        if held.size - held.zeros == PAIR and held.book.is_hidden(mode.square) and not held.book.in_symbols:
-            held.book.afterwards.append(lambda: _tell_other_root(held, mode, query))
-    name = held.book.fresh(r"\omega")
-    return held.book.add_step("rate", said, name, Root(mode.square), ANGULAR_SPEED)
+        text = f"As each root is the square of an angular frequency, the {which} mode has the {SMALLER[which]} one:"
+        if laws.size - laws.zeros == PAIR and laws.book.is_hidden(mode.square) and not laws.book.in_symbols:
+            laws.book.afterwards.append(lambda: _tell_other_root(laws, mode, query))
+    name = laws.book.fresh(r"\omega")
+    return laws.book.add_step("rate", text, name, Root(mode.square), ANGULAR_SPEED)
 
 
-def _tell_other_root(held: ModeLaws, mode: Mode, query: PeriodQuery) -> None:
+def _tell_other_root(laws: ModeLaws, mode: Mode, query: PeriodQuery) -> None:
     """Write the λ of the other mode from the product of both, once all numbers are known."""
-    book, slower, square = held.book, query.rank == 0, mode.square
-    rest, _, leading = held.powers[held.zeros :]
+    book, slower, square = laws.book, query.rank == 0, mode.square
+    rest, _, leading = laws.powers[laws.zeros :]
     formula = rest.expression() / (leading.expression() * square)
     step, name = book.begin_step("verify"), book.fresh(r"\lambda", r"\text{other}")
     record_inequality(book, step, *((formula, square) if slower else (square, formula)))
@@ -81,8 +81,8 @@ class NormalModes(ModeLaws):
         """Return whether mode n contributes to any of `forms`: weighted sums of displacements or their derivatives."""
         shape = self.shapes[:, n] / np.abs(self.shapes[:, n]).max()
         last = self._last(n)
-        held = (parts for parts, order in forms if order <= last)
-        return any(abs(float(parts @ shape)) > EXCITATION_RTOL * float(np.abs(parts).max()) for parts in held)
+        relevant = (parts for parts, order in forms if order <= last)
+        return any(abs(float(parts @ shape)) > EXCITATION_RTOL * float(np.abs(parts).max()) for parts in relevant)
 
     def _last(self, n: int) -> float:
         """Return the order of the highest time derivative of the displacements that is not zero in mode n.
@@ -121,17 +121,17 @@ class NormalModes(ModeLaws):
         """
         shown = self.shown(forms)
         self.told = frozenset(shown)
-        found = [mode for mode in self.modes if mode.number in shown]
-        if any(mode.square == ZERO for mode in self.modes) and all(mode.square != ZERO for mode in found):
+        modes = [mode for mode in self.modes if mode.number in shown]
+        if any(mode.square == ZERO for mode in self.modes) and all(mode.square != ZERO for mode in modes):
             step = self.book.begin_step("modes")
             step.add_text(f"Mode 1 is the common motion of all bodies. {self._why_apart}")
             step.close()
-        for mode in found:
+        for mode in modes:
             self._shaped(mode)
-        self._tell_projection(found)
-        for mode in found:
-            self._started(mode, alone=len(found) == 1)
-        return found
+        self._tell_projection(modes)
+        for mode in modes:
+            self._started(mode, alone=len(modes) == 1)
+        return modes
 
     @property
     def _why_apart(self) -> str:
@@ -154,8 +154,8 @@ class NormalModes(ModeLaws):
         names = [f"${mode.name.latex()}$ {'' if n else 'be '}" for n, mode in enumerate(found)]
         first, *others = [f"the coordinate of mode {mode.number + 1}" for mode in found]
         others = [other.replace("the coordinate", "that") for other in others]
-        told = join_words([f"{name}{of}" for name, of in zip(names, [first, *others], strict=True)])
-        step.add_text(f"Let {told}{self._sums(found)}.")
+        definitions = join_words([f"{name}{of}" for name, of in zip(names, [first, *others], strict=True)])
+        step.add_text(f"Let {definitions}{self._sums(found)}.")
         rest = "Normal modes are orthogonal"
         if len(found) == self.size == PAIR:
             rest = f"{rest}, {step.derived(self._product(*found), ZERO)}"
@@ -174,27 +174,27 @@ class NormalModes(ModeLaws):
         """Return a clause with the displacements to which only the given modes contribute, as sums over modes."""
         others = [n for n in self._moving if n not in self.told]
         hidden = np.abs(self.shapes[:, [n for n in others if n >= self.zeros]]).max(axis=1, initial=0.0)
-        told: list[str] = []
+        equations: list[str] = []
         for i, name in enumerate(self.names):
             if hidden[i] <= EXCITATION_RTOL * float(hidden.max()):
-                whole: Expression = ZERO
+                combination: Expression = ZERO
                 for mode in found:
-                    whole = whole + mode.shape[i] * mode.name
-                told.append(f"${name.latex()} = {whole.latex()}$")
-        if not told:
+                    combination = combination + mode.shape[i] * mode.name
+                equations.append(f"${name.latex()} = {combination.latex()}$")
+        if not equations:
             return ""
-        apart = " apart from the common motion" if self.common else " from the start"
-        what = f"the displacements{apart} are" if len(told) > 1 else f"the displacement{apart} is"
-        return f", so that {what} {join_words(told)}"
+        qualifier = " apart from the common motion" if self.common else " from the start"
+        what = f"the displacements{qualifier} are" if len(equations) > 1 else f"the displacement{qualifier} is"
+        return f", so that {what} {join_words(equations)}"
 
     def _product(self, one: Mode, other: Mode) -> Expression:
         """Return the product aᵀM b of two mode shapes a and b with the mass matrix M."""
-        found: Expression = ZERO
+        product: Expression = ZERO
         for i, a in enumerate(one.shape):
             for j, b in enumerate(other.shape):
-                held = self.entry(i, j)[1]
-                found = found + held.expression() * (a * b) if held else found
-        return found
+                mass = self.entry(i, j)[1]
+                product = product + mass.expression() * (a * b) if mass else product
+        return product
 
     def _shaped(self, mode: Mode) -> None:
         """Write the mode shape: the amplitudes of the free coordinates, of which the greatest is 1."""
@@ -207,43 +207,43 @@ class NormalModes(ModeLaws):
         rows = [self.row(mode, i) for i in range(self.size) if i != mode.first]
         step = self.book.begin_step("shape")
         step.rest_on(f"mode {mode.number}")
-        said = self._solve(step, [pulls - inertia for pulls, inertia in rows], names)
+        equations = self._solve(step, [pulls - inertia for pulls, inertia in rows], names)
         of = f"With ${mode.square.latex()}$," if mode.square != ZERO else "So"
-        step.add_text(f"{of} {join_words(said)}.")
+        step.add_text(f"{of} {join_words(equations)}.")
         step.close()
 
     def _solve(self, step: StepBuilder, rows: list[Polynomial], names: list[str]) -> list[str]:
         """Record the solution of linear equations for some names and return each in LaTeX."""
-        left, said = [*names], list[str]()
+        left, equations = [*names], list[str]()
         waiting = [*rows]
         while left:
             row = next((r for r in waiting if len(r.names() & {*left}) == 1), None)
             if row is None:
-                return said + self._together(step, waiting, left)
+                return equations + self._together(step, waiting, left)
             waiting.remove(row)
             (name,) = row.names() & {*left}
-            said.append(step.result(Symbol(name), solve_linear(row, name), ""))
+            equations.append(step.result(Symbol(name), solve_linear(row, name), ""))
             left.remove(name)
-        return said
+        return equations
 
     def _together(self, step: StepBuilder, rows: list[Polynomial], left: list[str]) -> list[str]:
         """Record the simultaneous solution of linear equations by Cramer's rule and return each in LaTeX."""
-        said: list[str] = []
+        equations: list[str] = []
         coefficients = [[row.coefficient(name) for name in left] for row in rows[: len(left)]]
         rest = [row.without(left).scaled(-1.0) for row in rows[: len(left)]]
         for name, formula in zip(left, cramer(coefficients, rest), strict=True):
             written = formula if len(formula.latex()) <= MAX_FORMULA_LENGTH else self.book.worked(formula)
-            said.append(step.result(Symbol(name), written, ""))
-        return said
+            equations.append(step.result(Symbol(name), written, ""))
+        return equations
 
     # ---- what is excited
 
     def _along(self, mode: Mode, of: Sequence[Polynomial]) -> Expression:
         """Return the scalar product of a mode shape with a quantity that has one value per free coordinate."""
-        found: Expression = ZERO
-        for part, held in zip(mode.shape, of, strict=True):
-            found = found + part * held.expression() if held else found
-        return found
+        product: Expression = ZERO
+        for part, component in zip(mode.shape, of, strict=True):
+            product = product + part * component.expression() if component else product
+        return product
 
     def _started(self, mode: Mode, *, alone: bool) -> None:
         """Write the effective mass, the angular frequency and the course of a mode."""
@@ -254,8 +254,8 @@ class NormalModes(ModeLaws):
         own = self._own_mass(mode, named=not alone)
         if mode.square != ZERO:
             mode.rate = self.book.fresh(r"\omega", str(n))
-            said = "Its angular frequency is" if alone else f"The angular frequency of mode {n} is"
-            self.book.add_step("rate", said, mode.rate, Root(mode.square), ANGULAR_SPEED)
+            text = "Its angular frequency is" if alone else f"The angular frequency of mode {n} is"
+            self.book.add_step("rate", text, mode.rate, Root(mode.square), ANGULAR_SPEED)
         shape = self.shapes[:, mode.number]
         carry = shape * (self.mass @ self.begun)
         moves = momentum != ZERO and abs(float(carry.sum())) > EXCITATION_RTOL * float(np.abs(carry).max())
@@ -265,19 +265,19 @@ class NormalModes(ModeLaws):
         """Write the coordinate of a mode as a function of time, with its coefficients."""
         if push == ZERO and momentum == ZERO:
             return
-        step, mark, said = self.book.begin_step("start"), str(mode.number + 1), list[str]()
+        step, mark, equations = self.book.begin_step("start"), str(mode.number + 1), list[str]()
         driven = mode.square != ZERO
         if push != ZERO:
             mode.rise = self.book.fresh("b", mark)
             below = own * mode.square if driven else own
             result = step.result(mode.rise, push / below, METRES if driven else ACCELERATION, law=True)
-            said.append(f"{result} (the {'equilibrium value' if driven else 'acceleration'})")
+            equations.append(f"{result} (the {'equilibrium value' if driven else 'acceleration'})")
         if momentum != ZERO:
             mode.swing = self.book.fresh("c", mark)
             below = own * mode.rate if mode.rate is not None else own
             result = step.result(mode.swing, momentum / below, METRES if driven else SPEED, law=True)
-            said.append(f"{result} (from the initial velocities)")
-        step.add_text(self._motion(mode, own, push, momentum), f"Here {join_words(said)}.")
+            equations.append(f"{result} (from the initial velocities)")
+        step.add_text(self._motion(mode, own, push, momentum), f"Here {join_words(equations)}.")
         step.close()
 
     def _motion(self, mode: Mode, own: Expression, push: Expression, momentum: Expression) -> str:
@@ -293,16 +293,16 @@ class NormalModes(ModeLaws):
 
     def _own_mass(self, mode: Mode, *, named: bool) -> Expression:
         """Return the effective mass aᵀM a of a mode, written with a symbol if `named`."""
-        found: Expression = ZERO
+        effective_mass: Expression = ZERO
         for i, one in enumerate(mode.shape):
             for j, other in enumerate(mode.shape):
-                held = self.entry(i, j)[1]
-                if held and j >= i:
+                mass = self.entry(i, j)[1]
+                if mass and j >= i:
                     pair = Power(one, 2) if i == j and one != ONE else one * other
-                    found = found + (held.scaled(1.0 if i == j else 2.0)).expression() * pair
+                    effective_mass = effective_mass + (mass.scaled(1.0 if i == j else 2.0)).expression() * pair
         if not named:
-            return found
+            return effective_mass
         name = self.book.fresh(r"\mu", str(mode.number + 1))
         return self.book.add_step(
-            "modal mass", f"The effective mass of mode {mode.number + 1} is", name, found, KILOGRAMS
+            "modal mass", f"The effective mass of mode {mode.number + 1} is", name, effective_mass, KILOGRAMS
         )

@@ -91,10 +91,10 @@ class RelativeMotion:
             raise UnsolvedError("there are several modes" if len(motion.free) > 2 else "only one thing moves by itself")
         if len({motion.mechanism.coordinates[i].body for i in motion.free}) < len(motion.free):
             raise UnsolvedError("a single body moves in two directions")
-        found = [way for way in DIRECTIONS if self._kept(way)]
-        if len(found) != 1:
+        directions = [direction for direction in DIRECTIONS if self._kept(direction)]
+        if len(directions) != 1:
             raise UnsolvedError("no momentum is conserved")
-        self.way = found[0]
+        self.way = directions[0]
         kept = 0 if self.way[0] else 1
         self.other, own = motion.free[kept], motion.free[1 - kept]
         self.free = [own]
@@ -152,19 +152,21 @@ class RelativeMotion:
         shared, both, own = self.masses
         name, square = self.book.fresh(r"\mu"), Power(both.factored(), 2)
         if both == own:
-            said = f"{self.words.conserved}, so the relative motion has the reduced mass"
+            text = f"{self.words.conserved}, so the relative motion has the reduced mass"
             return self.book.add_step(
-                "inertia", said, name, reduced_quotient(own * shared - both * both, shared), KILOGRAMS
+                "inertia", text, name, reduced_quotient(own * shared - both * both, shared), KILOGRAMS
             )
         step, rate = self.book.begin_step("inertia"), Symbol(rf"\dot{{{self.called}}}")
         negative = both.value(self.givens) < 0.0
         share = (both.scaled(-1.0) if negative else both).factored() / shared.expression()
         recoil, moving = share * rate if negative else -(share * rate), self.book.fresh("V")
         step.add_text(f"{self.recoils} ${recoil.latex()}$.")
-        whole = HALF * shared.expression() * Power(moving, 2) + HALF * own.expression() * Power(rate, 2)
+        kinetic_energy = HALF * shared.expression() * Power(moving, 2) + HALF * own.expression() * Power(rate, 2)
         mixed = both.scaled(-1.0 if negative else 1.0).factored() * moving * rate
-        whole = whole - mixed if negative else whole + mixed
-        step.add_text(f"With ${moving.name}$ for this velocity, the total kinetic energy is ${whole.latex()}$.")
+        kinetic_energy = kinetic_energy - mixed if negative else kinetic_energy + mixed
+        step.add_text(
+            f"With ${moving.name}$ for this velocity, the total kinetic energy is ${kinetic_energy.latex()}$."
+        )
         step.add_text(f"In terms of ${rate.name}$, it is")
         formula = own.expression() - square / shared.expression()
         energy = (HALF * name * Power(rate, 2)).latex()

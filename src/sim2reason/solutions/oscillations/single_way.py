@@ -19,9 +19,11 @@ from sim2reason.solutions.writing.notation import ACCELERATION, METRES, SPEED
 from sim2reason.solutions.writing.steps import UnsolvedError
 
 
-def signed(held: Expression) -> Polynomial:
+def signed(formula: Expression) -> Polynomial:
     """Convert a formula that is a symbol, its negative, or zero to a polynomial."""
-    return NIL if held == ZERO else Polynomial.of(-held).scaled(-1.0) if held.negative else Polynomial.of(held)
+    return (
+        NIL if formula == ZERO else Polynomial.of(-formula).scaled(-1.0) if formula.negative else Polynomial.of(formula)
+    )
 
 
 class OneCoordinateModel(LinearMotionModel):
@@ -132,55 +134,59 @@ class TwoBodyModel(OneCoordinateModel):
 
     def share(self, k: int) -> tuple[Polynomial, Polynomial] | None:
         """Return displacement k over the relative displacement, as (numerator, denominator); None if it varies."""
-        held = self._relative
-        if {*held.ratios[k]} == {*held.free}:
+        relative = self._relative
+        if {*relative.ratios[k]} == {*relative.free}:
             return super().share(k)
         if self.kept:
             return None
-        shared, both, _ = held.masses
-        own, other = held.ratio(k, held.free[0]), held.ratio(k, held.other)
-        found = shared.scaled(own) - both.scaled(other)
-        return (found, shared) if found.value(held.givens) > 0.0 else (found.scaled(-1.0), shared.scaled(-1.0))
+        shared, both, _ = relative.masses
+        own, other = relative.ratio(k, relative.free[0]), relative.ratio(k, relative.other)
+        numerator = shared.scaled(own) - both.scaled(other)
+        return (
+            (numerator, shared)
+            if numerator.value(relative.givens) > 0.0
+            else (numerator.scaled(-1.0), shared.scaled(-1.0))
+        )
 
     def moved_to(self, moment: Moved) -> Expression:
         """Return the relative displacement at which a body has moved a stated distance; written if momentum is used."""
         formula = super().moved_to(moment)
         if {*self._relative.ratios[self.moving([moment.name])[0]]} == {*self._relative.free}:
             return formula
-        said = f"{self._relative.words.still}. The relative displacement is then"
-        return self.book.add_step("momentum", said, self.name, formula, METRES)
+        text = f"{self._relative.words.still}. The relative displacement is then"
+        return self.book.add_step("momentum", text, self.name, formula, METRES)
 
     def first(self, i: int) -> Polynomial:
         """Return the initial rate of a coordinate: of the relative motion, or of the motion common to both bodies."""
-        held = self._relative
+        relative = self._relative
         mine = self.first_speeds.get(i, NIL)
-        if i == held.other:
+        if i == relative.other:
             return mine
-        return mine - self.first_speeds.get(held.other, NIL).scaled(held.shared)
+        return mine - self.first_speeds.get(relative.other, NIL).scaled(relative.shared)
 
     def seen(self, row: Array) -> float:
         """Return the relative rate, in SI units, from the rates of all coordinates."""
-        held, scale = self._relative, self.newton.scale
-        i, j = held.free[0], held.other
-        return scale[i].here * float(row[i]) - held.shared * scale[j].here * float(row[j])
+        relative, scale = self._relative, self.newton.scale
+        i, j = relative.free[0], relative.other
+        return scale[i].here * float(row[i]) - relative.shared * scale[j].here * float(row[j])
 
     def introduce(self, names: dict[int, Symbol], origin: str = "") -> None:
         """Write the name of the relative displacement."""
-        held, step = self._relative, self.book.begin_step("names")
+        relative, step = self._relative, self.book.begin_step("names")
         ((i, name),) = names.items()
-        who, other = (self.setting.display_name(self.mechanism.coordinates[k].body) for k in (i, held.other))
-        apart = f" relative to {other}" if held.shared or self.mechanism.coordinates[i].body else ""
-        step.add_text(f"Let ${name.name}$ be the displacement of {who} {self.towards(i)}{apart}{origin}.")
+        who, other = (self.setting.display_name(self.mechanism.coordinates[k].body) for k in (i, relative.other))
+        reference_phrase = f" relative to {other}" if relative.shared or self.mechanism.coordinates[i].body else ""
+        step.add_text(f"Let ${name.name}$ be the displacement of {who} {self.towards(i)}{reference_phrase}{origin}.")
         step.close()
-        frame = held.words.frame if self.kept else f"{held.words.zero}, so"
-        held.called = name.name
-        held.recoils = f"{frame} the velocity of {other} {self.towards(held.other)} is"
+        frame = relative.words.frame if self.kept else f"{relative.words.zero}, so"
+        relative.called = name.name
+        relative.recoils = f"{frame} the velocity of {other} {self.towards(relative.other)} is"
 
     @property
     def kept(self) -> Polynomial:
         """Return the conserved momentum of the two bodies, from the initial rates."""
-        held = self._relative
-        return held.momentum({i: self.first(i) for i in (held.other, *held.free)})
+        relative = self._relative
+        return relative.momentum({i: self.first(i) for i in (relative.other, *relative.free)})
 
     # ---- what both share
 
@@ -193,9 +199,9 @@ class TwoBodyModel(OneCoordinateModel):
         step, name = self.book.begin_step("momentum"), self.book.fresh(kind, mark)
         left = shared * Polynomial.of(name) + both * self.along(kind)
         law = step.law(left.collected([name.name]), total.expression())
-        found = step.result(name, solve_linear(left - total, name.name), unit)
+        equation = step.result(name, solve_linear(left - total, name.name), unit)
         whose = f"of {self._partner()} {self.towards(self._relative.other)}"
-        step.add_text(f"{said} ${name.latex()}$ {whose}: {law}, so {found}.")
+        step.add_text(f"{said} ${name.latex()}$ {whose}: {law}, so {equation}.")
         step.close()
         self._told[kind] = Polynomial.of(name)
         return self._told[kind]
@@ -216,9 +222,9 @@ class TwoBodyModel(OneCoordinateModel):
             total = total * Polynomial.of(self.clock())
         if not total and not self.along("s"):
             return NIL
-        said = self._relative.words.drifts if self.kept else self._relative.words.still
-        said = f"{said}; with the displacement"
-        return self._balanced("s", METRES, total, said)
+        text = self._relative.words.drifts if self.kept else self._relative.words.still
+        text = f"{text}; with the displacement"
+        return self._balanced("s", METRES, total, text)
 
     def speed(self, i: int) -> Polynomial:
         """Return the velocity of a coordinate, m/s: the relative one, or that common to both bodies, from momentum."""
@@ -232,5 +238,5 @@ class TwoBodyModel(OneCoordinateModel):
         """Return the acceleration of a coordinate, m/s²: the relative one, or that common to both bodies."""
         if i != self._relative.other:
             return self.along("a")
-        said = f"{self._relative.words.unaccelerated}; with the acceleration"
-        return self._balanced("a", ACCELERATION, NIL, said)
+        text = f"{self._relative.words.unaccelerated}; with the acceleration"
+        return self._balanced("a", ACCELERATION, NIL, text)

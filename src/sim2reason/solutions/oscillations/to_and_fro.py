@@ -23,83 +23,90 @@ from sim2reason.solutions.writing.notation import ACCELERATION, METRES, NEWTONS,
 from sim2reason.solutions.writing.steps import SolutionBuilder, UnsolvedError, record_inequality
 
 
-def tell_first_move(way: LinearMotionModel, motion: LinearMotion | RelativeMotion) -> None:
+def tell_first_move(model: LinearMotionModel, motion: LinearMotion | RelativeMotion) -> None:
     """Write the initial direction of a frictionless motion from rest, from the net force at the start."""
-    (i,), book = motion.free, way.book
-    if isinstance(motion, RelativeMotion) or any(motion.laws.slip_directions.values()) or way.first(i):
+    (i,), book = motion.free, model.book
+    if isinstance(motion, RelativeMotion) or any(motion.laws.slip_directions.values()) or model.first(i):
         return
-    load, who = motion.load(i), way.mover_phrase(i)
+    load, who = motion.load(i), model.mover_phrase(i)
     forward = load.value(motion.givens) > 0.0
-    size, towards = (load if forward else load.scaled(-1.0)).factored(), way.towards(i, forward=forward)
+    size, towards = (load if forward else load.scaled(-1.0)).factored(), model.towards(i, forward=forward)
     step = book.begin_step("verify")
     if book.is_hidden(size):
         step.add_text(f"{capitalized(who)} first moves {towards}.")
     else:
         net = book.fresh("F", "0")
         book.set_value(net.name, book.value(size))
-        told = step.verified(net, size, NEWTONS)
-        step.add_text(f"The net force along the motion at the start, {told}, sets {who} in motion {towards}.")
+        equation = step.verified(net, size, NEWTONS)
+        step.add_text(f"The net force along the motion at the start, {equation}, sets {who} in motion {towards}.")
     step.close()
 
 
-def told_first_rest(way: LinearMotionModel, held: HarmonicOscillation, span: float, name: Symbol) -> Symbol:
+def told_first_rest(model: LinearMotionModel, oscillation: HarmonicOscillation, span: float, name: Symbol) -> Symbol:
     """Write when the velocity is first zero, `span` seconds after the start; return the `name` of that time."""
-    book, rate, begun, rest = way.book, held.angular_frequency, held.begun, held.equilibrium
+    book, rate, begun, rest = model.book, oscillation.angular_frequency, oscillation.begun, oscillation.equilibrium
     step, phase = book.begin_step("time"), rate * name
-    velocity = rest * rate * Call("sin", phase) + held.first.expression() * Call("cos", phase)
-    who, law = way.mover_phrase(held.motion.free[0]), step.law(velocity, ZERO)
+    velocity = rest * rate * Call("sin", phase) + oscillation.first.expression() * Call("cos", phase)
+    who, law = model.mover_phrase(oscillation.motion.free[0]), step.law(velocity, ZERO)
     step.add_text(f"{capitalized(who)} first comes to rest when its velocity, the derivative of the displacement")
     step.add_text(
-        f"${held.displacement_at_phase(phase).latex()}$, is zero: {law}, "
+        f"${oscillation.displacement_at_phase(phase).latex()}$, is zero: {law}, "
         f"so {step.derived(Call('tan', phase), begun / -rest)}."
     )
-    early = held.numbers[0] * span < 0.5 * pi
+    early = oscillation.numbers[0] * span < 0.5 * pi
     sign = f"{rest.latex()} {'<' if book.value(rest) < 0.0 else '>'} 0"
     between = f"${phase.latex()}$ is {'less' if early else 'greater'} than ${(Number(0.5) * PI).latex()}$"
-    formula = held.angle_of_turning(span) / rate
-    found = step.result(name, formula, SECONDS)
+    formula = oscillation.angle_of_turning(span) / rate
+    equation = step.result(name, formula, SECONDS)
     if not book.is_hidden(rest):
-        step.add_text(f"As ${sign}$, {between}, and {found}.")
+        step.add_text(f"As ${sign}$, {between}, and {equation}.")
     elif book.in_symbols:
         plain = "-" not in book.formulas.get(rest.latex(), rest).latex().removeprefix("-")  # all terms of one sign
         lead = "As" if plain else "For"
-        step.add_text(f"{lead} ${sign}$, {between}, and {found}.")
+        step.add_text(f"{lead} ${sign}$, {between}, and {equation}.")
     else:
-        step.add_text(f"Assume that ${sign}$; then {between}, and {found}.")
-        book.afterwards.append(lambda: _tell_sign(way, rest, sign, (phase, early)))
+        step.add_text(f"Assume that ${sign}$; then {between}, and {equation}.")
+        book.afterwards.append(lambda: _tell_sign(model, rest, sign, (phase, early)))
     step.close()
     return name
 
 
 def tell_beyond(
-    way: LinearMotionModel, held: HarmonicOscillation, turning: Expression, place: Expression, *, later: bool
+    model: LinearMotionModel,
+    oscillation: HarmonicOscillation,
+    turning: Expression,
+    position: Expression,
+    *,
+    later: bool,
 ) -> None:
-    """Write that a body would come to rest only beyond the position `place`, so that friction is constant until there.
+    """Write that a body would come to rest only beyond the position `position`, so that friction is constant until there.
 
     In symbols, this is assumed. With `later`, the body has come to rest before.
     """
-    book, step, who = way.book, way.book.begin_step("verify"), way.mover_phrase(held.motion.free[0])
-    there = held.name.latex() if place == held.name else f"{held.name.latex()} = {place.latex()}"
+    book, step, who = model.book, model.book.begin_step("verify"), model.mover_phrase(oscillation.motion.free[0])
+    there = (
+        oscillation.name.latex() if position == oscillation.name else f"{oscillation.name.latex()} = {position.latex()}"
+    )
     when = "next" if later else "first"
     if book.in_symbols:
         step.add_text(f"Assume that {who} gets to ${there}$ before it {when} comes to rest.")
         step.close()
         return
     name = book.fresh("s", r"\text{turn}") if later else book.fresh("x", "1")
-    far, near = (-part if book.value(part) < 0.0 else part for part in (turning, place))
+    far, near = (-part if book.value(part) < 0.0 else part for part in (turning, position))
     record_inequality(book, step, far, near)
-    told = step.verified(name, turning, METRES)
-    step.add_text(f"{capitalized(who)} would {when} come to rest at {told}, beyond ${there}$,")
+    equation = step.verified(name, turning, METRES)
+    step.add_text(f"{capitalized(who)} would {when} come to rest at {equation}, beyond ${there}$,")
     step.add_text("so friction is constant until then.")
     step.close()
 
 
-def _tell_sign(way: LinearMotionModel, rest: Expression, sign: str, reached: tuple[Expression, bool]) -> None:
+def _tell_sign(model: LinearMotionModel, rest: Expression, sign: str, reached: tuple[Expression, bool]) -> None:
     """Write the verification that the net force is zero on the assumed side of the start, by the phase at rest."""
-    step, (phase, early), right = way.book.begin_step("verify"), reached, Number(0.5) * PI
-    greater, less = (ZERO, rest) if way.book.value(rest) < 0.0 else (rest, ZERO)
-    record_inequality(way.book, step, greater, less)
-    record_inequality(way.book, step, *((right, phase) if early else (phase, right)))
+    step, (phase, early), right = model.book.begin_step("verify"), reached, Number(0.5) * PI
+    greater, less = (ZERO, rest) if model.book.value(rest) < 0.0 else (rest, ZERO)
+    record_inequality(model.book, step, greater, less)
+    record_inequality(model.book, step, *((right, phase) if early else (phase, right)))
     wrong = f"${phase.latex()}$ would be {'greater' if early else 'less'} than ${right.latex()}$"
     step.add_text(f"Indeed ${sign}$, as was assumed; on the other side of ${rest.latex()} = 0$, {wrong}.")
     step.close()
@@ -138,21 +145,25 @@ class _HangingBody:
     falling: Expression  # its acceleration without the string, m/s²
 
 
-def verify_taut(setting: ProblemContext, book: SolutionBuilder, held: HarmonicOscillation) -> None:
+def verify_taut(setting: ProblemContext, book: SolutionBuilder, oscillation: HarmonicOscillation) -> None:
     """Schedule the verification that no body hanging on a string ever falls freely, if numbers show it."""
-    held = max(_with_earlier(held), key=lambda swing: swing.amplitude_value)
-    motion = held.motion
+    oscillation = max(_with_earlier(oscillation), key=lambda swing: swing.amplitude_value)
+    motion = oscillation.motion
     if book.in_symbols or not isinstance(motion, LinearMotion):
         return
     for body in _hanging(motion):
         ratio = abs(motion.ratio(body.k, motion.free[0]))
-        if 0.0 < ratio * held.numbers[0] ** 2 * held.amplitude_value < body.falling.value(motion.givens).real:
-            book.afterwards.append(lambda body=body, r=ratio: _write(setting, book, held, body, r))
+        if (
+            0.0
+            < ratio * oscillation.numbers[0] ** 2 * oscillation.amplitude_value
+            < body.falling.value(motion.givens).real
+        ):
+            book.afterwards.append(lambda body=body, r=ratio: _write(setting, book, oscillation, body, r))
 
 
-def _with_earlier(held: HarmonicOscillation) -> Iterator[HarmonicOscillation]:
+def _with_earlier(oscillation: HarmonicOscillation) -> Iterator[HarmonicOscillation]:
     """Yield a half-oscillation and all earlier ones, whose amplitudes are larger if there is friction."""
-    earlier: HarmonicOscillation | None = held
+    earlier: HarmonicOscillation | None = oscillation
     while earlier is not None:
         yield earlier
         earlier = earlier.like
@@ -173,17 +184,21 @@ def _hanging(motion: LinearMotion) -> Iterator[_HangingBody]:
 
 
 def _write(
-    setting: ProblemContext, book: SolutionBuilder, held: HarmonicOscillation, body: _HangingBody, ratio: float
+    setting: ProblemContext, book: SolutionBuilder, oscillation: HarmonicOscillation, body: _HangingBody, ratio: float
 ) -> None:
-    greatest = Power(held.angular_frequency, 2) * held.amplitude
+    greatest = Power(oscillation.angular_frequency, 2) * oscillation.amplitude
     formula = greatest if ratio == 1.0 else Number(ratio) * greatest
-    step, name, least = book.begin_step("verify"), book.fresh("a", r"\text{max}"), book.fresh("T", r"\text{min}")
+    step, name, smallest_tension = (
+        book.begin_step("verify"),
+        book.fresh("a", r"\text{max}"),
+        book.fresh("T", r"\text{min}"),
+    )
     record_inequality(book, step, body.falling, formula)
     who = setting.display_name(setting.mechanism.coordinates[body.k].body)
-    string = setting.string_phrases[held.motion.laws.lines[body.line].name]
+    string = setting.string_phrases[oscillation.motion.laws.lines[body.line].name]
     step.add_text(f"The acceleration of {who} is at most {step.verified(name, formula, ACCELERATION)},")
     step.add_text(f"less than ${body.falling.latex()}$, so {string} stays taut. Its tension is at least")
-    step.add_text(f"{step.verified(least, body.mass * (body.falling - name), NEWTONS)}.")
+    step.add_text(f"{step.verified(smallest_tension, body.mass * (body.falling - name), NEWTONS)}.")
     step.close()
 
 
@@ -197,11 +212,11 @@ def turning_times(trace: Trace, coordinate: int, until: float) -> list[float]:
     speeds = trace.sample(times).v[:, coordinate]
     moving = np.flatnonzero(np.abs(speeds) > REST_SPEED_RTOL * float(np.abs(speeds).max()))
     times, speeds = times[moving], speeds[moving]
-    found: list[float] = []
+    instants: list[float] = []
     for n in np.flatnonzero(speeds[:-1] * speeds[1:] < 0.0):
         share = speeds[n] / (speeds[n] - speeds[n + 1])
-        found.append(float(times[n] + share * (times[n + 1] - times[n])))
-    return found
+        instants.append(float(times[n] + share * (times[n + 1] - times[n])))
+    return instants
 
 
 @dataclass(frozen=True, slots=True)
@@ -217,15 +232,15 @@ class BackAndForthTravel(MotionPart):
 
     def paths(self, body: str) -> Sequence[Expression]:
         """Return the distances, m, that a body travels between successive positions, one for each interval."""
-        own, book, found = self.way.moving([body]), self.way.book, list[Expression]()
+        own, book, distances = self.way.moving([body]), self.way.book, list[Expression]()
         if len(own) != 1 or len(self.way.motion.ratios[own[0]]) != 1:
             raise UnsolvedError("its path is no line of its own")
         (part,) = self.way.motion.ratios[own[0]].values()
         for one, other in pairwise(self.places):
-            apart = other - one
-            length = apart if book.value(apart) >= 0.0 else -apart
-            found.append(length * abs(part) if abs(part) != 1.0 else length)
-        return found
+            displacement = other - one
+            length = displacement if book.value(displacement) >= 0.0 else -displacement
+            distances.append(length * abs(part) if abs(part) != 1.0 else length)
+        return distances
 
 
 class FrictionTravel(BackAndForthTravel):
@@ -238,10 +253,10 @@ class FrictionTravel(BackAndForthTravel):
         newton = self.way.newton
         number = next(n for n, face in enumerate(self.way.mechanism.faces) if face.subject == name)
         row = newton.normal(number)
-        found = (row.inertia - row.forces.without((f"N{number}",))).substitute(
+        normal_force = (row.inertia - row.forces.without((f"N{number}",))).substitute(
             {f"q{k}": NIL for k in self.way.motion.ratios}
         )
-        return newton.coefficient(number) * found
+        return newton.coefficient(number) * normal_force
 
     def slipped(self, body: str) -> Polynomial:
         """Return the length of the whole path on the surface, m."""

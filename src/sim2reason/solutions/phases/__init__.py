@@ -75,12 +75,12 @@ class IntegratedPhases:
 
     def write(self) -> str:
         """Write all steps and return the symbol of the answer; UnsolvedError if an equation cannot be written."""
-        found = phase_intervals(self.setting, self.time)
+        intervals = phase_intervals(self.setting, self.time)
         self._introduce()
         end: PhaseEquations | None = None
-        for number, stretch in enumerate(found):
+        for number, stretch in enumerate(intervals):
             self.book.phase = number
-            end = self._phase(stretch, last=number == len(found) - 1, several=len(found) > 1)
+            end = self._phase(stretch, last=number == len(intervals) - 1, several=len(intervals) > 1)
         assert end is not None
         answer = self._answer(end)
         self._compose(answer)
@@ -123,7 +123,7 @@ class IntegratedPhases:
         inner = self._inner(stretch.segment)
         if stretch.events:
             conditions = [event_condition(inner, event) for event in stretch.events]
-            formulas, happens = [formula for formula, _ in conditions], join_words([said for _, said in conditions])
+            formulas, happens = [formula for formula, _ in conditions], join_words([phrase for _, phrase in conditions])
         else:
             formulas, happens = self._moment_formulas(inner), moment_words(self.setting)
         sides = [side for law in inner.laws for side in (law.left, law.right)]
@@ -164,13 +164,13 @@ class IntegratedPhases:
         """
         query, moment = self.setting.query, self.setting.query.moment
         following = next((s for s in self.setting.motion.segments if s.start == stretch.ends), None)
-        asked = stretch.ends >= self.time
+        is_last = stretch.ends >= self.time
         after = query.kind == "event" and moment is not None and bool(moment.sided)
-        if not stretch.events or following is None or (asked and not after):
+        if not stretch.events or following is None or (is_last and not after):
             return outer
         new = write_jump(outer, following, stretch.events, self.book.phase)
         self._rates = list(new) if new is not None else self._rates
-        if not asked:
+        if not is_last:
             return outer
         if self.setting.target is not None and self.setting.target.quantity in FORCES:
             raise UnsolvedError("it asks for a force or an acceleration just after an event")
@@ -180,11 +180,11 @@ class IntegratedPhases:
     def _inner(self, segment: Segment) -> PhaseEquations:
         """Return the equations of a segment, whose symbols have the values in the middle of the segment."""
         draft = self.book.copy()
-        found = PhaseEquations(self.setting, draft, segment, self.names, self._forces.of(segment))
-        for name, values in found.sampled(amid(self.setting, segment).times).items():
+        equations = PhaseEquations(self.setting, draft, segment, self.names, self._forces.of(segment))
+        for name, values in equations.sampled(amid(self.setting, segment).times).items():
             if name not in draft.values and np.isfinite(values[0]):
                 draft.set_value(name, float(values[0]))
-        return found
+        return equations
 
     def _moment_formulas(self, inner: PhaseEquations) -> list[Expression]:
         setting, query = self.setting, self.setting.query
@@ -242,7 +242,7 @@ class IntegratedPhases:
         integration = Integration(
             own.time.name,
             self._begin,
-            tuple(Coordinate(q.name, v.name, a.name, place, rate) for q, v, a, place, rate in coordinates),
+            tuple(Coordinate(q.name, v.name, a.name, position, rate) for q, v, a, position, rate in coordinates),
             tuple(symbol.name for symbol in inner.forces.values()),
             tuple(inner.laws),
             until,
@@ -303,14 +303,14 @@ class IntegratedPhases:
         """Write the answer from the state at the end of the last phase, and return the answer's symbol."""
         setting, query = self.setting, self.setting.query
         if self._sum is not None:
-            found = self._sum
+            symbol = self._sum
         elif query.kind == "time_to_event" or (setting.sought is not None and not setting.unknown):
-            found = end.names.time
+            symbol = end.names.time
         else:
-            found = write_quantity(setting, self.book, end)
+            symbol = write_quantity(setting, self.book, end)
         if setting.unknown and setting.stated is not None:
             value = radians(setting.stated.value) if setting.unit == DEGREES else setting.stated.value
             step = self.book.begin_step("given")
-            step.add_text(f"This is the given result: {step.given_result(found, value)}.")
+            step.add_text(f"This is the given result: {step.given_result(symbol, value)}.")
             step.close()
-        return found.name
+        return symbol.name

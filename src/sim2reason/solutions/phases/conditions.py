@@ -40,31 +40,33 @@ def event_condition(equations: PhaseEquations, event: Event) -> tuple[Expression
     Raises:
         UnsolvedError: no formula is known for this kind of event.
     """
-    found = EVENTS.get(event.kind)
-    if found is None:
+    condition = EVENTS.get(event.kind)
+    if condition is None:
         raise UnsolvedError(f"no condition is known for the event {event.kind}")
-    return found(equations, event)
+    return condition(equations, event)
 
 
 def _collision(equations: PhaseEquations, event: Event) -> tuple[Expression, str]:
     m = equations.mechanism
-    number = next(n for n, held in enumerate(m.meetings) if set(held.names) == set(event.subjects))
+    number = next(n for n, meeting in enumerate(m.meetings) if set(meeting.names) == set(event.subjects))
     gap = equations.motion.both(lambda a: a.separation(a.mechanism.meetings[number]).gap)
     called = [equations.setting.display_name(name) for name in event.subjects]
     return gap.expression(), f"{join_words(called)} collide" if len(called) > 1 else f"{called[0]} hits the surface"
 
 
-def _row(kind: str, said: str, *, force: bool) -> Callable[[PhaseEquations, Event], tuple[Expression, str]]:
+def _row(kind: str, phrase: str, *, force: bool) -> Callable[[PhaseEquations, Event], tuple[Expression, str]]:
     def condition(equations: PhaseEquations, event: Event) -> tuple[Expression, str]:
         row = next(
-            n for n, held in enumerate(equations.segment.kinds) if held.name == event.subjects[0] and held.kind in kind
+            n
+            for n, candidate in enumerate(equations.segment.kinds)
+            if candidate.name == event.subjects[0] and candidate.kind in kind
         )
         line = equations.setting.string_phrases.get(
             event.subjects[0], equations.setting.display_name(event.subjects[0])
         )
         if force:
-            return equations.force("row", row).expression(), f"{line} {said}"
-        return _spare(equations, row).expression(), f"{line} {said}"
+            return equations.force("row", row).expression(), f"{line} {phrase}"
+        return _spare(equations, row).expression(), f"{line} {phrase}"
 
     return condition
 
@@ -95,19 +97,19 @@ def _slip(equations: PhaseEquations, event: Event) -> tuple[Expression, str]:
     return friction - equations.friction_bound(face).expression(), f"{who} begins to slide"
 
 
-def _border(said: str) -> Callable[[PhaseEquations, Event], tuple[Expression, str]]:
+def _border(phrase: str) -> Callable[[PhaseEquations, Event], tuple[Expression, str]]:
     def condition(equations: PhaseEquations, event: Event) -> tuple[Expression, str]:
         body = event.subjects[0]
         sizes: list[tuple[float, Polynomial]] = []
         for number, force in enumerate(equations.mechanism.forces):
             if force.body != body or force.region is None:
                 continue
-            for place in range(len(_margins(equations.motion.assemblies[0], number))):
-                margin = equations.motion.both(lambda a, n=number, p=place: _margins(a, n)[p])
+            for index in range(len(_margins(equations.motion.assemblies[0], number))):
+                margin = equations.motion.both(lambda a, n=number, p=index: _margins(a, n)[p])
                 sizes.append((abs(equations.book.value(margin.expression())), margin))
         return min(sizes, key=lambda each: each[0])[
             1
-        ].expression(), f"{equations.setting.display_name(body)} {said} the field"
+        ].expression(), f"{equations.setting.display_name(body)} {phrase} the field"
 
     return condition
 
@@ -148,8 +150,8 @@ def moment_conditions(equations: PhaseEquations, moment: Moment | None) -> list[
     """
     for cls, condition in MOMENTS.items():
         if type(moment) is cls:
-            found = condition(equations, moment)
-            return found if isinstance(found, list) else [found]
+            formulas = condition(equations, moment)
+            return formulas if isinstance(formulas, list) else [formulas]
     raise UnsolvedError(f"no condition is known for the moment {type(moment).__name__}")
 
 
@@ -183,7 +185,7 @@ def _vertical(equations: PhaseEquations, moment: HighestPoint | LowestPoint) -> 
 
 def _apsis(equations: PhaseEquations, moment: Closest | Farthest) -> Expression:
     one, other = members(moment.name)
-    apart = [
+    separation = [
         b - a
         for a, b in zip(
             equations.kinematic_vector("place", one), equations.kinematic_vector("place", other), strict=True
@@ -195,7 +197,7 @@ def _apsis(equations: PhaseEquations, moment: Closest | Farthest) -> Expression:
             equations.kinematic_vector("velocity", one), equations.kinematic_vector("velocity", other), strict=True
         )
     ]
-    return total(r * v for r, v in zip(apart, parting, strict=True)).expression()
+    return total(r * v for r, v in zip(separation, parting, strict=True)).expression()
 
 
 def _spring_rate(equations: PhaseEquations, moment: MostStretched | MostCompressed) -> Expression:
@@ -271,9 +273,9 @@ def locate_condition(equations: PhaseEquations, formulas: Sequence[Expression], 
     times = np.append(inner, begin + (1.0 - 1e-9) * (end - begin))
     known = equations.sampled(times)
     for formula in formulas:
-        found = array_values(formula, known)
-        last, before = float(found[-1]), found[:-1]
-        if np.isfinite(found).all() and abs(last) <= max(ZERO_RTOL * float(np.abs(before).max()), NOTHING):
+        values = array_values(formula, known)
+        last, before = float(values[-1]), values[:-1]
+        if np.isfinite(values).all() and abs(last) <= max(ZERO_RTOL * float(np.abs(before).max()), NOTHING):
             rises = 1 if before[-1] < 0.0 else -1
             edge = max(2, int(EDGE_FRACTION * SAMPLES))
             signs = np.sign(before[edge:-edge])

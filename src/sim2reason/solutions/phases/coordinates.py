@@ -60,20 +60,20 @@ class ChosenCoordinates:
         `names` are the names in use, with the number of a phase as the last part of their subscripts.
         """
         stems = {_without_phase(name) for name in names}
-        own, held = [*zip(self.names.places, self.names.rates, self.names.accelerations, strict=True)], list[int]()
-        held = [n for n, symbols in enumerate(own) if any(symbol.name in stems for symbol in symbols)]
-        if not held:
+        own, indices = [*zip(self.names.places, self.names.rates, self.names.accelerations, strict=True)], list[int]()
+        indices = [n for n, symbols in enumerate(own) if any(symbol.name in stems for symbol in symbols)]
+        if not indices:
             return ""
-        said = [f"${own[n][0].name}$ be {self.descriptions[n]}" for n in held]
+        clauses = [f"${own[n][0].name}$ be {self.descriptions[n]}" for n in indices]
         derived: list[str] = []
-        for n in held:
+        for n in indices:
             q, v, a = own[n]
             rated = v.name in stems
             derived += [f"${v.name} = {_dotted(q)}$"] if rated else []
             after = _dotted(v) if rated else _dotted(q, r"\ddot")
             derived += [f"${a.name} = {after}$"] if a.name in stems else []
         followed = f", and let {join_words(derived)}" if derived else ""
-        let = f"Let {join_words(said)}{followed}."
+        let = f"Let {join_words(clauses)}{followed}."
         phases = {number for name in names if (number := split_name(name)[1].rpartition(",")[2]).isdigit()}
         return f"{let} {COUNTED}" if len(phases) > 1 else let
 
@@ -105,11 +105,13 @@ def _velocity(setting: ProblemContext, marks: str) -> str:
 
 
 def _introduction(names: Names, choices: list[_Choice]) -> str:
-    said = [f"${place.name}$ be {choice.description}" for place, choice in zip(names.places, choices, strict=True)]
+    clauses = [
+        f"${position.name}$ be {choice.description}" for position, choice in zip(names.places, choices, strict=True)
+    ]
     pairs = zip(names.places, names.rates, names.accelerations, strict=True)
     derived = [f"${v.name} = {_dotted(q)}$, ${a.name} = {_dotted(v)}$" for q, v, a in pairs]
-    whose = "its derivatives are" if len(said) == 1 else "their derivatives are"
-    return f"Let {join_words(said)}; {whose} {', '.join(derived)}."
+    whose = "its derivatives are" if len(clauses) == 1 else "their derivatives are"
+    return f"Let {join_words(clauses)}; {whose} {', '.join(derived)}."
 
 
 def _dotted(symbol: Symbol, dots: str = r"\dot") -> str:
@@ -137,15 +139,15 @@ def _slide(setting: ProblemContext, k: int) -> _Choice:
         if origin is not None and description:
             letter = coordinate.label if len(coordinate.label) == 1 else AXES[axis]
             return _Choice(letter, origin, sense, description, mark)
-    plane = several and not any(abs(held.axis[2]) > 1.0 - DIRECTION_TOLERANCE for held in body.coordinates)
+    plane = several and not any(abs(each.axis[2]) > 1.0 - DIRECTION_TOLERANCE for each in body.coordinates)
     if plane and coordinate.label in AXES.values():  # of the text
         description = f"the displacement of {setting.display_name(coordinate.body)} along {coordinate.label}"
         return _Choice(coordinate.label, NIL, 1.0, description, mark)
     backwards = coordinate.speed < 0.0
     sense = -1.0 if backwards else 1.0
-    way = coordinate.axis if not backwards else (-coordinate.axis[0], -coordinate.axis[1], -coordinate.axis[2])
+    direction = coordinate.axis if not backwards else (-coordinate.axis[0], -coordinate.axis[1], -coordinate.axis[2])
     letter = coordinate.label if several and len(coordinate.label) == 1 else "s"
-    return _Choice(letter, NIL, sense, _moved(setting, coordinate, way), mark)
+    return _Choice(letter, NIL, sense, _moved(setting, coordinate, direction), mark)
 
 
 def _position(setting: ProblemContext, body: str, axis: str) -> str:
@@ -154,18 +156,18 @@ def _position(setting: ProblemContext, body: str, axis: str) -> str:
     if any(split_name(given.symbol)[0] in AXES.values() for given in setting.lexicon.givens.values()):
         return f"the {axis} coordinate of {who}"
     if any(line.law.row for line in setting.mechanism.lines):
-        way = {"x": "horizontal", "y": "horizontal", "z": "vertical"}[axis]
-        return f"the {way} coordinate of {who}, measured from the point of suspension"
+        adjective = {"x": "horizontal", "y": "horizontal", "z": "vertical"}[axis]
+        return f"the {adjective} coordinate of {who}, measured from the point of suspension"
     return ""
 
 
-def _moved(setting: ProblemContext, coordinate: Coordinate, way: tuple[float, float, float]) -> str:
+def _moved(setting: ProblemContext, coordinate: Coordinate, direction: tuple[float, float, float]) -> str:
     mechanism, who = setting.mechanism, setting.display_name(coordinate.body)
     if any(burn.body == coordinate.body for burn in mechanism.burns):
         return f"the distance that {who} has moved from its starting point"
     parent = mechanism.body[coordinate.body].parent
     off = any(abs(inner(foot.normal, coordinate.axis)) > 1.0 - DIRECTION_TOLERANCE for foot in mechanism.feet)
-    where = "off the plane" if off else setting.direction_words(way, on=parent)
+    where = "off the plane" if off else setting.direction_words(direction, on=parent)
     relative = f" relative to {setting.display_name(parent)}" if parent is not None else ""
     return f"the displacement of {who} {where}{relative}"
 
@@ -178,7 +180,9 @@ def _given_place(lexicon: Lexicon, k: int, sense: float) -> Polynomial | None:
     """
     begun, fixed = _along(lexicon.mechanism, k, sense), _along(lexicon.twin, k, sense)
     try:
-        apart = [lexicon.read(DualValue(a - begun[0], b - fixed[0])) for a, b in zip(begun[1:], fixed[1:], strict=True)]
+        offsets = [
+            lexicon.read(DualValue(a - begun[0], b - fixed[0])) for a, b in zip(begun[1:], fixed[1:], strict=True)
+        ]
         own = lexicon.read(DualValue(begun[0], fixed[0]))
     except UnreadError:
         return None
@@ -188,12 +192,16 @@ def _given_place(lexicon: Lexicon, k: int, sense: float) -> Polynomial | None:
         for given in lexicon.givens.values()
         if parse_unit(given.parameter.measure.unit).factor_to(metre) is not None
     ]
-    fitting = [held for held in (own, *lengths) if _simple(held) and all(_simple(held + part) for part in apart)]
+    fitting = [
+        position
+        for position in (own, *lengths)
+        if _simple(position) and all(_simple(position + part) for part in offsets)
+    ]
     return fitting[0] if fitting else None
 
 
-def _simple(place: Polynomial) -> bool:
-    return not place or place.symbol is not None
+def _simple(position: Polynomial) -> bool:
+    return not position or position.symbol is not None
 
 
 def _along(m: Mechanism, k: int, sense: float) -> list[float]:
@@ -256,13 +264,13 @@ def _deflection(m: Mechanism, k: int) -> tuple[float, float] | None:
     frames: Frames = initial_frames(m)
     if abs(m.coordinates[k].axis[1]) < 1.0 - DIRECTION_TOLERANCE:
         return None
-    held = [body for body in m.bodies if body.mass and (steps := frames[body.name].steps) and steps[-1].number == k]
-    if not held or any(len(frames[body.name].hinges) != 1 for body in held):
+    bodies = [body for body in m.bodies if body.mass and (steps := frames[body.name].steps) and steps[-1].number == k]
+    if not bodies or any(len(frames[body.name].hinges) != 1 for body in bodies):
         return None
-    pivot = frames[held[0].name].hinges[0].pivot
+    pivot = frames[bodies[0].name].hinges[0].pivot
     assert pivot is not None
-    mass = sum(body.mass for body in held)
-    offsets = [(body.mass / mass, minus(frames.center(body.name).place, pivot)) for body in held]
+    mass = sum(body.mass for body in bodies)
+    offsets = [(body.mass / mass, minus(frames.center(body.name).place, pivot)) for body in bodies]
     x, z = (sum(share * float(offset[n]) for share, offset in offsets) for n in (0, 2))
     if x * x + z * z < DIRECTION_TOLERANCE * DIRECTION_TOLERANCE:
         return None

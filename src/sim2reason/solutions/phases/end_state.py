@@ -92,8 +92,8 @@ class EndState(StraightMotion):
         """Return the symbol of a tension, a normal force or a friction force."""
         equations = self._equations
         if kind == "T":
-            found = [row for row in equations.rows if equations.kind(row).name == name]
-            key = f"row{found[0]}" if found else ""
+            rows = [row for row in equations.rows if equations.kind(row).name == name]
+            key = f"row{rows[0]}" if rows else ""
         else:
             key = f"{ {'N': 'normal', 'f': 'friction'}[kind] }{self.mechanism.face_number[name]}".replace(" ", "")
         if key not in equations.forces:

@@ -84,14 +84,14 @@ class PhaseEquations:
         for face, side in self.rough.items():
             contacts += self._contact(face, side, loads)
         accelerations = [s.name for s in self.names.accelerations]
-        found: list[tuple[Expression, Expression]] = []
+        equations: list[tuple[Expression, Expression]] = []
         for k in range(size):
             sense = self.names.senses[k]
             left, right = self._reduced(self.motion.inertia(k).scaled(sense), loads[k].scaled(sense))
-            found.append((left.collected(accelerations), right.expression()))
+            equations.append((left.collected(accelerations), right.expression()))
         pairs = (self._reduced(*self.motion.held(row)) for row in self.rows)
-        found += [(left.expression(), right.expression()) for left, right in pairs]
-        return [Relation(*pair, "law") for pair in (*found, *contacts) if pair[0] != pair[1]]
+        equations += [(left.expression(), right.expression()) for left, right in pairs]
+        return [Relation(*pair, "law") for pair in (*equations, *contacts) if pair[0] != pair[1]]
 
     @cached_property
     def steady(self) -> bool:
@@ -120,8 +120,8 @@ class PhaseEquations:
 
     def _contact(self, face: int, side: int, loads: list[Polynomial]) -> list[tuple[Expression, Expression]]:
         """Add the friction of a rough contact to the forces along coordinates; return the equations for its forces."""
-        slips = {self.mechanism.number[name]: place for place, (name, _) in enumerate(self.mechanism.faces[face].slip)}
-        parts = {k: self._slip(face, place) for k, place in slips.items()}
+        slips = {self.mechanism.number[name]: index for index, (name, _) in enumerate(self.mechanism.faces[face].slip)}
+        parts = {k: self._slip(face, index) for k, index in slips.items()}
         if side == 0:
             friction = self.force("friction", face)
             still = total(part * self.names.acceleration(k) for k, part in parts.items())
@@ -142,8 +142,8 @@ class PhaseEquations:
     def turning_inertia(self, face: int) -> str:
         """Return the moment of inertia of the body that rolls on a face, in LaTeX; empty if no law has it."""
         turning = [k for k in self._slipping(face) if self.mechanism.coordinates[k].kind == "hinge"]
-        held = self.motion.mass(turning[0], turning[0]) if len(turning) == 1 else Polynomial({})
-        return held.expression().latex() if held else ""
+        inertia = self.motion.mass(turning[0], turning[0]) if len(turning) == 1 else Polynomial({})
+        return inertia.expression().latex() if inertia else ""
 
     def _slipping(self, face: int) -> list[int]:
         """Return the indices of the coordinates whose rates enter the slip velocity."""
@@ -158,7 +158,7 @@ class PhaseEquations:
         """Return the slip velocity of the surfaces at a face, m/s."""
         slips = enumerate(self.mechanism.faces[face].slip)
         return total(
-            self._slip(face, place) * self.names.rate(self.mechanism.number[name]) for place, (name, _) in slips
+            self._slip(face, index) * self.names.rate(self.mechanism.number[name]) for index, (name, _) in slips
         )
 
     def _coefficient(self, face: int) -> Polynomial:
@@ -181,16 +181,16 @@ class PhaseEquations:
     def sampled(self, times: Array) -> dict[str, Array]:
         """Return the values of all symbols, each (m,), at instants of the phase in the engine's motion."""
         state = self.setting.motion.state(times)
-        found = {name: np.full(len(times), value) for name, value in self.book.values.items()}
-        found[self.names.time.name] = times
+        values = {name: np.full(len(times), value) for name, value in self.book.values.items()}
+        values[self.names.time.name] = times
         for k, sense in enumerate(self.names.senses):
             origin = self.book.value(self.names.origins[k].expression())
-            found[self.names.places[k].name] = origin + sense * state.q[:, k]
-            found[self.names.rates[k].name] = sense * state.v[:, k]
-            found[self.names.accelerations[k].name] = sense * state.a[:, k]
+            values[self.names.places[k].name] = origin + sense * state.q[:, k]
+            values[self.names.rates[k].name] = sense * state.v[:, k]
+            values[self.names.accelerations[k].name] = sense * state.a[:, k]
         for key, symbol in self.forces.items():
-            found[symbol.name] = self._force_values(key, state)
-        return found
+            values[symbol.name] = self._force_values(key, state)
+        return values
 
     def _force_values(self, key: str, state: State) -> Array:
         """Return the values of a force along a motion, (m,); NaN where the engine does not record it."""
@@ -219,12 +219,12 @@ class PhaseEquations:
 
     def acceleration(self, body: str) -> Components:
         """Return the acceleration of the centre of mass of a body, by component."""
-        found = list(self.kinematic_vector("bias", body))
+        components = list(self.kinematic_vector("bias", body))
         here, there = (a.frames.center(body).gradient for a in self.motion.assemblies)
         for k, ways in ((k, (here[k], there[k])) for k in here):
             for n in range(3):
-                found[n] = found[n] + self.motion.read(ways[0][n], ways[1][n]) * self.names.acceleration(k)
-        return found[0], found[1], found[2]
+                components[n] = components[n] + self.motion.read(ways[0][n], ways[1][n]) * self.names.acceleration(k)
+        return components[0], components[1], components[2]
 
     def displacement(self, body: str) -> Components:
         """Return the displacement of the centre of mass of a body since the start, by component."""
@@ -235,13 +235,13 @@ class PhaseEquations:
 
     def length(self, line: str, part: str = "value") -> Polynomial:
         """Return the length of a line, or its ``rate``."""
-        held = self.mechanism.line[line]
-        number = self.mechanism.lines.index(held)
+        entry = self.mechanism.line[line]
+        number = self.mechanism.lines.index(entry)
         ways = (
             a.length(m.lines[number])
             for a, m in zip(self.motion.assemblies, (self.lexicon.mechanism, self.lexicon.twin), strict=True)
         )
-        here, there = (getattr(way, part) for way in ways)
+        here, there = (getattr(line_length, part) for line_length in ways)
         return self.motion.read(here, there)
 
     def law(self, line: str, part: str) -> Polynomial:
@@ -255,5 +255,5 @@ class PhaseEquations:
 def amid(setting: ProblemContext, segment: Segment) -> State:
     """Return the state in the middle of a segment, since its ends may lie on the border of a region."""
     motion, begins = setting.motion, segment.start
-    ends = min((held.start for held in motion.segments if held.start > begins), default=motion.end)
+    ends = min((other.start for other in motion.segments if other.start > begins), default=motion.end)
     return motion.state(np.array([0.5 * (begins + ends)]))

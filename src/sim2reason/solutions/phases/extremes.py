@@ -34,10 +34,10 @@ def value_of(functional: str, name: str, trace: Trace, end: float) -> float:
     Raises:
         UnsolvedError: the functional has no value.
     """
-    found = FUNCTIONALS[functional].value(trace, name, end)
-    if found is None:
+    value = FUNCTIONALS[functional].value(trace, name, end)
+    if value is None:
         raise UnsolvedError(f"the motion has no {functional}")
-    return radians(found) if FUNCTIONALS[functional].unit == "deg" else found
+    return radians(value) if FUNCTIONALS[functional].unit == "deg" else value
 
 
 def rate_of(functional: str, name: str, equations: PhaseEquations) -> Expression:
@@ -97,17 +97,17 @@ BISECTIONS = 60  # bisections of an interval with the zero of a rate
 
 def extreme_time(motion: Motion, functional: str, name: str, end: float) -> float:
     """Return the approximate time, s, of an extreme functional's value in the motion up to `end`."""
-    found = FUNCTIONALS[functional]
-    if not isinstance(found, Extreme):
+    definition = FUNCTIONALS[functional]
+    if not isinstance(definition, Extreme):
         raise UnsolvedError(f"{functional} is no greatest or least value")
     times = np.linspace(0.0, end, SAMPLES + 1)[1:-1]
-    return float(times[int(np.argmax(found.height(motion.state(times), name)))])
+    return float(times[int(np.argmax(definition.height(motion.state(times), name)))])
 
 
 def quantity_of(functional: str) -> str:
     """Return the quantity whose extreme value a functional is; empty if it is none."""
-    found = FUNCTIONALS[functional]
-    return found.quantity.name if isinstance(found, Extreme) else ""
+    definition = FUNCTIONALS[functional]
+    return definition.quantity.name if isinstance(definition, Extreme) else ""
 
 
 def rate_formulas(equations: PhaseEquations, functional: str, name: str) -> list[Expression]:
@@ -205,12 +205,12 @@ def tell_problem(
     begun += [f"${c.rate} = {c.initial_rate.latex()}$" for c in integration.coordinates]
     step.add_text(f"{'Initially' if first else 'The phase begins with'} {join_words(begun)}.")
     if integration.accumulated:
-        (held,) = integration.accumulated
-        rate, begun = held.rate.latex(), held.initial.latex()
-        step.add_text(rf"Along with them, $\dot{{{held.name}}} = {rate}$ from ${begun}$ is integrated.")
+        (integral,) = integration.accumulated
+        rate, begun = integral.rate.latex(), integral.initial.latex()
+        step.add_text(rf"Along with them, $\dot{{{integral.name}}} = {rate}$ from ${begun}$ is integrated.")
 
 
-def tell_end(book: SolutionBuilder, integration: Integration, said: str, used: frozenset[str]) -> str:
+def tell_end(book: SolutionBuilder, integration: Integration, end_phrase: str, used: frozenset[str]) -> str:
     """Return the sentence about the end of a phase, with the values that later steps use."""
     condition = integration.until
     kept = [name for _, name in integration.ends if name in used]
@@ -221,9 +221,13 @@ def tell_end(book: SolutionBuilder, integration: Integration, said: str, used: f
         raise UnsolvedError("nothing rests on the state to which the motion is integrated")
     later = 1 < condition.occurrence < len(ORDINALS)
     which = f" for the {ORDINALS[condition.occurrence]} time" if later else ""
-    when = f"{said}, that is, until {_equation(condition.expression)}" if said else _equation(condition.expression)
-    first = " for the first time" if not said and condition.occurrence == 1 and not condition.direction else ""
-    return f"Numerical integration until {when}{which or first}{',' if said else ''} gives {join_words(values)}."
+    when = (
+        f"{end_phrase}, that is, until {_equation(condition.expression)}"
+        if end_phrase
+        else _equation(condition.expression)
+    )
+    first = " for the first time" if not end_phrase and condition.occurrence == 1 and not condition.direction else ""
+    return f"Numerical integration until {when}{which or first}{',' if end_phrase else ''} gives {join_words(values)}."
 
 
 def _equation(formula: Expression) -> str:
@@ -277,7 +281,7 @@ def phase_intervals(setting: ProblemContext, time: float) -> list[PhaseInterval]
     motion, moment = setting.motion, setting.query.moment
     segments = [s for s in motion.segments if s.start < time or s.start == 0.0]
     ends_at_event = moment is not None and moment.event and setting.query.kind != "extremum"
-    found: list[PhaseInterval] = []
+    intervals: list[PhaseInterval] = []
     for segment, following in zip(segments, [*segments[1:], None], strict=True):
         ends = following.start if following is not None else time
         near = EVENT_TIME_RTOL * max(ends, EVENT_TIME_RTOL)
@@ -286,10 +290,10 @@ def phase_intervals(setting: ProblemContext, time: float) -> list[PhaseInterval]
             events = ()
         if following is not None and not events:
             raise UnsolvedError("the equations change where no event is recorded")
-        found.append(PhaseInterval(segment, ends, events))
-    if not found or len(found) > MAX_PHASES:
-        raise UnsolvedError(f"the motion has {len(found)} phases")
-    return found
+        intervals.append(PhaseInterval(segment, ends, events))
+    if not intervals or len(intervals) > MAX_PHASES:
+        raise UnsolvedError(f"the motion has {len(intervals)} phases")
+    return intervals
 
 
 def moment_words(setting: ProblemContext) -> str:

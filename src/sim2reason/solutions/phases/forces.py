@@ -32,23 +32,29 @@ def explicit_formulas(
     chain: list[tuple[str, Expression]] = []
     waiting = [added(law.left, -law.right) for law in laws] if len(laws) <= MAX_SOLVED_LAWS else []
     while waiting:
-        unknown = [[name for name in names if name in held.symbols()] for held in waiting]
-        place = min(range(len(waiting)), key=lambda n: len(unknown[n]) or len(names) + 1)
-        if not unknown[place]:
+        unknown = [[name for name in names if name in expression.symbols()] for expression in waiting]
+        index = min(range(len(waiting)), key=lambda n: len(unknown[n]) or len(names) + 1)
+        if not unknown[index]:
             break
-        law, name = waiting.pop(place), unknown[place][-1]
+        law, name = waiting.pop(index), unknown[index][-1]
         formula = solved_for(name, law, ZERO, values)
         if isinstance(formula, NumericRoot):
             return {}
-        waiting = [substitute(held, name, formula) for held in waiting]
+        waiting = [substitute(expression, name, formula) for expression in waiting]
         chain.append((name, formula))
-    found: dict[str, Expression] = {}
+    formulas: dict[str, Expression] = {}
     for name, formula in reversed(chain):
-        for other, known in found.items():
+        for other, known in formulas.items():
             formula = substitute(formula, other, known)  # noqa: PLW2901
-        found[name] = formula
-    short = {name: _short(held) for name, held in found.items() if {*names}.isdisjoint(held.symbols())}
-    return {name: held for name, held in short.items() if held is not None and len(held.latex()) <= MAX_FORMULA_LENGTH}
+        formulas[name] = formula
+    short = {
+        name: _short(expression) for name, expression in formulas.items() if {*names}.isdisjoint(expression.symbols())
+    }
+    return {
+        name: expression
+        for name, expression in short.items()
+        if expression is not None and len(expression.latex()) <= MAX_FORMULA_LENGTH
+    }
 
 
 def _short(formula: Expression) -> Expression | None:
@@ -69,25 +75,25 @@ class ForceSymbols:
 
     def of(self, segment: Segment) -> dict[str, Symbol]:
         """Return the symbols of the forces in a segment, by ``row``, ``normal`` or ``friction`` and their number."""
-        found: dict[str, Symbol] = {}
+        symbols: dict[str, Symbol] = {}
         kinds, acting = segment.kinds, segment.found.mode.acting
         several = sum(kind.kind not in LETTERS for kind in kinds) > 1
         for n, kind in enumerate(kinds):
             if acting[n]:
                 mark = str(n + 1) if kind.kind not in LETTERS and several else ""
-                found[f"row{n}"] = self._symbol(kind.kind, kind.name, LETTERS.get(kind.kind, "T"), mark)
+                symbols[f"row{n}"] = self._symbol(kind.kind, kind.name, LETTERS.get(kind.kind, "T"), mark)
         faces = self._setting.mechanism.faces
         rough = [n for n, face in enumerate(faces) if face.friction > 0.0]
         for face, side in zip(rough, segment.found.mode.rubbing, strict=True):
             letter, of = ("N", "normal") if side else ("f", "friction")
             subject = faces[face].subject
-            found[f"{of}{face}"] = self._symbol(of, subject, letter, self._setting.subscript_of(subject))
-        return found
+            symbols[f"{of}{face}"] = self._symbol(of, subject, letter, self._setting.subscript_of(subject))
+        return symbols
 
     def introductions(self) -> list[str]:
         """Return descriptions of the symbols that no sentence has introduced yet."""
-        found, self._untold = self._untold, []
-        return found
+        descriptions, self._untold = self._untold, []
+        return descriptions
 
     def _symbol(self, kind: str, name: str, letter: str, mark: str) -> Symbol:
         key = f"{kind} {name}"
@@ -160,7 +166,7 @@ class Jump:
         ]
         along = [[self._gap(number, k) for k in size] for number in pairs]
         along += [[motion.pull(row, k).scaled(-1.0) for k in size] for row in rows]
-        found: list[tuple[Expression, Expression]] = []
+        equations: list[tuple[Expression, Expression]] = []
         for k in size:
             sense = names.senses[k]
             left = total(motion.mass(k, j) * changes[j] for j in size).scaled(sense)
@@ -168,21 +174,23 @@ class Jump:
                 ways[k] * Polynomial.of(impulse) for ways, impulse in zip(along, impulses, strict=True)
             ).scaled(sense)
             if left or right:
-                found.append((left.expression(), right.expression()))
+                equations.append((left.expression(), right.expression()))
         rates = [Polynomial.of(symbol).scaled(names.senses[k]) for k, symbol in enumerate(self._after)]
         for ways, number in zip(along, pairs, strict=False):
-            after = total(way * rate for way, rate in zip(ways, rates, strict=True))
-            before = total(way * names.rate(k) for k, way in enumerate(ways))
-            found.append((after.expression(), (self._restitution(number) * before).scaled(-1.0).expression()))
+            after = total(coefficient * rate for coefficient, rate in zip(ways, rates, strict=True))
+            before = total(coefficient * names.rate(k) for k, coefficient in enumerate(ways))
+            equations.append((after.expression(), (self._restitution(number) * before).scaled(-1.0).expression()))
         taut = along[len(pairs) :]
-        found += [(total(w * rate for w, rate in zip(ways, rates, strict=True)).expression(), ZERO) for ways in taut]
-        return [Relation(left, right, "law") for left, right in found]
+        equations += [
+            (total(w * rate for w, rate in zip(ways, rates, strict=True)).expression(), ZERO) for ways in taut
+        ]
+        return [Relation(left, right, "law") for left, right in equations]
 
     @property
     def pairs(self) -> list[int]:
         """Return the indices, among the pairs of bodies that may meet, of the pairs that collide."""
         hit = [set(event.subjects) for event in self._events if event.kind == "collision"]
-        return [n for n, held in enumerate(self._before.mechanism.meetings) if set(held.names) in hit]
+        return [n for n, meeting in enumerate(self._before.mechanism.meetings) if set(meeting.names) in hit]
 
     def _gap(self, number: int, k: int) -> Polynomial:
         return self._before.motion.both(lambda a: a.separation(a.mechanism.meetings[number]).along.get(k, 0.0))
@@ -212,8 +220,8 @@ def write_jump(
     rows = [row for row in range(len(segment.kinds)) if _taut(segment, following, row)]
     impulses = [book.fresh("P", str(number + 1)) for _ in (*jump.pairs, *rows)]
     relations = jump.relations(rows, impulses)
-    found = _impulses(relations, [impulse.name for impulse in impulses], dict(book.values))
-    for name, value in found.items():
+    impulse_values = _impulses(relations, [impulse.name for impulse in impulses], dict(book.values))
+    for name, value in impulse_values.items():
         book.set_value(name, value, book.unit_in_text(IMPULSE))
     step = book.begin_step("event")
     step.add_text(_said(jump, impulses))
@@ -258,9 +266,9 @@ def _impulses(relations: Sequence[Relation], unknowns: Sequence[str], values: di
     zero = values | dict.fromkeys(unknowns, 0.0)
     base = np.array(excess(zero))
     matrix = np.array([np.array(excess(zero | {name: 1.0})) - base for name in unknowns]).T
-    found, _, rank, _ = np.linalg.lstsq(matrix, -base, rcond=1e-12)
-    if rank < len(unknowns) or np.abs(matrix @ found + base).max() > IMPACT_VELOCITY_RTOL * max(
+    solution, _, rank, _ = np.linalg.lstsq(matrix, -base, rcond=1e-12)
+    if rank < len(unknowns) or np.abs(matrix @ solution + base).max() > IMPACT_VELOCITY_RTOL * max(
         1.0, np.abs(base).max()
     ):
         raise UnsolvedError("the laws of the impact do not lead to the velocities after it")
-    return dict(zip(unknowns, map(float, found), strict=True))
+    return dict(zip(unknowns, map(float, solution), strict=True))

@@ -27,20 +27,20 @@ WEIGHT_RTOL = 1e-9  # relative to the largest weight: rounding errors
 def laws_text(relations: Sequence[Relation], values: Mapping[str, float]) -> str:
     """Return sentences with the laws, and with the accelerations that they give if they must be solved."""
     laws = [relation for relation in relations if relation.role == "law"]
-    found = [r for r in relations if r.role != "law" and values[_name(r)]]
+    results = [r for r in relations if r.role != "law" and values[_name(r)]]
     turns = any(split_name(name)[0] == r"\alpha" for law in laws for name in law.symbols())
     by = "By Newton's second law and the law of torques" if turns else "By Newton's second law"
     text = f"{by}, the accelerations are constant: {join_words([law.latex() for law in laws])}."
-    if not found or all(isinstance(law.left, Symbol) for law in laws):
+    if not results or all(isinstance(law.left, Symbol) for law in laws):
         return text
-    return f"{text} Hence {join_words([_told(r, values[_name(r)]) for r in found])}."
+    return f"{text} Hence {join_words([_told(r, values[_name(r)]) for r in results])}."
 
 
-def _told(found: Relation, value: float) -> str:
+def _told(result: Relation, value: float) -> str:
     """Return a result in LaTeX as name = formula = value; without the formula if it is only a number."""
-    if isinstance(found.right, Number):
-        return f"${_name(found)} = {with_unit(value, found.unit)}$"
-    return found.latex(value)
+    if isinstance(result.right, Number):
+        return f"${_name(result)} = {with_unit(value, result.unit)}$"
+    return result.latex(value)
 
 
 def state_text(relations: Sequence[Relation], values: Mapping[str, float]) -> str:
@@ -52,7 +52,7 @@ def state_text(relations: Sequence[Relation], values: Mapping[str, float]) -> st
 
 def prune_steps(steps: Sequence[Step], goal: str, values: Mapping[str, float]) -> list[Step]:
     """Remove from steps the laws and final values on which the goal does not depend; step numbers are unchanged."""
-    used, found = {goal}, list[Step]()
+    used, pruned = {goal}, list[Step]()
     for step in reversed(steps):
         kept = step
         if step.kind == STATE:
@@ -66,8 +66,8 @@ def prune_steps(steps: Sequence[Step], goal: str, values: Mapping[str, float]) -
         elif step.kind == LAWS:
             kept = _with_needed_laws(step, used, values)
         used |= {*kept.symbols()}
-        found.append(kept)
-    return found[::-1]
+        pruned.append(kept)
+    return pruned[::-1]
 
 
 def _with_needed_laws(step: Step, used: AbstractSet[str], values: Mapping[str, float]) -> Step:
@@ -85,8 +85,8 @@ def _with_needed_laws(step: Step, used: AbstractSet[str], values: Mapping[str, f
             kept = fewer
     own = [laws[n] for n in kept]
     named = {name for law in own for name in law.symbols()}
-    told = [r for r in step.relations if r.role != "law" and _name(r) in used]
-    relations = (*own, *told)
+    results = [r for r in step.relations if r.role != "law" and _name(r) in used]
+    relations = (*own, *results)
     text = laws_text(relations, values) if own else ""
     return replace(step, relations=relations, gives=tuple(n for n in step.gives if n in named), text=text)
 
@@ -142,22 +142,22 @@ def _slipping(inner: PhaseEquations, face: int, side: int, who: str, forces: Map
 
 def _sticking(inner: PhaseEquations, face: int, who: str, forces: Mapping[str, Symbol]) -> str:
     """Return a sentence that a contact sticks, with the symbol and positive direction of the friction."""
-    way, holds = _way(inner, face, 1), "rolls without slipping" if inner.is_round(face) else "does not slip"
-    counted = f", counted positive {way}," if way else ""
+    direction, holds = _way(inner, face, 1), "rolls without slipping" if inner.is_round(face) else "does not slip"
+    counted = f", counted positive {direction}," if direction else ""
     return f"{capitalized(who)} {holds}; the static friction on it{counted} is ${forces[f'friction{face}'].latex()}$."
 
 
 def with_used_contacts(steps: Sequence[Step]) -> list[Step]:
     """Return the steps, with an empty text for each contact whose forces the next step with laws does not use."""
-    found: list[Step] = []
+    updated: list[Step] = []
     for number, step in enumerate(steps):
         if step.kind == CONTACT:
-            laws = next((held for held in steps[number:] if held.kind == LAWS), None)
+            laws = next((later for later in steps[number:] if later.kind == LAWS), None)
             used = {*laws.symbols()} if laws is not None else set[str]()
             if used.isdisjoint(_NAMED.findall(step.text)):
                 step = replace(step, text="")  # noqa: PLW2901
-        found.append(step)
-    return found
+        updated.append(step)
+    return updated
 
 
 def _way(inner: PhaseEquations, face: int, sense: int) -> str:
@@ -226,14 +226,14 @@ class SteadyPhase:
         own |= {inner.forces[key].name: symbol for key, symbol in forces.items()}
         for law in inner.laws:
             step.law(_renamed(law.left, own), _renamed(law.right, own))
-        found = [symbol for symbol in own.values() if symbol.name in book.values]
-        for symbol in found:
+        symbols = [symbol for symbol in own.values() if symbol.name in book.values]
+        for symbol in symbols:
             step.label(symbol.name)
         plain = all(isinstance(relation.left, Symbol) for relation in step.relations)
         formulas = (
-            explicit_formulas(step.relations, [symbol.name for symbol in found], book.values) if not plain else {}
+            explicit_formulas(step.relations, [symbol.name for symbol in symbols], book.values) if not plain else {}
         )
-        for symbol in found if not plain else ():
+        for symbol in symbols if not plain else ():
             if symbol.name in formulas and book.values[symbol.name]:
                 step.relations.append(Relation(symbol, formulas[symbol.name], "derived", book.units[symbol.name]))
             elif book.values[symbol.name]:
@@ -246,20 +246,20 @@ class SteadyPhase:
         first = self._begin == ZERO  # what lasts until an instant is its time
         span = names.time if first else book.fresh(r"\tau")
         near = book.values[names.time.name] - book.value(self._begin)
-        for k, (place, rate) in enumerate(zip(self._names.places, self._names.rates, strict=True)):
+        for k, (position, rate) in enumerate(zip(self._names.places, self._names.rates, strict=True)):
             formula = substitute(
-                substitute(formula, rate.name, self._rate(k, names, span)), place.name, self._place(k, names, span)
+                substitute(formula, rate.name, self._rate(k, names, span)), position.name, self._place(k, names, span)
             )
         formula = substitute(formula, self._names.time.name, added(self._begin, span))
         if not {*formula.symbols()} <= {*book.values, span.name}:
             raise UnsolvedError("the end of a phase of constant acceleration depends on a force")
-        found = solved_for(span.name, formula, ZERO, {**book.values, span.name: near})
-        if not isinstance(found, NumericRoot) and len(found.latex()) > MAX_DURATION_LENGTH:
-            found = NumericRoot(formula, span.name, near)
+        duration = solved_for(span.name, formula, ZERO, {**book.values, span.name: near})
+        if not isinstance(duration, NumericRoot) and len(duration.latex()) > MAX_DURATION_LENGTH:
+            duration = NumericRoot(formula, span.name, near)
         step = book.begin_step("duration")
         law = step.law(formula, ZERO)
         step.add_text(f"{self._how()} for a time ${span.name}$, until {said}: {law},")
-        step.add_text(f"so that {step.closed(span, found) if first else step.result(span, found, SECONDS)}.")
+        step.add_text(f"so that {step.closed(span, duration) if first else step.result(span, duration, SECONDS)}.")
         step.close()
         return span
 

@@ -69,8 +69,8 @@ def strategy(cls: type[Strategy]) -> type[Strategy]:
 
 def applicable_strategies(mechanism: Mechanism) -> list[Strategy]:
     """Return the strategies that may apply to a mechanism, those of lowest cost first."""
-    fit = (held for held in STRATEGIES.values() if not held.why_unsuitable(mechanism))
-    return mechanism.memoize("fitting strategies", lambda: sorted(fit, key=lambda held: held.cost))
+    fit = (candidate for candidate in STRATEGIES.values() if not candidate.why_unsuitable(mechanism))
+    return mechanism.memoize("fitting strategies", lambda: sorted(fit, key=lambda candidate: candidate.cost))
 
 
 def strategies_for_kind(kind: str, mechanism: Mechanism, *, derived: bool = False) -> list[Strategy]:
@@ -78,21 +78,21 @@ def strategies_for_kind(kind: str, mechanism: Mechanism, *, derived: bool = Fals
 
     With `derived`, only those that lead to formulas.
     """
-    own = [held for held in applicable_strategies(mechanism) if kind in held.kinds]
-    return [held for held in own if not derived or kind in held.formulas(mechanism)]
+    own = [candidate for candidate in applicable_strategies(mechanism) if kind in candidate.kinds]
+    return [candidate for candidate in own if not derived or kind in candidate.formulas(mechanism)]
 
 
 def deriving_strategies(kind: str, mechanism: Mechanism) -> list[Strategy]:
     """Return the strategies that may derive a formula for a kind of question without calling other strategies."""
     return mechanism.memoize(
         ("deriving strategies", kind),
-        lambda: [held for held in strategies_for_kind(kind, mechanism, derived=True) if not held.nested],
+        lambda: [candidate for candidate in strategies_for_kind(kind, mechanism, derived=True) if not candidate.nested],
     )
 
 
 def closed_form_strategies(kind: str, mechanism: Mechanism) -> list[Strategy]:
     """Return the strategies that may answer a kind of question without numerical integration."""
-    return [held for held in strategies_for_kind(kind, mechanism) if not held.integrates]
+    return [candidate for candidate in strategies_for_kind(kind, mechanism) if not candidate.integrates]
 
 
 def varying_acceleration(mechanism: Mechanism) -> str:

@@ -87,8 +87,8 @@ class _Turning(AxleForces):
     @property
     def size(self) -> Expression:
         """Return the distance from the axle to the centre of mass of the piece, in m."""
-        place = self.piece.place
-        return self.book.magnitude(place)
+        position = self.piece.place
+        return self.book.magnitude(position)
 
     # ---- the laws
 
@@ -146,8 +146,8 @@ class _Turning(AxleForces):
         square = 2.0 * moment * self.gravity * (there - self.cosine_first) / inertia
         square = sum_of_squares([self.launch]) + square
         where = straight(self.setting, below=self.book.value(moment * there) > 0.0)
-        said = by_energy(self.setting, "angular velocity", name, extreme=bool(self.extreme), where=where)
-        step.add_text(f"{said} {law}, so {step.result(name, Root(square), ANGULAR_SPEED)}.")
+        text = by_energy(self.setting, "angular velocity", name, extreme=bool(self.extreme), where=where)
+        step.add_text(f"{text} {law}, so {step.result(name, Root(square), ANGULAR_SPEED)}.")
         step.close()
         return name
 

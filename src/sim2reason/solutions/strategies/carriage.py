@@ -99,19 +99,19 @@ class _Asked(CarriageLaws):
         self.unloaded()
         book, c = self.book, self.carriage
         if self.lone:
-            said = "The relative motion is that of a body with the reduced mass"
+            text = "The relative motion is that of a body with the reduced mass"
             reduced = book.add_step(
-                "reduced", said, book.fresh(r"\mu"), c.sliding_mass * self.mass / c.total_mass, KILOGRAMS
+                "reduced", text, book.fresh(r"\mu"), c.sliding_mass * self.mass / c.total_mass, KILOGRAMS
             )
-            said = "For small oscillations the restoring force is proportional to the displacement, so"
+            text = "For small oscillations the restoring force is proportional to the displacement, so"
             formula = Root(self.mass * self.gravity / (self.length * reduced))
         else:
-            said = "As the momentum along the rail is zero, the carriage recoils; the effective moment of inertia is"
+            text = "As the momentum along the rail is zero, the carriage recoils; the effective moment of inertia is"
             formula = self.arm.inertia - Power(self.moment, 2) / c.total_mass
-            reduced = book.add_step("reduced", said, book.fresh("I", r"\text{r}"), formula, INERTIA)
-            said = "For small angles the restoring torque is proportional to the angle, so"
+            reduced = book.add_step("reduced", text, book.fresh("I", r"\text{r}"), formula, INERTIA)
+            text = "For small angles the restoring torque is proportional to the angle, so"
             formula = Root(book.magnitude(self.moment) * self.gravity / reduced)
-        rate = book.add_step("oscillation", said, book.fresh(r"\omega"), formula, ANGULAR_SPEED)
+        rate = book.add_step("oscillation", text, book.fresh(r"\omega"), formula, ANGULAR_SPEED)
         return measured_period(book, query, rate)
 
     # ---- how fast

@@ -77,8 +77,8 @@ class CentralSpring(Strategy):
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the conserved quantities, the length of the spring and the answer, and return the answer's symbol."""
-        way = _CentralMotion(setting, book)
-        return way.answer(way.WAYS[quantity_of(setting)], way.signed).name
+        model = _CentralMotion(setting, book)
+        return model.answer(model.WAYS[quantity_of(setting)], model.signed).name
 
 
 class _CentralMotion(SingleSpringBody):
@@ -100,11 +100,11 @@ class _CentralMotion(SingleSpringBody):
         launched = HALF * self.mass * sum_of_squares(self.launch)
         stored = HALF * self.stiffness * Power(self.length - self.natural, 2)
         step, name = self.book.begin_step("energy"), self.book.fresh("E")
-        said = "Energy is conserved; its value is"
+        text = "Energy is conserved; its value is"
         if quantity_of(self.setting) == "kinetic energy" and self.relaxed:
             step.add_text(passed_words(self._launched, step))
-            said = "There all energy is kinetic; as it is conserved, its value is"
-        step.add_text(f"{said} {step.result(name, launched + stored, JOULES, law=True)}.")
+            text = "There all energy is kinetic; as it is conserved, its value is"
+        step.add_text(f"{text} {step.result(name, launched + stored, JOULES, law=True)}.")
         step.close()
         return name
 
@@ -118,10 +118,10 @@ class _CentralMotion(SingleSpringBody):
         (x, y), (u, v) = self.apart, self.launch
         formula = x * v - y * u
         formula = self.book.magnitude(formula)
-        said = (
+        text = (
             "The spring force points to the fixed end, so the angular momentum about that point is conserved; per unit"
         )
-        return self.book.add_step("swirl", f"{said} mass it is", self.book.fresh("h"), formula, latex("m^2/s"))
+        return self.book.add_step("swirl", f"{text} mass it is", self.book.fresh("h"), formula, latex("m^2/s"))
 
     # ---- the moment
 
@@ -131,9 +131,9 @@ class _CentralMotion(SingleSpringBody):
         extreme = isinstance(self.setting.query, StretchQuery)
         time = time_of_greatest(self.setting) if extreme else self.setting.time
         state = self.setting.study.trace.sample(np.array([time]))
-        place = np.array(ends(self.setting.mechanism)) + state.q[0]
-        far = float(np.hypot(*place))
-        return far, float(place @ state.v[0]) / (far * float(np.hypot(*state.v[0])))
+        position = np.array(ends(self.setting.mechanism)) + state.q[0]
+        far = float(np.hypot(*position))
+        return far, float(position @ state.v[0]) / (far * float(np.hypot(*state.v[0])))
 
     @cached_property
     def relaxed(self) -> bool:
@@ -266,9 +266,9 @@ def _why_passed(launch: Launch, step: StepBuilder, query: StretchQuery) -> str:
             why = "and goes on to do so as long as it is compressed; in the end it is compressed"
             return _passes(book, step, (outward, ZERO), f"{outward.latex()} > 0", "lengthens at first", why)
         case MostCompressed() if stretched:
-            said = _passes(book, step, sides, relation, "is stretched at first", "and compressed in the end")
+            sentence = _passes(book, step, sides, relation, "is stretched at first", "and compressed in the end")
         case MostStretched() if not stretched:
-            said = _passes(book, step, sides, relation, "is compressed at first", "and stretched in the end")
+            sentence = _passes(book, step, sides, relation, "is compressed at first", "and stretched in the end")
         case MostStretched() if not lengthens:
             book.afterwards.append(lambda: _verify_reached(launch))
             why = "and does not turn back before"
@@ -276,11 +276,11 @@ def _why_passed(launch: Launch, step: StepBuilder, query: StretchQuery) -> str:
         case _:
             raise UnsolvedError("nothing shows that it passes its natural length")
     if known or lengthens == stretched or book.is_hidden(outward):
-        return said
+        return sentence
     record_inequality(book, step, *((outward, ZERO) if lengthens else (ZERO, outward)))
-    state, way = ("compressed", "shortens") if stretched else ("stretched", "lengthens")
+    state, verb = ("compressed", "shortens") if stretched else ("stretched", "lengthens")
     less = f"${outward.latex()} {'>' if lengthens else '<'} 0$"
-    return f"{said} If it were {state} at first, it would be fastest at the start, as it {way} then, {less}."
+    return f"{sentence} If it were {state} at first, it would be fastest at the start, as it {verb} then, {less}."
 
 
 def _passes(

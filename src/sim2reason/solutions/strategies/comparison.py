@@ -42,9 +42,11 @@ def shorten_second_case(book: SolutionBuilder, begun: int, changed: Mapping[str,
     used = {match[0] for step in rest for match in TOKEN.finditer(step.text)}
     known = {name for step in first for name in step.gives} | book.stated.keys()
     new = {name: old for name, old in names.items() if name in used - known and name != old}
-    labels, told = _labels(first, rest, names), _same_laws({**changed, **new})
+    labels, sentence = _labels(first, rest, names), _same_laws({**changed, **new})
     for number, step in enumerate(second):
-        kept = replace(step, text=told if step is repeated[0] else "") if step in repeated else labelled(step, labels)
+        kept = (
+            replace(step, text=sentence if step is repeated[0] else "") if step in repeated else labelled(step, labels)
+        )
         book.steps[begun + number] = kept
 
 
@@ -59,8 +61,8 @@ def reuse_first_case(book: SolutionBuilder, begun: int, stated: Collection[str])
         return {}
     alike = ((new, old) for new in book.stated.keys() - stated for old in stated if _same_given(book, new, old))
     names, places, kept = dict(alike), dict[int, int](), list[Step]()
-    for held in second:
-        step = labelled(renamed_step(held, names), names)
+    for later_step in second:
+        step = labelled(renamed_step(later_step, names), names)
         for other in first:
             pairs = _renaming(step.text, other.text) if step.kind == other.kind else None
             if pairs is not None and all(_same_result(book, new, old) for new, old in pairs.items()):
@@ -105,31 +107,31 @@ def _is_idle_law(step: Step, kept: Sequence[Step], first: Sequence[Step], book: 
 
 def _moved(step: Step, places: Mapping[int, int]) -> Step:
     """Return a step with new step numbers in place of its own number and of those that it depends on."""
-    needs = {places.get(place, place) for place in step.needs}
+    needs = {places.get(need, need) for need in step.needs}
     return replace(step, id=places[step.id], needs=tuple(sorted(needs)))
 
 
 def _same_laws(names: Mapping[str, str]) -> str:
     """Return the sentence that the laws of the first case hold in the second, with new names for old ones."""
-    said = [f"${new}$ for ${old}$" for new, old in names.items()]
-    return f"The same laws hold, with {join_words(said)}."
+    renamings = [f"${new}$ for ${old}$" for new, old in names.items()]
+    return f"The same laws hold, with {join_words(renamings)}."
 
 
 def _repeated(
     book: SolutionBuilder, first: Sequence[Step], second: Sequence[Step], names: dict[str, str]
 ) -> list[Step]:
     """Return the steps that repeat a law of the first case, and add their new names to `names`."""
-    found, left = list[Step](), [*first]
+    repeated, left = list[Step](), [*first]
     for step in second:
         valued = any(name in book.values for name in step.gives)
         for other in left if not valued and step.kind not in REPEATED_KINDS else ():
             pairs = _renaming(step.text, other.text)
             if pairs is not None and all(names.get(new, old) == old for new, old in pairs.items()):
                 names |= pairs
-                found.append(step)
-                left = [held for held in left if held is not other]
+                repeated.append(step)
+                left = [earlier for earlier in left if earlier is not other]
                 break
-    return found
+    return repeated
 
 
 def _renaming(text: str, other: str) -> dict[str, str] | None:
@@ -140,26 +142,26 @@ def _renaming(text: str, other: str) -> dict[str, str] | None:
     parts, others = text.split("$"), other.split("$")
     if len(parts) != len(others):
         return None
-    found: dict[str, str] = {}
+    renaming: dict[str, str] = {}
     for number, (part, its) in enumerate(zip(parts, others, strict=True)):
         pattern = TOKEN if number % 2 else LABEL  # names occur in formulas, labels between them
         if pattern.sub("", part) != pattern.sub("", its):
             return None
-        new, old = ([match[0] for match in pattern.finditer(held)] for held in (part, its))
-        if len(new) != len(old) or any(found.setdefault(a, b) != b for a, b in zip(new, old, strict=True)):
+        new, old = ([match[0] for match in pattern.finditer(piece)] for piece in (part, its))
+        if len(new) != len(old) or any(renaming.setdefault(a, b) != b for a, b in zip(new, old, strict=True)):
             return None
-    return found if len({*found.values()}) == len(found) else None
+    return renaming if len({*renaming.values()}) == len(renaming) else None
 
 
 def _labels(first: Sequence[Step], rest: Sequence[Step], names: Mapping[str, str]) -> dict[str, str]:
     """Return new labels for the second case's equations: the first case's for repeated laws, else the next numbers."""
-    told = max((int(label[1:-1]) for step in first for label in LABEL.findall(step.text)), default=0)
-    found = {new: old for new, old in names.items() if LABEL.fullmatch(new)}
+    highest = max((int(label[1:-1]) for step in first for label in LABEL.findall(step.text)), default=0)
+    labels = {new: old for new, old in names.items() if LABEL.fullmatch(new)}
     for step in rest:
         for label in LABEL.findall(step.text):
-            if label not in found and int(label[1:-1]) > told:
-                found[label] = f"({told + 1 + sum(1 for new in found.values() if int(new[1:-1]) > told)})"
-    return found
+            if label not in labels and int(label[1:-1]) > highest:
+                labels[label] = f"({highest + 1 + sum(1 for new in labels.values() if int(new[1:-1]) > highest)})"
+    return labels
 
 
 ANSWER_RTOL = 1e-6  # relative tolerance of the formula to the engine's answer for the other value
@@ -184,7 +186,7 @@ class Comparison(Strategy):
         if not isinstance(setting.query, ComparisonQuery):
             return "it compares nothing"
         inner = inner_setting(setting)
-        offered = any(not held.why_not_applicable(inner) for held in _deriving(inner))
+        offered = any(not candidate.why_not_applicable(inner) for candidate in _deriving(inner))
         return "" if offered else f"no formula for the kind {inner.query.kind}"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
@@ -197,9 +199,9 @@ class Comparison(Strategy):
         lead = f"With ${symbol}$ {WORDS[query.factor]}"
         verify_again(book, symbol, changed, lead)
         after = with_other_value(inner, book, goal, symbol, changed, lead)
-        unit, found = book.units.get(goal, ""), book.values[after.name]
+        unit, value = book.units.get(goal, ""), book.values[after.name]
         wanted = usable_answer(query.inner, query.changed(setting.study))
-        if wanted is None or abs(found - in_formula_units(wanted, unit)) > ANSWER_RTOL * abs(found):
+        if wanted is None or abs(value - in_formula_units(wanted, unit)) > ANSWER_RTOL * abs(value):
             raise UnsolvedError("with the other value the formula is another one")
         return compared(book, query, goal, after.name)
 
@@ -265,4 +267,6 @@ def _deriving(inner: ProblemContext) -> Sequence[Strategy]:
 
 def _closed(inner: ProblemContext) -> Sequence[Strategy]:
     """Return the strategies that answer the compared question without integration, those of lowest cost first."""
-    return [held for held in closed_form_strategies(inner.query.kind, inner.mechanism) if not held.nested]
+    return [
+        candidate for candidate in closed_form_strategies(inner.query.kind, inner.mechanism) if not candidate.nested
+    ]

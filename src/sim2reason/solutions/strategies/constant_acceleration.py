@@ -52,12 +52,12 @@ class ConstantAcceleration(Strategy):
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write Newton's laws and the kinematics of each stage, and return the symbol of the answer."""
-        way = _Staged(setting, book)
-        if way.goal is not None and (way.goal.throughout or way.goal.turns):
+        model = _Staged(setting, book)
+        if model.goal is not None and (model.goal.throughout or model.goal.turns):
             draft = _Staged(setting, book.copy())
             draft.write()
-            way.spared = draft.unused
-        return way.write()
+            model.spared = draft.unused
+        return model.write()
 
 
 class _Staged(StraightMotion):
@@ -79,9 +79,9 @@ class _Staged(StraightMotion):
         """Write all relevant stages and the answer, and return the answer's symbol."""
         if self.target is None or self.goal is None:
             return self._whole_time().name
-        found = self.goal.write(self.target, self).name
+        answer = self.goal.write(self.target, self).name
         verify_still_sliding(self.stages)
-        return found
+        return answer
 
     @property
     def newton(self) -> Newton:
@@ -105,15 +105,15 @@ class _Staged(StraightMotion):
 
     def force(self, kind: str, name: str) -> Symbol:
         """Write the force that is asked for, if necessary, and return its symbol."""
-        asked, found = self._force
-        held = self.stages[-1].dynamics.names.get(found)
-        if held is None:
+        force_key, solved_key = self._force
+        polynomial = self.stages[-1].dynamics.names.get(solved_key)
+        if polynomial is None:
             raise UnsolvedError(f"{name} has no {kind} here")
-        symbol = Symbol(next(iter(held.names())))
-        if asked == found:
+        symbol = Symbol(next(iter(polynomial.names())))
+        if force_key == solved_key:
             return symbol
         step, friction = self.book.begin_step("friction"), self.book.fresh("f", self.setting.subscript_of(name))
-        formula = (self.newton.coefficient(int(found[1:])) * Polynomial.of(symbol)).expression()
+        formula = (self.newton.coefficient(int(solved_key[1:])) * Polynomial.of(symbol)).expression()
         step.add_text(f"It slides, so {step.result(friction, formula, NEWTONS, law=True)}.")
         step.close()
         return friction
@@ -126,16 +126,16 @@ class _Staged(StraightMotion):
     def _force_in(self, segment: Segment) -> tuple[str, str]:
         if self.goal is None or self.target is None:
             return "", ""
-        asked = self.goal.force(self.target, self.setting)
-        slides = asked[:1] == "f" and Newton(self.setting.lexicon, segment).slip_directions[int(asked[1:])] != 0
-        if self.goal.throughout and asked[:1] == "f" and not slides:
-            return asked, ""  # what sticks dissipates nothing
-        return asked, f"N{asked[1:]}" if slides else asked
+        force_key = self.goal.force(self.target, self.setting)
+        slides = force_key[:1] == "f" and Newton(self.setting.lexicon, segment).slip_directions[int(force_key[1:])] != 0
+        if self.goal.throughout and force_key[:1] == "f" and not slides:
+            return force_key, ""  # what sticks dissipates nothing
+        return force_key, f"N{force_key[1:]}" if slides else force_key
 
     def _goal_of(self, segment: Segment, *, last: bool) -> list[str]:
         """Return a list with the name of the force that a stage must compute for the answer; without one, empty."""
-        found = self._force_in(segment)[1] if last or (self.goal is not None and self.goal.throughout) else ""
-        return [found] if found else []
+        solved_key = self._force_in(segment)[1] if last or (self.goal is not None and self.goal.throughout) else ""
+        return [solved_key] if solved_key else []
 
     # ---- stages
 
@@ -158,12 +158,12 @@ class _Staged(StraightMotion):
         all_of_them = [s for s in self.setting.motion.segments if s.start < self.setting.time or s.start == 0.0]
         if self.uses not in ("v", "s"):
             return all_of_them[-1:]
-        found = all_of_them[:1]
+        relevant = all_of_them[:1]
         for segment in all_of_them[1:]:
-            moved = any(abs(segment.a[k] - found[-1].a[k]) > COMPONENT_ATOL for k in self.wanted)
-            if moved or self._pulls(segment) != self._pulls(found[-1]):
-                found.append(segment)
-        return found
+            moved = any(abs(segment.a[k] - relevant[-1].a[k]) > COMPONENT_ATOL for k in self.wanted)
+            if moved or self._pulls(segment) != self._pulls(relevant[-1]):
+                relevant.append(segment)
+        return relevant
 
     def _pulls(self, segment: Segment) -> tuple[str, float]:
         """Return name and magnitude in a segment of the force whose work or impulse is asked for; "" and 0 if none."""
@@ -175,18 +175,18 @@ class _Staged(StraightMotion):
     @cached_property
     def stages(self) -> list[Stage]:
         """Return all stages, each with the final state of the stage before."""
-        found: list[Stage] = []
+        completed_stages: list[Stage] = []
         pairs = zip(self.segments, self.segments[1:], strict=False)
         stops = [self._stopping(now, after) for now, after in pairs]
         for number, segment in enumerate(self.segments):
             last = number == len(self.segments) - 1
             until = self.setting.time if last else self.segments[number + 1].start
-            before = found[-1] if found else None
+            before = completed_stages[-1] if completed_stages else None
             later = {k for stop in stops[number:] for k in (stop.coordinate, *stop.slip)}
             handed = sorted({*self.wanted, *later})
             speeds = {k: before.relative("v", k) for k in handed} if before else self.first_speeds
             places = {k: before.relative("s", k) for k in self.wanted} if before else {}
-            end = self._end(found, places) if last else stops[number]
+            end = self._end(completed_stages, places) if last else stops[number]
             if before is not None and before.end.turned is not None:
                 newton = Newton(self.setting.lexicon, segment)
                 tell_slipping_on(newton, self.setting, self.book, before.end.turned)
@@ -198,8 +198,8 @@ class _Staged(StraightMotion):
             resting = not forces and all(abs(segment.found.a[k]) < COMPONENT_ATOL for k in speeds)
             stage.uniform = resting and before is not None and not stage.dynamics.carried
             stage.reach([*goals, *forces])
-            found.append(stage)
-        return found
+            completed_stages.append(stage)
+        return completed_stages
 
     def _enough(self, stage: Stage) -> list[int]:
         """Return the coordinates whose motion in the last stage gives the answer and the end of the stage."""
@@ -207,13 +207,13 @@ class _Staged(StraightMotion):
         bodies = list(self.goal.bodies(self.target)) if self.goal is not None and self.target is not None else []
         timed = self.uses in ("v", "s") and isinstance(moment, Moved | Stopped)
         hinges = [k for body in bodies if (k := self.hinge(body)) is not None]
-        found = [*hinges, *self.moving([moment.name] if timed and isinstance(moment, Moved | Stopped) else [])]
-        found += self._slipping(moment.name) if isinstance(moment, StoppedSlipping) else []
+        coordinates = [*hinges, *self.moving([moment.name] if timed and isinstance(moment, Moved | Stopped) else [])]
+        coordinates += self._slipping(moment.name) if isinstance(moment, StoppedSlipping) else []
         slips = self.goal is not None and self.goal.throughout and self._force[0][:1] == "f"
         for body in bodies:
-            found += self.moving([body]) if slips else stage.dynamics.sufficient_coordinates(self.moving([body]))
+            coordinates += self.moving([body]) if slips else stage.dynamics.sufficient_coordinates(self.moving([body]))
         lines = self.goal.lines(self.target) if self.goal is not None and self.target is not None else ()
-        return [*found, *(k for name in lines for k in self.stretching(name))]
+        return [*coordinates, *(k for name in lines for k in self.stretching(name))]
 
     def own(self, body: str) -> list[int]:
         """Return the coordinates of a body's motion in the last stage, without those of a carrier below the body."""
@@ -229,10 +229,12 @@ class _Staged(StraightMotion):
             name = self.book.fresh("d")
             self.book.state_given(name.name, moment.value, METRES)
             there = self.setting.motion.state(np.array([self.setting.time])).q[0, k]
-            whole = Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0) - places.get(k, NIL)
+            displacement = Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0) - places.get(k, NIL)
             if before:
-                verify_farther(self.book, whole, (name, places.get(k, NIL)), self.setting.display_name(moment.name))
-            return End(None, k, whole, f"When {moment.told(self.setting.words, f'${name.name}$')},")
+                verify_farther(
+                    self.book, displacement, (name, places.get(k, NIL)), self.setting.display_name(moment.name)
+                )
+            return End(None, k, displacement, f"When {moment.told(self.setting.words, f'${name.name}$')},")
         if isinstance(moment, Stopped):
             k, *_ = self.moving([moment.name])
             return End(None, k, None, f"{capitalized(self.setting.display_name(moment.name))} comes to rest when")

@@ -59,8 +59,8 @@ class _Proportions(StraightMotion):
 
     def size(self, k: int) -> Expression:
         """Return the distance that a coordinate covers, m: the size of its displacement, as nothing turns back."""
-        held = self.rate("s", k).expression()
-        return held if self.book.value(held) >= 0.0 else -held
+        displacement = self.rate("s", k).expression()
+        return displacement if self.book.value(displacement) >= 0.0 else -displacement
 
     @cached_property
     def loaded(self) -> WrittenDynamics:
@@ -105,10 +105,10 @@ class _Proportions(StraightMotion):
     def rate(self, kind: str, k: int) -> Polynomial:
         """Return the displacement of a coordinate; UnsolvedError if it depends on forces."""
         del kind
-        found = self.dynamics.names.get(f"q{k}")
-        if found is None:
+        polynomial = self.dynamics.names.get(f"q{k}")
+        if polynomial is None:
             raise UnsolvedError("a displacement hangs on forces")
-        return found
+        return polynomial
 
     def force(self, kind: str, name: str) -> Symbol:
         """Raise UnsolvedError, since forces need Newton's laws."""
@@ -168,21 +168,21 @@ class _Pair(TwoBodyModel, EnergyModel):
 
     def _turning(self) -> Symbol:
         """Write the turning point, and that a body that stops later still moves there; return its symbol."""
-        found, moment, book = super()._turning(), self.query.moment, self.book
+        turning_point, moment, book = super()._turning(), self.query.moment, self.book
         if not self.greatest or not isinstance(moment, Stopped) or not self.kept:
-            return found
+            return turning_point
         both = reduced_quotient(self.kept, self._relative.masses[0])
         own = self.moving([moment.name])
         first = self.first_speeds.get(own[0], NIL).expression() if len(own) == 1 else ZERO
         alike = self._relative.ratio(own[0], self._relative.other) == 1.0
         if not alike or book.is_hidden(both) or not 0.0 < book.value(both) < book.value(first):
-            return found
+            return turning_point
         step, name, who = book.begin_step("verify"), book.fresh("V"), self.setting.display_name(moment.name)
         record_inequality(book, step, both, ZERO)
         record_inequality(book, step, first, both)
-        told = step.verified(name, both, SPEED)
+        verified = step.verified(name, both, SPEED)
         step.add_text(
-            f"The common velocity is then {told}. Until then {who} is faster, so it has not come to rest before."
+            f"The common velocity is then {verified}. Until then {who} is faster, so it has not come to rest before."
         )
         step.close()
-        return found
+        return turning_point

@@ -95,11 +95,11 @@ class EnergyModel(OneCoordinateModel):
         name, motion = self.book.fresh("x"), self.motion
         self.introduce({self._i: name})
         if isinstance(motion, LinearMotion) and self._slides and not self.first(self._i):
-            way = self.towards(self._i, forward=motion.load(self._i).value(motion.givens) > 0.0)
-            said = f"{self.mover} starts to move {way}"
-            told = StaticFrictionChecks(self).write_moves(motion, 0, said)
+            direction = self.towards(self._i, forward=motion.load(self._i).value(motion.givens) > 0.0)
+            clause = f"{self.mover} starts to move {direction}"
+            written = StaticFrictionChecks(self).write_moves(motion, 0, clause)
             step = self.book.begin_step("names")
-            step.add_text("" if told else f"{capitalized(said)}.", f"{first_friction(self, motion)}.")
+            step.add_text("" if written else f"{capitalized(clause)}.", f"{first_friction(self, motion)}.")
             step.close()
         return name
 
@@ -127,8 +127,8 @@ class EnergyModel(OneCoordinateModel):
     def _energy(self, body: str) -> Symbol:
         """Write the kinetic energy, J, by the work-energy theorem and return its symbol."""
         formula, mark = self._kinetic(self._first) + work(self.motion, self._place), self.setting.subscript_of(body)
-        said = f"By the work-energy theorem, the kinetic energy of {self.setting.display_name(body)} is"
-        return self.book.add_step("energy", said, self.book.fresh("K", mark), formula, JOULES)
+        text = f"By the work-energy theorem, the kinetic energy of {self.setting.display_name(body)} is"
+        return self.book.add_step("energy", text, self.book.fresh("K", mark), formula, JOULES)
 
     # ---- the sums
 
@@ -177,8 +177,8 @@ class EnergyModel(OneCoordinateModel):
         if isinstance(moment, Moved):
             return self.moved_to(moment)
         if isinstance(moment, NaturalLength):
-            said = f"{capitalized(self.setting.spring_phrases[moment.name])} has its natural length at"
-            return self.book.add_step("place", said, self.name, self.relaxed_place(moment.name), METRES)
+            text = f"{capitalized(self.setting.spring_phrases[moment.name])} has its natural length at"
+            return self.book.add_step("place", text, self.name, self.relaxed_place(moment.name), METRES)
         time = self._lasting
         formula = self._first * time
         formula = formula + HALF * self._rise * Power(time, 2)
@@ -209,8 +209,8 @@ class EnergyModel(OneCoordinateModel):
         step.add_text(f"so {step.result(name, formula, METRES)}.")
         step.add_text("The other root, zero, is the start." if first == ZERO and stiffness else "")
         if stiffness and first != ZERO and self.book.value(name) * self.book.value(self._first) > 0.0:
-            way = ("positive", "increases") if self.book.value(name) > 0.0 else ("negative", "decreases")
-            step.add_text(f"This is the {way[0]} root, as ${name.name}$ {way[1]} at first.")
+            wording = ("positive", "increases") if self.book.value(name) > 0.0 else ("negative", "decreases")
+            step.add_text(f"This is the {wording[0]} root, as ${name.name}$ {wording[1]} at first.")
         step.close()
         return name
 
@@ -250,16 +250,16 @@ class EnergyModel(OneCoordinateModel):
     @cached_property
     def _rise(self) -> Symbol:
         """Write the acceleration of the free coordinate x from the net force along it, and return its symbol."""
-        place: Expression = ZERO
+        position: Expression = ZERO
         if self.motion.springs and not isinstance(self.query.moment, AtStart):
             if isinstance(self.query.moment, AtTime) and not self.greatest:
                 raise UnsolvedError("energy says nothing of times where springs pull")
-            place = self._place
-        pulls, mass = net_force(self.motion, place), self._mass
+            position = self._place
+        pulls, mass = net_force(self.motion, position), self._mass
         if pulls == ZERO:
             raise UnsolvedError("nothing is accelerated")
         step, name = self.book.begin_step("power"), self.book.fresh("a")
-        step.add_text(told_extensions(self.motion, place, self.setting))
+        step.add_text(told_extensions(self.motion, position, self.setting))
         step.add_text(*law_words(self.setting.mechanism, self.motion, mass, self.name, name))
         step.add_text(f"{step.law(mass * name, pulls)},")
         step.add_text(f"so {step.result(name, pulls / mass, ACCELERATION)}.")
@@ -286,15 +286,15 @@ class EnergyModel(OneCoordinateModel):
         """Write the time, s, from the mean of the initial and final velocities, and return its symbol."""
         if self.motion.springs:
             raise UnsolvedError("energy says nothing of times where springs pull")
-        whole = self._speed + self._first
+        velocity_sum = self._speed + self._first
         if self._speed == ZERO:
-            whole = self._first
-        said = "At constant acceleration the mean velocity is the average of the initial and the final one:"
-        return self.book.add_step("time", said, self.book.fresh("t"), 2.0 * self._place / whole, SECONDS)
+            velocity_sum = self._first
+        text = "At constant acceleration the mean velocity is the average of the initial and the final one:"
+        return self.book.add_step("time", text, self.book.fresh("t"), 2.0 * self._place / velocity_sum, SECONDS)
 
     # ---- what goals ask
 
     def along(self, kind: str) -> Polynomial:
         """Return the displacement ``s``, velocity ``v`` or acceleration ``a`` of the free coordinate."""
-        held = {"s": lambda: self._place, "v": lambda: self._speed, "a": lambda: self._rise}[kind]()
-        return signed(held)
+        value = {"s": lambda: self._place, "v": lambda: self._speed, "a": lambda: self._rise}[kind]()
+        return signed(value)

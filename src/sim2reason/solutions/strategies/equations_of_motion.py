@@ -47,10 +47,10 @@ class Statics(Strategy):
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the balance of forces and the answer, and return the answer's symbol."""
-        way = _AtRest(setting, book)
-        way.balance()
-        assert way.target is not None
-        return GOALS[way.target.quantity].write(way.target, way).name
+        model = _AtRest(setting, book)
+        model.balance()
+        assert model.target is not None
+        return GOALS[model.target.quantity].write(model.target, model).name
 
 
 class _AtRest(LinearMotionModel):
@@ -76,21 +76,21 @@ class _AtRest(LinearMotionModel):
         self.introduce(names)
         rows = [[motion.stiffness(i, j) for j in free] for i in free]
         loads = [motion.load(i) for i in free]
-        said: list[str] = []
+        equations: list[str] = []
         if not determinant(rows):
             raise UnsolvedError("it has no place of its own to rest")
         step = self.book.begin_step("balance")
         for row, load in zip(rows, loads, strict=True):
             left = total(part * Polynomial.of(names[j]) for part, j in zip(row, free, strict=True))
-            said.append(step.law(left.collected([names[j].name for j in free]), load.expression()))
-        step.add_text(f"In equilibrium the net force {self._where} is zero: {join_words(said)}.")
+            equations.append(step.law(left.collected([names[j].name for j in free]), load.expression()))
+        step.add_text(f"In equilibrium the net force {self._where} is zero: {join_words(equations)}.")
         step.label("balance")
         step.close()
         for i, formula in zip(free, cramer(rows, loads), strict=True):
             step = self.book.begin_step("solve")
             step.rest_on("balance")
-            held = formula if len(free) == 1 else self.book.worked(formula)
-            step.add_text(f"So {step.result(names[i], held, METRES)}.")
+            value = formula if len(free) == 1 else self.book.worked(formula)
+            step.add_text(f"So {step.result(names[i], value, METRES)}.")
             step.close()
         return names
 
@@ -149,10 +149,10 @@ class Lagrange(Strategy):
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the equations, the accelerations and the answer, and return the answer's symbol."""
-        way = _Together(setting, book)
-        if way.target is None or way.goal is None:
-            return way.time.name
-        return way.goal.write(way.target, way).name
+        model = _Together(setting, book)
+        if model.target is None or model.goal is None:
+            return model.time.name
+        return model.goal.write(model.target, model).name
 
 
 def _springy(mechanism: Mechanism) -> bool:
@@ -183,15 +183,15 @@ class _Together(LinearMotionModel):
         self.introduce(places)
         rows = [[self.linear.mass(i, j) for j in free] for i in free]
         loads = [self.linear.load(i) for i in free]
-        said: list[str] = []
+        laws: list[str] = []
         step = self.book.begin_step("newton")
         for row, load in zip(rows, loads, strict=True):
             left = total(part * Polynomial.of(names[j]) for part, j in zip(row, free, strict=True))
-            said.append(step.law(left.collected([names[j].name for j in free]), load.factored()))
+            laws.append(step.law(left.collected([names[j].name for j in free]), load.factored()))
         step.add_text(
             f"With the accelerations {join_words([f'${name.name}$' for name in names.values()])}, Lagrange's equations"
         )
-        step.add_text(f"are {join_words(said)}.")
+        step.add_text(f"are {join_words(laws)}.")
         step.label("equations")
         step.close()
         for i, formula in zip(free, cramer(rows, loads), strict=True):

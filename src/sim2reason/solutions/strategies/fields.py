@@ -71,20 +71,20 @@ class FieldEnergy:
         """Write the work of the electric field and return its symbol."""
         if self.fields.damping is None:
             formula = self._gained()
-            said = "The magnetic force does no work, so the work of the electric force is the gain in kinetic energy,"
-            said = said if self.fields.turning is not None else "By the work-energy theorem,"
+            text = "The magnetic force does no work, so the work of the electric force is the gain in kinetic energy,"
+            text = text if self.fields.turning is not None else "By the work-energy theorem,"
         else:
-            said, formula = "The work of the electric force is", self.potential()
-        return self.book.add_step("work", said, self.book.fresh("W"), formula, JOULES)
+            text, formula = "The work of the electric force is", self.potential()
+        return self.book.add_step("work", text, self.book.fresh("W"), formula, JOULES)
 
     def lost(self) -> Symbol:
         """Write the energy lost to the medium: the electric work minus the gain in kinetic energy."""
         work: Expression = self.potential()
         if work != ZERO:
-            said = "The work of the electric force is"
-            work = self.book.add_step("work", said, self.book.fresh("W"), work, JOULES)
-        said = "The energy lost to the medium is this work less the gain in kinetic energy,"
-        return self.book.add_step("energy", said, self.book.fresh("Q"), work - self._gained(), JOULES)
+            text = "The work of the electric force is"
+            work = self.book.add_step("work", text, self.book.fresh("W"), work, JOULES)
+        text = "The energy lost to the medium is this work less the gain in kinetic energy,"
+        return self.book.add_step("energy", text, self.book.fresh("Q"), work - self._gained(), JOULES)
 
 
 NOUNS = {noun.base: noun for noun in (DISPLACEMENTS, VELOCITIES, ACCELERATIONS)}
@@ -203,9 +203,9 @@ class _InFields(StraightMotion):
     def _potential(self) -> Symbol:
         """Write the change in electric potential energy, minus the work of the electric force, in J."""
         work = FieldEnergy(self, self.moment).potential()
-        said = "The change in potential energy is minus the work of the electric force; its magnitude is"
+        text = "The change in potential energy is minus the work of the electric force; its magnitude is"
         size = modulus(work, self.book, of_either_sign=True)
-        return self.book.add_step("energy", said, self.book.fresh("U"), size, JOULES)
+        return self.book.add_step("energy", text, self.book.fresh("U"), size, JOULES)
 
     # ---- for goals
 
@@ -244,8 +244,8 @@ class _InFields(StraightMotion):
         if formula == ZERO or isinstance(formula, Symbol) or (kind == "v" and formula == self.fields.launch[axis]):
             return formula
         name = self.fields.velocity[axis] if kind == "v" else self.book.fresh(kind, AXES[axis])
-        said, law = self._said(kind, axis)
-        return self.book.add_step("component", said, name, formula, NOUNS[kind].unit, rests=law)
+        text, law = self._said(kind, axis)
+        return self.book.add_step("component", text, name, formula, NOUNS[kind].unit, rests=law)
 
     def _said(self, kind: str, axis: int) -> tuple[str, str]:
         """Return the beginning of a sentence about a component, and the label of the law that it uses."""
@@ -255,8 +255,8 @@ class _InFields(StraightMotion):
         if kind == "a":
             return f"By the equation of motion, the acceleration of {who} along {along} is", self.fields.law
         if isinstance(self.query.moment, Stopped) and isinstance(self.motion, RotatingMotion) and kind == "s":
-            said = f"Over a whole turn, the rotating part adds nothing to the displacement of {who}"
-            return f"{said}, which along {along} is", self.fields.law
+            text = f"Over a whole turn, the rotating part adds nothing to the displacement of {who}"
+            return f"{text}, which along {along} is", self.fields.law
         if self._turn is not None and (short := self._turn.told(kind, axis)):
             return short, self.fields.law
         return self.motion.lead_text(kind, axis, self.time), self.fields.law
@@ -268,8 +268,8 @@ class _InFields(StraightMotion):
 
     def vector(self, kind: str, body: str) -> Components:
         """Return a vector by component, or its magnitude alone if that is asked for and has a short formula."""
-        asked = self.target is not None and self.target.sense is None and self.query.kind != "sum"
-        if asked and not isinstance(self.query.moment, AtStart):
+        magnitude_only = self.target is not None and self.target.sense is None and self.query.kind != "sum"
+        if magnitude_only and not isinstance(self.query.moment, AtStart):
             sizes = {"v": lambda: self.moment.speed, "a": lambda: self.moment.pull, "s": self._chord}
             size = sizes.get(kind, lambda: None)()
             if size is not None:

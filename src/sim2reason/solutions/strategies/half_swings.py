@@ -77,14 +77,14 @@ class _Swinging(Oscillating):
 
     def write(self) -> Symbol:
         """Verify the assumptions about friction, write the answer and return its symbol."""
-        moment, held = self.query.moment, self.harmonic
-        self._verify_others(held)
+        moment, oscillation = self.query.moment, self.harmonic
+        self._verify_others(oscillation)
         if isinstance(moment, Halted):
             there = self.whole_place
             self._checks.write_stays(self._motion(self.segment, there), len(self._segments))
         marked = isinstance(moment, Moved | NaturalLength) and not self.greatest
-        if marked and not held.is_turning_point(self.since_begun):
-            self._turns_beyond(held)
+        if marked and not oscillation.is_turning_point(self.since_begun):
+            self._turns_beyond(oscillation)
         return super().write()
 
     # ---- swing by swing
@@ -113,15 +113,15 @@ class _Swinging(Oscillating):
         before: HarmonicOscillation | None = None
         for number, segment in enumerate(self._segments):
             name = self.book.fresh("s", str(number + 1)) if number else first
-            held = self._swing(segment, name, before)
-            self._begins(held, number)
+            oscillation = self._swing(segment, name, before)
+            self._begins(oscillation, number)
             if segment is self._segments[-1]:
-                return held
+                return oscillation
             span = self._segments[number + 1].start - segment.start
-            if not held.is_turning_point(span):
+            if not oscillation.is_turning_point(span):
                 raise UnsolvedError("something changes on the way that is no turn")
-            self._turn(held, span)
-            before = held
+            self._turn(oscillation, span)
+            before = oscillation
         raise UnsolvedError("it never moves")
 
     def _begins(self, held: HarmonicOscillation, number: int) -> None:
@@ -138,8 +138,8 @@ class _Swinging(Oscillating):
         elif not held.first:
             (i,) = motion.free
             forward = motion.load(i).value(motion.givens) > 0.0
-            said = f"{self.mover_phrase(i)} starts to move {self.towards(i, forward=forward)}"
-            self._assume(said if not self._checks.write_moves(motion, number, said) else "")
+            clause = f"{self.mover_phrase(i)} starts to move {self.towards(i, forward=forward)}"
+            self._assume(clause if not self._checks.write_moves(motion, number, clause) else "")
         else:
             self._assume("")
         self._say(*swing_words(self, held, number))
@@ -166,12 +166,12 @@ class _Swinging(Oscillating):
         if timed:
             _ = self._begun
         who = capitalized(self.mover)
-        said = "The turning point is at" if timed else f"{who} first comes to rest at"
-        said, name = (said, book.fresh("x", "1")) if first else (f"{who} next comes to rest at", held.name)
-        there = book.add_step("turning", said, name, held.turning(span), METRES)
+        text = "The turning point is at" if timed else f"{who} first comes to rest at"
+        text, name = (text, book.fresh("x", "1")) if first else (f"{who} next comes to rest at", held.name)
+        there = book.add_step("turning", text, name, held.turning(span), METRES)
         if not first:
-            said, name = "The displacement from the start is then", book.fresh("x", str(len(self._places)))
-            there = book.add_step("turning", said, name, self.begin + there, METRES)
+            text, name = "The displacement from the start is then", book.fresh("x", str(len(self._places)))
+            there = book.add_step("turning", text, name, self.begin + there, METRES)
         self.begin = there
         self._places.append(there)
         self.started, self.turned = self.started + span, self.turned + 1
@@ -194,25 +194,25 @@ class _Swinging(Oscillating):
     @property
     def _begun(self) -> Expression:
         """Return the total duration of the earlier half-oscillations, and write those durations that are missing."""
-        for held, span in self._times[len(self._lasting) :]:
-            self._lasting.append(self._lasts(held, span))
+        for oscillation, span in self._times[len(self._lasting) :]:
+            self._lasting.append(self._lasts(oscillation, span))
         return total(map(Polynomial.of, self._lasting)).expression()
 
     def _time_name(self) -> Symbol:
-        return self.book.fresh("t", str(len({held.name for held in self._lasting}) + 1))
+        return self.book.fresh("t", str(len({duration.name for duration in self._lasting}) + 1))
 
     def _lasts(self, held: HarmonicOscillation, span: float) -> Symbol:
         """Write the duration of a half-oscillation, s, only once for those that begin at rest; return its symbol."""
-        whole = held.begun == ZERO
-        if whole and self._half is not None:
+        from_rest = held.begun == ZERO
+        if from_rest and self._half is not None:
             return self._half
-        if not whole:
+        if not from_rest:
             return told_first_rest(self, held, span, self._time_name())
-        said = "From one moment of rest to the next it takes half an oscillation:"
+        text = "From one moment of rest to the next it takes half an oscillation:"
         if not self._lasting:
-            said = f"{capitalized(self.mover)} first comes to rest after half an oscillation,"
+            text = f"{capitalized(self.mover)} first comes to rest after half an oscillation,"
         formula = held.angle_of_turning(span) / held.angular_frequency
-        self._half = self.book.add_step("time", said, self._time_name(), formula, SECONDS)
+        self._half = self.book.add_step("time", text, self._time_name(), formula, SECONDS)
         return self._half
 
     def since(self, time: Symbol) -> Symbol:
@@ -220,16 +220,16 @@ class _Swinging(Oscillating):
         left = time
         if self._times:
             before = self._begun
-            said = capitalized(f"{self._equal_times()}the remaining time is")
-            left = self.book.add_step("time", said, self._time_name(), time - before, SECONDS)
+            text = capitalized(f"{self._equal_times()}the remaining time is")
+            left = self.book.add_step("time", text, self._time_name(), time - before, SECONDS)
         self._turns_later(left)
         return left
 
     def time_since(self) -> Symbol:
         """Write the time of the moment within the last half-oscillation, s, and return its symbol."""
-        held = self.harmonic
-        if held.is_turning_point(self.since_begun):
-            return self._lasts(held, self.since_begun)
+        oscillation = self.harmonic
+        if oscillation.is_turning_point(self.since_begun):
+            return self._lasts(oscillation, self.since_begun)
         return super().time_since()
 
     def time_name(self) -> Symbol:
@@ -240,13 +240,13 @@ class _Swinging(Oscillating):
         """Return the time since the start, s, from the time within the last half-oscillation."""
         if not self._times:
             return time
-        whole = total(map(Polynomial.of, (*self._lasting, time))).expression()
-        said = capitalized(f"{self._equal_times(time)}the total time is")
-        return self.book.add_step("time", said, self.book.fresh("t"), whole, SECONDS)
+        total_time = total(map(Polynomial.of, (*self._lasting, time))).expression()
+        text = capitalized(f"{self._equal_times(time)}the total time is")
+        return self.book.add_step("time", text, self.book.fresh("t"), total_time, SECONDS)
 
     def _equal_times(self, *more: Symbol) -> str:
         """Return a clause such as *both half oscillations take the same time, so*; empty for one half-oscillation."""
-        goes_on, number = more != (self._half,), sum(held == self._half for held in (*self._lasting, *more))
+        goes_on, number = more != (self._half,), sum(duration == self._half for duration in (*self._lasting, *more))
         every = "both" if number == 2 else f"all {number}"
         every = f"the first {'two' if number == 2 else number}" if goes_on else every
         return f"{every} half oscillations take the same time, so " if number > 1 else ""
@@ -269,11 +269,11 @@ class _Swinging(Oscillating):
 
     def _turns_beyond(self, held: HarmonicOscillation) -> None:
         """Write that the body comes to rest only beyond its position at the moment, if need be at the end."""
-        formula, place, later = held.turning(self._ends_after(held)), self._place, len(self._places) > 1
-        if not self.book.in_symbols and any(map(self.book.is_hidden, (formula, place))):
-            self.book.afterwards.append(lambda: tell_beyond(self, held, formula, place, later=later))
+        formula, position, later = held.turning(self._ends_after(held)), self._place, len(self._places) > 1
+        if not self.book.in_symbols and any(map(self.book.is_hidden, (formula, position))):
+            self.book.afterwards.append(lambda: tell_beyond(self, held, formula, position, later=later))
         else:
-            tell_beyond(self, held, formula, place, later=later)
+            tell_beyond(self, held, formula, position, later=later)
 
     def _verify_others(self, held: HarmonicOscillation) -> None:
         """Write that bodies at rest stay at rest while the oscillating body moves between its turning points."""
@@ -283,8 +283,8 @@ class _Swinging(Oscillating):
             return
         span, places = self._ends_after(held), [*self._places]
         if len(places) == 1:
-            said, name = "It first comes to rest at", self.book.fresh("x", "1")
-            places.append(self.book.add_step("turning", said, name, held.turning(span), METRES))
+            text, name = "It first comes to rest at", self.book.fresh("x", "1")
+            places.append(self.book.add_step("turning", text, name, held.turning(span), METRES))
         self._checks.others_rest(motion, places, self.book.value(self.begin) + held.state_at(span)[0])
 
     @property

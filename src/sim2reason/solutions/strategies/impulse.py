@@ -91,12 +91,12 @@ class _Struck(StraightMotion):
             self._follow()
         if isinstance(self.query.moment, HighestPoint) and self.uses == "v":
             write_highest_point(self.flights, self.query.moment.name)
-        found = self.time if self.target is None or self.goal is None else self.goal.write(self.target, self)
+        answer = self.time if self.target is None or self.goal is None else self.goal.write(self.target, self)
         met = self.impact.bodies if self.impact is not None else ()
         write_omitted_collisions(
             self.flights, {*met, *(self.goal.bodies(self.target) if self.goal and self.target else ())}
         )
-        return found.name
+        return answer.name
 
     def _follow(self) -> None:
         """Write all collisions before the moment in order, and schedule the exclusion of others."""
@@ -114,18 +114,18 @@ class _Struck(StraightMotion):
     @property
     def impacts(self) -> Sequence[CollisionTerm]:
         """Return all collisions up to and including the moment."""
-        held = [impact for impact in self.flights.impacts if impact.time <= self.setting.time]
-        return [StruckBodies(self.flights, impact) for impact in held]
+        relevant = [impact for impact in self.flights.impacts if impact.time <= self.setting.time]
+        return [StruckBodies(self.flights, impact) for impact in relevant]
 
     @property
     def stretches(self) -> Sequence[MotionPart]:
         """Return all flights of the body in question, each as a part of the motion."""
         assert self.target is not None
-        body, held = self.target.subject, self.flights
+        body, flights = self.target.subject, self.flights
         last = self.number(body)
-        ends = [held.leg(body, number + 1).after for number in range(last)]
-        times = [*(held.when(impact) if impact is not None else None for impact in ends), self.time]
-        return [FlightPart(held, number, time) for number, time in enumerate(times)]
+        ends = [flights.leg(body, number + 1).after for number in range(last)]
+        times = [*(flights.when(impact) if impact is not None else None for impact in ends), self.time]
+        return [FlightPart(flights, number, time) for number, time in enumerate(times)]
 
     @cached_property
     def _flying(self) -> set[str]:
@@ -139,11 +139,11 @@ class _Struck(StraightMotion):
         """Return the impact to which the moment refers; None if it refers to none."""
         moment = self.query.moment
         if isinstance(moment, LastCollision):
-            return [held for held in self.flights.impacts if held.time <= self.setting.time][-1]
+            return [candidate for candidate in self.flights.impacts if candidate.time <= self.setting.time][-1]
         if not isinstance(moment, Collided | Bounced):
             return None
         bodies = set(moment.subjects)
-        same = [held for held in self.flights.impacts if set(held.bodies) == bodies]
+        same = [candidate for candidate in self.flights.impacts if set(candidate.bodies) == bodies]
         if len(same) < moment.number:
             raise UnsolvedError("the motion ends before that collision")
         return same[moment.number - 1]
@@ -206,16 +206,16 @@ class _Struck(StraightMotion):
         target = Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0)
         if number and not self.flights.acceleration(k):
             tell_side(self.flights, moment.name, k, name)
-        said = f"{capitalized(moment.told(self.setting.words, f'${name.name}$'))} when"
-        return self._flown(leg.speeds[k], (before - target, target), k, said, leg)
+        text = f"{capitalized(moment.told(self.setting.words, f'${name.name}$'))} when"
+        return self._flown(leg.speeds[k], (before - target, target), k, text, leg)
 
     def _landing(self, body: str) -> Symbol:
         """Write the time at which a body reaches the ground and return its symbol."""
         k = next(k for k in self.moving([body]) if self.mechanism.coordinates[k].lower > -inf)
         height = self.setting.lexicon.of(lambda m: -m.coordinates[k].lower)
         leg = self.flights.leg(body, self.flights.count(body, None))
-        said = f"{capitalized(self.setting.display_name(body))} reaches the ground when"
-        return self._flown(leg.speeds[k], (height, NIL), k, said, leg)
+        text = f"{capitalized(self.setting.display_name(body))} reaches the ground when"
+        return self._flown(leg.speeds[k], (height, NIL), k, text, leg)
 
     def _at_distance(self, moment: Away) -> Symbol:
         """Write the time at which a body is at a stated distance from its start; a numerical root."""
@@ -241,8 +241,8 @@ class _Struck(StraightMotion):
         near = self.setting.time - (self.book.values[begins.name] if begins is not None else 0.0)
         residual = added(squares, -Power(name, 2))
         step.add_text(f"{capitalized(self.setting.display_name(body))} is at the distance ${name.name}$ when {law}.")
-        said = "The numerical solution for the first such time is"
-        step.add_text(root_sentence(self.book, step, time, residual, near, SECONDS, said))
+        text = "The numerical solution for the first such time is"
+        step.add_text(root_sentence(self.book, step, time, residual, near, SECONDS, text))
         step.close()
         return self.flights.time_since_start(self.flights.begins(leg), time)
 
@@ -260,10 +260,10 @@ class _Struck(StraightMotion):
 
     def _turning(self, body: str) -> Symbol:
         """Write the time at which the velocity of a body along its line is zero and return its symbol."""
-        found = [k for k in self.moving([body]) if self.flights.acceleration(k)]
-        if len(found) != 1:
+        coordinates = [k for k in self.moving([body]) if self.flights.acceleration(k)]
+        if len(coordinates) != 1:
             raise UnsolvedError("nothing turns it back")
-        k, number = found[0], self.flights.count(body, None)
+        k, number = coordinates[0], self.flights.count(body, None)
         leg = self.flights.leg(body, number)
         step, name = self.book.begin_step("time"), self.book.fresh("t")
         a = self.flights.acceleration(k)

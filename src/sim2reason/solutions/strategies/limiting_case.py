@@ -55,8 +55,8 @@ class LimitingDynamics(WrittenDynamics):
         givens = {g.symbol: g.value for g in self.setting.lexicon.givens.values()}
         matrix = np.array([[row.zero.coefficient(name).value(givens) for name in unknowns] for row in rows])
         right = np.array([-row.zero.without(unknowns).value(givens) for row in rows])
-        found = np.asarray(np.linalg.lstsq(matrix, right, rcond=1e-12)[0], dtype=np.float64)
-        return {**self.newton.values, **dict(zip(unknowns, found.tolist(), strict=True))}
+        solution = np.asarray(np.linalg.lstsq(matrix, right, rcond=1e-12)[0], dtype=np.float64)
+        return {**self.newton.values, **dict(zip(unknowns, solution.tolist(), strict=True))}
 
 
 class LimitingBalance(LimitingDynamics):
@@ -104,8 +104,8 @@ class LimitingBalance(LimitingDynamics):
     def laws(self, goals: Sequence[str]) -> tuple[list[Row], list[str]]:
         """Return all laws except the condition on the body about to move, and the unknowns of these laws."""
         rows, unknowns = super().laws(goals)
-        held = self._condition
-        return [row for row in rows if (row.kind, row.number) != (held.kind, held.number)], unknowns
+        condition = self._condition
+        return [row for row in rows if (row.kind, row.number) != (condition.kind, condition.number)], unknowns
 
     def write(self, *, slides: bool) -> str:
         """Write the laws and the condition of zero acceleration; return the symbol of the question's unknown.
@@ -124,8 +124,8 @@ class LimitingBalance(LimitingDynamics):
         for name in reversed(book.formulas):
             if name != hidden.name and name in formula.symbols():
                 formula = substitute(formula, name, book.formulas[name])
-        found, solved = self._solved(hidden.name, formula)
-        book.values[hidden.name] = book.value(found)
+        root, solved = self._solved(hidden.name, formula)
+        book.values[hidden.name] = book.value(root)
         book.refresh(hidden.name, book.values[hidden.name])
         who = capitalized(self.setting.display_name(self._who))
         in_numbers = solved != formula
@@ -135,7 +135,7 @@ class LimitingBalance(LimitingDynamics):
         if sides is not None and all(len(side.latex()) <= MAX_FORMULA_LENGTH for side in sides):
             units = f", in {'SI units' if book.counts_in_si else 'numbers'}," if in_numbers else ""
             so = f"{', that is,' if formula == plain else so}{units} {step.derived(*sides)}, so"
-        step.add_text(f"{who}, {self.moving(row.number, 1)}: {law}{so} {step.closed(hidden, found)}.")
+        step.add_text(f"{who}, {self.moving(row.number, 1)}: {law}{so} {step.closed(hidden, root)}.")
         if len(others) == 1 and others[0] < 0.0 < book.values[hidden.name]:
             step.add_text(f"The other root, ${with_unit(others[0], book.units[hidden.name])}$, is negative.")
         step.close()
@@ -150,22 +150,22 @@ class LimitingBalance(LimitingDynamics):
         book = self.book
         if name not in formula.symbols():
             raise UnsolvedError("the limit does not depend on the unknown")
-        found = solved_for(name, formula, ZERO, book.values)
-        if isinstance(found, NumericRoot) or len(found.latex()) > MAX_FORMULA_LENGTH:
+        root = solved_for(name, formula, ZERO, book.values)
+        if isinstance(root, NumericRoot) or len(root.latex()) > MAX_FORMULA_LENGTH:
             formula = evaluate_known_parts(formula, frozenset({name}), book.worked)
-            found = solved_for(name, formula, ZERO, book.values, self._worked)
-        if isinstance(found, NumericRoot) or len(found.latex()) > MAX_FORMULA_LENGTH:
+            root = solved_for(name, formula, ZERO, book.values, self._worked)
+        if isinstance(root, NumericRoot) or len(root.latex()) > MAX_FORMULA_LENGTH:
             raise UnsolvedError("the limit has no short closed form")
-        return found, formula
+        return root, formula
 
     def _either_way(self) -> str:
         """Return the sentence that slip the other way only changes the sign, if the symbolic answer is a magnitude."""
-        formula, way = self.setting.formula, self._way()
-        if not self.book.in_symbols or formula is None or BAR not in formula.latex or not way or self._with_it():
+        formula, direction = self.setting.formula, self._way()
+        if not self.book.in_symbols or formula is None or BAR not in formula.latex or not direction or self._with_it():
             return ""
         unknown = f"${self.book.sought}$"
         return (
-            f"The equations below are for slipping{way}; for slipping the other way {unknown} has the opposite sign in "
+            f"The equations below are for slipping{direction}; for slipping the other way {unknown} has the opposite sign in "
             f"them, so that the magnitude of {unknown} is the answer in both cases."
         )
 
@@ -173,8 +173,8 @@ class LimitingBalance(LimitingDynamics):
         """Return the words for the direction of impending slip, after a space; empty if it has no short name."""
         sides = self.newton.slip_directions.items()
         face, side = next((n, s) for n, s in sides if self.mechanism.faces[n].subject == self._who)
-        way = slip_direction_text(self, face, side) if side else ""
-        return f" {way}" if way else ""
+        direction = slip_direction_text(self, face, side) if side else ""
+        return f" {direction}" if direction else ""
 
     def _with_it(self) -> str:
         """Return a clause, with the reason, that other bodies at rest also have limiting friction; may be empty."""
@@ -189,14 +189,18 @@ class LimitingBalance(LimitingDynamics):
 
     def _bound(self) -> tuple[str, set[str]]:
         """Return words for the taut strings, and the set of bodies that they bind to the one about to slip."""
-        taut = [held for n, held in enumerate(self.newton.lines) if self.values.get(f"T{n}", 0.0) > ACCELERATION_ATOL]
-        tied, found = (
+        taut = [
+            string for n, string in enumerate(self.newton.lines) if self.values.get(f"T{n}", 0.0) > ACCELERATION_ATOL
+        ]
+        tied, bound_bodies = (
             [{self._body_at(line.through[0]), self._body_at(line.through[-1])} - {None} for line in taut],
             {self._who},
         )
         for _ in tied:
-            found.update(body for bodies in tied if not found.isdisjoint(bodies) for body in bodies if body)
-        return "the taut string makes" if len(taut) == 1 else "the taut strings make", found
+            bound_bodies.update(
+                body for bodies in tied if not bound_bodies.isdisjoint(bodies) for body in bodies if body
+            )
+        return "the taut string makes" if len(taut) == 1 else "the taut strings make", bound_bodies
 
     def _body_at(self, site: str) -> str | None:
         """Return the body to which an attachment point belongs; None for a fixed point."""
@@ -206,8 +210,8 @@ class LimitingBalance(LimitingDynamics):
         """Write the conditions of the limiting case: which body is about to slip or rise, and what is still at rest."""
         step, who = self.book.begin_step("limit"), self.setting.display_name(self._who)
         either = self._either_way() if slides else ""
-        way = self._way() if slides and not either else ""
-        what = f"slip{way}: friction on it has its greatest value{self._with_it()};" if slides else "rise:"
+        direction = self._way() if slides and not either else ""
+        what = f"slip{direction}: friction on it has its greatest value{self._with_it()};" if slides else "rise:"
         rests = len(self.frozen) == len(self.mechanism.coordinates)
         still = "all bodies are still at rest" if rests else "its acceleration is still zero"
         parent = self.mechanism.body[self._who].parent
@@ -303,13 +307,13 @@ def _moving(setting: ProblemContext, query: ThresholdQuery) -> Segment:
 def _rate(dynamics: WrittenDynamics, name: str, *, slides: bool) -> dict[int, Polynomial]:
     """Return weights, by coordinate, of the accelerations that add up to that of a slip or of a body on its line."""
     if slides:
-        face = next(n for n, held in enumerate(dynamics.mechanism.faces) if held.subject == name)
-        found = dynamics.newton.slip(face)
-        for k in list(found):
+        face = next(n for n, candidate in enumerate(dynamics.mechanism.faces) if candidate.subject == name)
+        weights = dynamics.newton.slip(face)
+        for k in list(weights):
             if k in dynamics.carried:
                 j, sign = dynamics.carried[k]
-                found[j] = found.get(j, Polynomial({})) - found[k].scaled(sign)
-        return found
+                weights[j] = weights.get(j, Polynomial({})) - weights[k].scaled(sign)
+        return weights
     own = dynamics.sufficient_coordinates(dynamics.newton.moving_coordinates(name))
     if len(own) != 1:
         raise UnsolvedError("it moves along no line of its own")

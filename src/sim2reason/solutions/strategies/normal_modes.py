@@ -85,12 +85,12 @@ class _Modal(LinearMotionModel):
     @cached_property
     def _forms(self) -> list[Form]:
         """Return the weighted sums of displacements or their derivatives on which the moment and the answer depend."""
-        found = self._sought
+        forms = self._sought
         if self.target is not None and self.goal is not None:
             lines = self.goal.lines(self.target)
             own = [self._grows(lines[0])] if lines else [{k: 1.0} for k in (*self.asked_coordinates(), *self.gaining)]
-            found += [(self._order, parts) for parts in own]
-        return self._as_forms(found)
+            forms += [(self._order, parts) for parts in own]
+        return self._as_forms(forms)
 
     @property
     def _sought(self) -> list[tuple[int, dict[int, float]]]:
@@ -128,9 +128,9 @@ class _Modal(LinearMotionModel):
         """Raise UnsolvedError, before writing, if a numerical root is needed but not allowed."""
         if self.book.most >= Need.ROOT:
             return
-        held = self._all
-        rates = [n for n in held.shown(self._as_forms(self._sought)) if n >= held.zeros]
-        if held.size - held.zeros > PAIR or len(rates) > 1:
+        modes = self._all
+        rates = [n for n in modes.shown(self._as_forms(self._sought)) if n >= modes.zeros]
+        if modes.size - modes.zeros > PAIR or len(rates) > 1:
             raise UnsolvedError(f"it needs more: {Need.ROOT.label}")
 
     # ---- the moment
@@ -142,10 +142,10 @@ class _Modal(LinearMotionModel):
         if isinstance(moment, AtTime) and not self.greatest:
             self.book.state_given(name.name, moment.after, SECONDS)
             return name
-        said, held, law = self._condition
+        text, weights, law = self._condition
         modes = self._modes if self._goes_on != ZERO else plain(self._modes)
         value: Expression = ZERO
-        for k, part in held.items():
+        for k, part in weights.items():
             for i, ratio in self.motion.ratios[k].items():
                 value = value + Number(part * ratio) * law(modes, self.motion.free.index(i), name)
         if value == ZERO:
@@ -154,7 +154,7 @@ class _Modal(LinearMotionModel):
             value = law(modes, 0, name)
         value = value + self._goes_on
         step = self.book.begin_step("time")
-        step.add_text(f"{capitalized(said)} when {step.law(value, ZERO)}.")
+        step.add_text(f"{capitalized(text)} when {step.law(value, ZERO)}.")
         near = time_of_greatest(self.setting) if self.greatest else self.setting.time
         step.add_text(root_sentence(self.book, step, name, value, near, SECONDS, "The numerical solution is"))
         step.close()
@@ -213,19 +213,19 @@ class _Modal(LinearMotionModel):
         assert self.goal is not None
         if self.goal.uses not in ORDERS:
             raise UnsolvedError("the greatest value is of a force")
-        law, said = LAWS[ORDERS[self.goal.uses] + 1], "The greatest value is taken"
+        law, text = LAWS[ORDERS[self.goal.uses] + 1], "The greatest value is taken"
         lines, bodies = [*self.goal.lines(self.target)], [*self.goal.bodies(self.target)]
         if lines:
-            return said, self._grows(lines[0]), law
-        found: dict[int, float] = {}
+            return text, self._grows(lines[0]), law
+        weights: dict[int, float] = {}
         for body, sign in zip(bodies, (-1.0, 1.0) if len(bodies) > 1 else (1.0,), strict=True):
             own = self.moving([body])
             if len(own) != 1 or (len(bodies) > 1 and self._ring(body) is not None):
                 raise UnsolvedError("what has its greatest value is no sum of places")
-            found[own[0]] = sign
+            weights[own[0]] = sign
         if "distance" in self.target.quantity and len(members(self.target.subject)) != len(bodies):
             raise UnsolvedError("a distance of something else")
-        return said, found, law
+        return text, weights, law
 
     # ---- what goals ask
 
@@ -251,8 +251,8 @@ class _Modal(LinearMotionModel):
             return []
         step, names = self.book.begin_step("turning"), [self.book.fresh("t") for _ in nears]
         rates = [speed(self._modes, self.motion.free.index(i), name) for name in names]
-        told = join_words([step.law(rate, ZERO) for rate in rates])
-        step.add_text(f"It turns back {'when' if len(names) == 1 else 'at the roots of'} {told}.")
+        equations = join_words([step.law(rate, ZERO) for rate in rates])
+        step.add_text(f"It turns back {'when' if len(names) == 1 else 'at the roots of'} {equations}.")
         roots = list(zip(names, rates, nears, strict=True))
         step.add_text(roots_sentence(self.book, step, roots, SECONDS, "The numerical solution is"))
         step.close()
@@ -262,8 +262,8 @@ class _Modal(LinearMotionModel):
         """Write the values of a free coordinate at some times, and return their symbols."""
         step, names = self.book.begin_step("place"), [self.book.fresh("x") for _ in times]
         formulas = [place(self._modes, self.motion.free.index(i), time) for time in times]
-        told = [step.result(n, formula, METRES, law=True) for n, formula in zip(names, formulas, strict=True)]
-        step.add_text(f"Its displacement is then {join_words(told)}.")
+        equations = [step.result(n, formula, METRES, law=True) for n, formula in zip(names, formulas, strict=True)]
+        step.add_text(f"Its displacement is then {join_words(equations)}.")
         step.close()
         return names
 
@@ -273,11 +273,11 @@ class _Modal(LinearMotionModel):
             body, number = self.mechanism.coordinates[i].body, self.motion.free.index(i)
             own = base == "x" and self.setting.stated is None  # a value that is given is no function of time
             name = self.names[i] if own else self.book.fresh(base, self.setting.subscript_of(body))
-            whole, formula = (LAWS[n](self._modes, number, self._time) for n in (0, order))
-            course = f"${whole.latex()}$; " if order else ""
-            apart = ", apart from the common motion," if self._all.common else ""
-            said = f"The displacement of {self.setting.display_name(body)}{apart} is {course}{WAYS[order]}"
-            self._known[base, i] = Polynomial.of(self.book.add_step("sum of modes", said, name, formula, unit))
+            mode_sum, formula = (LAWS[n](self._modes, number, self._time) for n in (0, order))
+            course = f"${mode_sum.latex()}$; " if order else ""
+            qualifier = ", apart from the common motion," if self._all.common else ""
+            text = f"The displacement of {self.setting.display_name(body)}{qualifier} is {course}{WAYS[order]}"
+            self._known[base, i] = Polynomial.of(self.book.add_step("sum of modes", text, name, formula, unit))
         return self._known[base, i]
 
     def place(self, i: int) -> Polynomial:

@@ -56,7 +56,8 @@ class Optimum(Strategy):
             return "there is no such value"
         inner = inner_setting(setting)
         offered = any(
-            not held.why_not_applicable(inner) for held in deriving_strategies(inner.query.kind, inner.mechanism)
+            not candidate.why_not_applicable(inner)
+            for candidate in deriving_strategies(inner.query.kind, inner.mechanism)
         )
         return "" if offered else f"no formula for the kind {inner.query.kind}"
 
@@ -65,29 +66,29 @@ class Optimum(Strategy):
         query = setting.query
         assert isinstance(query, OptimumQuery)
         symbol, inner = lone_symbol(setting, query.path), inner_setting(setting)
-        place = query.place(setting.study)
-        there = setting.study.with_same_change({query.path: place}) if place is not None else None
+        optimum = query.place(setting.study)
+        there = setting.study.with_same_change({query.path: optimum}) if optimum is not None else None
         if there is None:
             raise UnsolvedError("there is no motion with that value")
         inner = with_changed_scene(inner, there, query.path, symbol)
         goal = write_inner_answer(inner, book, deriving_strategies(inner.query.kind, inner.mechanism))
-        whole = short_formula(inner, book, goal)
-        if whole is None or symbol not in whole.symbols():
+        expression = short_formula(inner, book, goal)
+        if expression is None or symbol not in expression.symbols():
             raise UnsolvedError("the formula for it is too long")
-        _stationary(book, query, goal, whole, symbol)
+        _stationary(book, query, goal, expression, symbol)
         if query.asks_place:
             return symbol
         extreme = book.fresh(goal, r"\text{max}" if query.greatest else r"\text{min}")
         step = book.begin_step("extreme value")
         step.rest_on(symbol)
-        step.add_text(f"With this value, {step.result(extreme, whole, book.units.get(goal, ''), law=True)}.")
+        step.add_text(f"With this value, {step.result(extreme, expression, book.units.get(goal, ''), law=True)}.")
         step.close()
         return extreme.name
 
 
-def _stationary(book: SolutionBuilder, query: OptimumQuery, goal: str, whole: Expression, symbol: str) -> None:
+def _stationary(book: SolutionBuilder, query: OptimumQuery, goal: str, expression: Expression, symbol: str) -> None:
     """Write the value of a symbol at which a formula is greatest or least."""
-    core, turned = _core(whole, symbol)
+    core, turned = _core(expression, symbol)
     greatest = query.greatest is not turned
     try:
         slope = _numerator(derivative(core, symbol))
@@ -95,46 +96,48 @@ def _stationary(book: SolutionBuilder, query: OptimumQuery, goal: str, whole: Ex
         raise UnsolvedError(str(error)) from error
     step, name = book.begin_step("derivative"), book.fresh("D")
     step.rest_on(goal)
-    step.add_text(inserted(book, goal, step.derived(Symbol(goal), whole)))
-    said = rf"\frac{{\mathrm{{d}}}}{{\mathrm{{d}} {symbol}}} \left({core.latex()}\right)"
+    step.add_text(inserted(book, goal, step.derived(Symbol(goal), expression)))
+    derivative_latex = rf"\frac{{\mathrm{{d}}}}{{\mathrm{{d}} {symbol}}} \left({core.latex()}\right)"
     extreme = "greatest" if query.greatest else "least"
-    where = "" if core == whole else f", just where ${core.latex()}$ is {'greatest' if greatest else 'least'}"
-    step.add_text(f"It is {extreme}{where}. There the derivative ${said}$ vanishes; but for a factor that does not")
+    where = "" if core == expression else f", just where ${core.latex()}$ is {'greatest' if greatest else 'least'}"
+    step.add_text(
+        f"It is {extreme}{where}. There the derivative ${derivative_latex}$ vanishes; but for a factor that does not"
+    )
     step.add_text(f"vanish, it is {step.result(name, slope, '', law=True)}, so that {step.law(name, ZERO)}.")
     step.close()
     Inversion(book, name.name, 0.0, symbol).write()
 
 
-def _core(held: Expression, symbol: str) -> tuple[Expression, bool]:
+def _core(expression: Expression, symbol: str) -> tuple[Expression, bool]:
     """Return the part of a positive formula with the same extrema in a symbol, and whether maxima become minima."""
-    match held:
+    match expression:
         case Root():
-            return _core(held.inside, symbol)
+            return _core(expression.inside, symbol)
         case Product():
-            kept = [factor for factor in held.factors if symbol in factor.symbols()]
+            kept = [factor for factor in expression.factors if symbol in factor.symbols()]
             if len(kept) == 1:
                 return _core(kept[0], symbol)
-        case Quotient() if symbol not in held.below.symbols():
-            return _core(held.above, symbol)
-        case Quotient() if symbol not in held.above.symbols():
-            found, turned = _core(held.below, symbol)
-            return found, not turned
+        case Quotient() if symbol not in expression.below.symbols():
+            return _core(expression.above, symbol)
+        case Quotient() if symbol not in expression.above.symbols():
+            core, turned = _core(expression.below, symbol)
+            return core, not turned
         case _:
             pass
-    return held, False
+    return expression, False
 
 
 def _numerator(slope: Expression) -> Expression:
     """Return the numerator of a derivative; raise UnsolvedError if it is too long."""
     try:
-        found = simplified_form(fraction(slope).above.factored()).expression
+        numerator = simplified_form(fraction(slope).above.factored()).expression
     except (OverflowError, ClosedFormError) as error:
         raise UnsolvedError("its derivative is too long") from error
-    if isinstance(found, Quotient):
-        found = found.above
-    if len(found.latex()) > MAX_NUMERATOR_LENGTH:
+    if isinstance(numerator, Quotient):
+        numerator = numerator.above
+    if len(numerator.latex()) > MAX_NUMERATOR_LENGTH:
         raise UnsolvedError("its derivative is too long")
-    return found
+    return numerator
 
 
 TWO = Number(2.0)
@@ -172,31 +175,33 @@ class GreatestRange(Strategy):
         speed = lexicon.of(lambda m: hypot(*(c.speed for c in m.coordinates))).expression()
         height = lexicon.of(lambda m: -max(c.lower for c in m.coordinates if c.lower > -inf)).expression()
         gravity = lexicon.of(lambda m: -m.gravity[2]).expression()
-        way = book.fresh("x")
+        horizontal_range = book.fresh("x")
         step = book.begin_step("path")
-        tangent, bent = Call("tan", theta), gravity * Power(way, 2) / (TWO * Power(speed, 2))
-        fallen = step.law(height + way * tangent - bent / Power(Call("cos", theta), 2), ZERO)
+        tangent, bent = Call("tan", theta), gravity * Power(horizontal_range, 2) / (TWO * Power(speed, 2))
+        fallen = step.law(height + horizontal_range * tangent - bent / Power(Call("cos", theta), 2), ZERO)
         far = Root(Power(speed, 2) + TWO * gravity * height)
-        book.set_value(way.name, book.value(speed * far / gravity), METRES)
-        step.add_text(f"The body lands at the horizontal distance ${way.name}$ where it has come down to the ground:")
+        book.set_value(horizontal_range.name, book.value(speed * far / gravity), METRES)
+        step.add_text(
+            f"The body lands at the horizontal distance ${horizontal_range.name}$ where it has come down to the ground:"
+        )
         step.add_text(f"{fallen}.")
         step.close()
         step = book.begin_step("derivative")
-        rest = step.law(way - gravity * Power(way, 2) * tangent / Power(speed, 2), ZERO)
+        rest = step.law(horizontal_range - gravity * Power(horizontal_range, 2) * tangent / Power(speed, 2), ZERO)
         step.add_text(
-            f"Where ${way.name}$ is greatest, it does not change to first order as ${theta.name}$ grows. So there"
+            f"Where ${horizontal_range.name}$ is greatest, it does not change to first order as ${theta.name}$ grows. So there"
         )
         step.add_text(
-            f"the derivative of this equation by ${theta.name}$, with ${way.name}$ constant, vanishes. Multiplied by"
+            f"the derivative of this equation by ${theta.name}$, with ${horizontal_range.name}$ constant, vanishes. Multiplied by"
         )
         step.add_text(f"$\\cos^2{theta.name}$, that is {rest}.")
         step.close()
         step = book.begin_step("solve for the unknown")
         angle = Call("arctan", speed / far)
         step.add_text(f"With $1 + \\tan^2{theta.name}$ for $1/\\cos^2{theta.name}$, both equations lead to")
-        step.add_text(f"{step.closed(way, speed * far / gravity)} and {step.closed(theta, angle)}.")
+        step.add_text(f"{step.closed(horizontal_range, speed * far / gravity)} and {step.closed(theta, angle)}.")
         step.close()
-        return theta.name if query.asks_place else self._farthest(setting, book, way, height)
+        return theta.name if query.asks_place else self._farthest(setting, book, horizontal_range, height)
 
     @staticmethod
     def _farthest(setting: ProblemContext, book: SolutionBuilder, way: Symbol, height: Expression) -> str:
@@ -227,7 +232,8 @@ class Limit(Strategy):
             return "no limit is asked for"
         inner = inner_setting(setting)
         offered = any(
-            not held.why_not_applicable(inner) for held in deriving_strategies(inner.query.kind, inner.mechanism)
+            not candidate.why_not_applicable(inner)
+            for candidate in deriving_strategies(inner.query.kind, inner.mechanism)
         )
         return "" if offered else f"no formula for the kind {inner.query.kind}"
 
@@ -237,24 +243,24 @@ class Limit(Strategy):
         assert isinstance(query, LimitQuery)
         symbol, inner = lone_symbol(setting, query.path), inner_setting(setting)
         goal = write_inner_answer(inner, book, deriving_strategies(inner.query.kind, inner.mechanism))
-        whole = short_formula(inner, book, goal)
-        if whole is None or symbol not in whole.symbols():
+        expression = short_formula(inner, book, goal)
+        if expression is None or symbol not in expression.symbols():
             raise UnsolvedError("the formula for it is too long, or does not hang on that mass")
         try:
-            left = limit(whole, symbol, book.values, large=query.large)
-            found = simplified_form(left).expression if left is not None else None
+            left = limit(expression, symbol, book.values, large=query.large)
+            simplified = simplified_form(left).expression if left is not None else None
         except (CancelledError, TypeError, ClosedFormError) as error:
             raise UnsolvedError(str(error)) from error
-        if found is None:
+        if simplified is None:
             raise UnsolvedError("it vanishes, or grows without bound")
         step, end = book.begin_step("limit"), r"\infty" if query.large else "0"
         step.rest_on(goal)
         which = "highest" if query.large else "lowest"
         name = book.fresh(goal, end)
-        step.add_text(inserted(book, goal, step.derived(Symbol(goal), whole)))
+        step.add_text(inserted(book, goal, step.derived(Symbol(goal), expression)))
         step.add_text(
             f"For ${symbol} \\to {end}$ only the terms with the {which} power of ${symbol}$ are left in each sum:"
         )
-        step.add_text(f"{step.result(name, found, book.units.get(goal, ''), law=True)}.")
+        step.add_text(f"{step.result(name, simplified, book.units.get(goal, ''), law=True)}.")
         step.close()
         return name.name

@@ -79,8 +79,8 @@ class AtAnomaly(OrbitPlace):
         near = ONE - orbit.e_cos_anomaly * Call("cos", angle) + orbit.e_sin_anomaly * Call("sin", angle)
         e = rf"${orbit.eccentricity_symbol.latex()} \cos {orbit.anomaly.latex()}$"
         grown = orbit.e_cos_anomaly * Call("cos", angle) - orbit.e_sin_anomaly * Call("sin", angle)
-        said = f"There {e} is ${grown.latex()}$, so the distance from {self._star} is"
-        return orbit.book.add_step("distance", said, orbit.named("r"), orbit.axis * near, METRES)
+        text = f"There {e} is ${grown.latex()}$, so the distance from {self._star} is"
+        return orbit.book.add_step("distance", text, orbit.named("r"), orbit.axis * near, METRES)
 
     @cached_property
     def _weights(self) -> dict[str, Symbol]:
@@ -89,11 +89,11 @@ class AtAnomaly(OrbitPlace):
 
     def _combined(self, numbers: str, axis: int) -> Expression:
         """Return a component of a vector: Lagrange's coefficients times initial position and velocity."""
-        orbit, found = self.orbit, ZERO
+        orbit, total = self.orbit, ZERO
         for number, part in zip(numbers, (orbit.place[axis], orbit.rate[axis]), strict=True):
             if part != ZERO:
-                found = found + self._weight(number) * part
-        return found
+                total = total + self._weight(number) * part
+        return total
 
     def _weight(self, number: str) -> Symbol:
         """Write one of Lagrange's coefficients."""
@@ -108,10 +108,10 @@ class AtAnomaly(OrbitPlace):
             formula = -(swift / (orbit.radius * self.radius))
         else:
             formula = ONE - orbit.axis / self.radius * rest
-        whole, part = "displacement" if number in "12" else "velocity", "position" if number in "13" else "velocity"
-        said = f"By Lagrange's formulas, the coefficient of the initial {part} in the {whole} is"
+        vector, part = "displacement" if number in "12" else "velocity", "position" if number in "13" else "velocity"
+        text = f"By Lagrange's formulas, the coefficient of the initial {part} in the {vector} is"
         unit = {"2": SECONDS, "3": PER_SECOND}.get(number, "")
-        return orbit.book.add_step("weights", said, name, formula, unit)
+        return orbit.book.add_step("weights", text, name, formula, unit)
 
     def _moved(self, axis: int) -> Expression:
         return self._combined("12", axis)
@@ -169,7 +169,7 @@ def _by_itself(m: Mechanism) -> bool:
     other = m.lines or m.faces or m.forces or m.burns or m.meetings or m.feet
     level = all(c.kind == "slide" and abs(c.axis[2]) < 1e-9 for c in m.coordinates)
     flat = all(len(m.body[body].coordinates) == 2 for body in moving)
-    lone = all(len(found) == 1 and found[0].power == 2.0 for found in pulls.values())
+    lone = all(len(attractions) == 1 and attractions[0].power == 2.0 for attractions in pulls.values())
     fixed = all(len({pull.a, pull.b} & set(moving)) == 1 for pull in m.attractions)
     return bool(moving) and lone and fixed and level and flat and not other
 
@@ -196,8 +196,8 @@ class _OnOrbit(StraightMotion):
         if len(lone) == 1 and target.sense is None:
             direct = {"velocity": "speed", "acceleration": "pull", "distance": "radius"}.get(target.quantity)
             if direct is not None:
-                found: Symbol = getattr(self.place(lone[0]), direct)
-                return found
+                symbol: Symbol = getattr(self.place(lone[0]), direct)
+                return symbol
         return GOALS[target.quantity].write(target, self)
 
     @staticmethod
@@ -205,10 +205,10 @@ class _OnOrbit(StraightMotion):
         return members(subject) if " & " in subject else (subject,)
 
     def _moving(self, subject: str) -> str:
-        found = [body for body in self._members(subject) if self.mechanism.body[body].coordinates]
-        if len(found) != 1:
+        moving = [body for body in self._members(subject) if self.mechanism.body[body].coordinates]
+        if len(moving) != 1:
             raise UnsolvedError("two bodies that both move, each on its own ellipse")
-        return found[0]
+        return moving[0]
 
     # ---- orbits and places
 
@@ -216,7 +216,7 @@ class _OnOrbit(StraightMotion):
         """Return the orbit of a body."""
         if body not in self._orbits:
             pull = next(p for p in self.mechanism.attractions if body in (p.a, p.b))
-            alone = sum(bool(held.coordinates) for held in self.mechanism.bodies) == 1
+            alone = sum(bool(candidate.coordinates) for candidate in self.mechanism.bodies) == 1
             center = pull.b if pull.a == body else pull.a
             self._orbits[body] = KeplerOrbit(self.setting, self.book, body, center, alone=alone)
         return self._orbits[body]
@@ -274,12 +274,12 @@ class _OnOrbit(StraightMotion):
         orbit = self.orbit(body)
         if query.functional == "area swept":
             swift = modulus(orbit.momentum, self.book, of_either_sign=True)
-            said = (
+            text = (
                 "The area swept out per unit of time is half the magnitude of the angular momentum per unit mass, so in"
             )
             round_once = isinstance(query.moment, Orbited) and query.moment.degrees == ALL_ROUND
-            said = f"{said} {'one period' if round_once else 'this time'} it is"
-            return orbit.book.add_step("area", said, orbit.named("A"), HALF * swift * self.time, AREA)
+            text = f"{text} {'one period' if round_once else 'this time'} it is"
+            return orbit.book.add_step("area", text, orbit.named("A"), HALF * swift * self.time, AREA)
         if query.functional == "greatest displacement":
             return orbit.farthest()
         which, far = FUNCTIONALS[query.functional]
@@ -298,8 +298,8 @@ class _OnOrbit(StraightMotion):
             lambda: orbit.to_apsis(far=far),
             lambda: given_apsis(orbit, far=far) if given else orbit.apsis(far=far),
         )
-        found: Symbol = getattr(at, which)
-        return found
+        symbol: Symbol = getattr(at, which)
+        return symbol
 
     # ---- for goals
 
@@ -318,5 +318,5 @@ class _OnOrbit(StraightMotion):
         if not self.mechanism.body[body].coordinates:
             return NIL
         axis = self.orbit(body).numbers.index(k)
-        found: Expression = self.place(body).component(kind, axis)
-        return Polynomial.of(found)
+        component: Expression = self.place(body).component(kind, axis)
+        return Polynomial.of(component)

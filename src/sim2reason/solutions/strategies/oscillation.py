@@ -66,8 +66,8 @@ class Oscillation(Strategy):
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the equilibrium, the angular frequency, the moment and the answer, and return the answer's symbol."""
-        way = Oscillating(setting, book)
-        return (_Pair(setting, book) if len(way.linear.free) == 2 else way).write().name
+        model = Oscillating(setting, book)
+        return (_Pair(setting, book) if len(model.linear.free) == 2 else model).write().name
 
 
 def no_oscillation_reason(mechanism: Mechanism) -> str:
@@ -104,12 +104,12 @@ class Oscillating(OneCoordinateModel):
 
     def write(self) -> Symbol:
         """Write the answer to the query and return the answer's symbol."""
-        query, held = self.query, self.harmonic
-        _ = held.numbers
+        query, oscillation = self.query, self.harmonic
+        _ = oscillation.numbers
         self.stops_alone()
         if isinstance(query, PeriodQuery):
             return measured_period(self.book, query, self.harmonic.angular_frequency)
-        verify_taut(self.setting, self.book, held)
+        verify_taut(self.setting, self.book, oscillation)
         if self.target is None or self.goal is None:
             return self._time
         return self.goal.write(self.target, self)
@@ -132,12 +132,12 @@ class Oscillating(OneCoordinateModel):
     @cached_property
     def _angle(self) -> Expression:
         """Return the phase ωt at the moment."""
-        moment, held = self.query.moment, self.harmonic
+        moment, oscillation = self.query.moment, self.harmonic
         if isinstance(moment, AtTime):
-            return held.angular_frequency * self.since(self._given_time)
-        if held.is_turning_point(self.since_begun):
-            return held.angle_of_turning(self.since_begun)
-        return held.angle_of(self._place, self.since_begun)
+            return oscillation.angular_frequency * self.since(self._given_time)
+        if oscillation.is_turning_point(self.since_begun):
+            return oscillation.angle_of_turning(self.since_begun)
+        return oscillation.angle_of(self._place, self.since_begun)
 
     @property
     def since_begun(self) -> float:
@@ -170,11 +170,11 @@ class Oscillating(OneCoordinateModel):
 
     def time_since(self) -> Symbol:
         """Write the time, s, from the instant at the position `begin` to the moment, and return its symbol."""
-        held, angle, place = self.harmonic, self._angle, self._place
-        rate, turns = held.angular_frequency, held.is_turning_point(self.since_begun)
+        oscillation, angle, position = self.harmonic, self._angle, self._place
+        rate, turns = oscillation.angular_frequency, oscillation.is_turning_point(self.since_begun)
         _ = self._first_move if turns else None
         step, time = self.book.begin_step("time"), self.time_name()
-        motion = (rate * time, angle) if turns else (place, held.displacement(time))
+        motion = (rate * time, angle) if turns else (position, oscillation.displacement(time))
         step.add_text(
             f"{self._reached(turns=turns)} {step.law(*motion)}, so {step.result(time, angle / rate, SECONDS)}."
         )
@@ -208,22 +208,24 @@ class Oscillating(OneCoordinateModel):
     @cached_property
     def _place(self) -> Expression:
         """Write the displacement from the position `begin` at the moment, m, and return it."""
-        held, moment = self.harmonic, self.query.moment
+        oscillation, moment = self.harmonic, self.query.moment
         if self._timed:
-            formula = held.displacement_at_phase(self._angle)
-            return self.book.add_step("place", "The displacement is then", held.name, formula, METRES)
+            formula = oscillation.displacement_at_phase(self._angle)
+            return self.book.add_step("place", "The displacement is then", oscillation.name, formula, METRES)
         if not self.greatest:
             if isinstance(moment, NaturalLength):
                 return self._relaxed(moment.name)
             if isinstance(moment, Moved):
-                whole = self.moved_to(moment)
-                return whole - self.begin
-        if held.is_turning_point(self.since_begun):
+                total_displacement = self.moved_to(moment)
+                return total_displacement - self.begin
+        if oscillation.is_turning_point(self.since_begun):
             _ = self._first_move
-            return self.book.add_step("place", f"{self.standing} at", held.name, held.turning(self.since_begun), METRES)
-        if abs(held.state_at(self.since_begun)[0] - held.numbers[1]) > 1e-6 * held.amplitude_value:
+            return self.book.add_step(
+                "place", f"{self.standing} at", oscillation.name, oscillation.turning(self.since_begun), METRES
+            )
+        if abs(oscillation.state_at(self.since_begun)[0] - oscillation.numbers[1]) > 1e-6 * oscillation.amplitude_value:
             raise UnsolvedError("the moment is no mark of an oscillation")
-        return held.equilibrium
+        return oscillation.equilibrium
 
     def _relaxed(self, spring: str) -> Expression:
         """Write the displacement from `begin` at which a spring has its natural length, m, and return it."""
@@ -237,29 +239,29 @@ class Oscillating(OneCoordinateModel):
     @cached_property
     def _speed(self) -> Expression:
         """Write the velocity of the free coordinate at the moment, m/s, and return it."""
-        held = self.harmonic
-        if not self._timed and held.is_turning_point(self.since_begun):
+        oscillation = self.harmonic
+        if not self._timed and oscillation.is_turning_point(self.since_begun):
             return ZERO
         step, name, forward = (
             self.book.begin_step("speed"),
             self.book.fresh("v"),
-            held.state_at(self.since_begun)[1] > 0.0,
+            oscillation.state_at(self.since_begun)[1] > 0.0,
         )
         if self._timed:
             formula: Expression = ZERO
-            if held.equilibrium != ZERO:
-                formula = held.equilibrium * held.angular_frequency * Call("sin", self._angle)
-            if held.begun != ZERO:
-                formula = formula + held.first.expression() * Call("cos", self._angle)
-            shift = held.displacement_at_phase(self._angle).latex()  # as a function of time
+            if oscillation.equilibrium != ZERO:
+                formula = oscillation.equilibrium * oscillation.angular_frequency * Call("sin", self._angle)
+            if oscillation.begun != ZERO:
+                formula = formula + oscillation.first.expression() * Call("cos", self._angle)
+            shift = oscillation.displacement_at_phase(self._angle).latex()  # as a function of time
             step.add_text(
                 f"The displacement is ${shift}$; its derivative is {step.result(name, formula, SPEED, law=True)}."
             )
         else:
-            changes = f"${held.name.name}$ {'increases' if forward else 'decreases'} at the rate"
+            changes = f"${oscillation.name.name}$ {'increases' if forward else 'decreases'} at the rate"
             changes = f"At the moment in question {changes}"
-            said = capitalized(self.fastest(held.balance)) if self._place == held.equilibrium else changes
-            step.add_text(f"{said} {step.result(name, held.speed_at(self._place), SPEED, law=True)}.")
+            text = capitalized(self.fastest(oscillation.balance)) if self._place == oscillation.equilibrium else changes
+            step.add_text(f"{text} {step.result(name, oscillation.speed_at(self._place), SPEED, law=True)}.")
         step.close()
         return name if self._timed or forward else -name
 
@@ -270,32 +272,32 @@ class Oscillating(OneCoordinateModel):
         """Write the displacement from the start at the moment, m, and return it."""
         if self.begin == ZERO:
             return self._place
-        said = "The displacement from the start is then"
+        text = "The displacement from the start is then"
         name = self.book.fresh("x", str(self.turned + 1))
-        return self.book.add_step("place", said, name, self.begin + self._place, METRES)
+        return self.book.add_step("place", text, name, self.begin + self._place, METRES)
 
     @property
     def stretches(self) -> Sequence[MotionPart]:
         """Return the whole motion with its turning points."""
-        held, until = self.harmonic, self.setting.time
+        oscillation, until = self.harmonic, self.setting.time
         turns = [
             time
-            for time in held.instants(until)
-            if held.is_turning_point(time) and time < until * (1.0 - REST_SPEED_RTOL)
+            for time in oscillation.instants(until)
+            if oscillation.is_turning_point(time) and time < until * (1.0 - REST_SPEED_RTOL)
         ]
         places: list[Expression] = [ZERO]
         for time in turns:
-            name = self.book.fresh(held.name.name.partition("_")[0])
-            places.append(self.book.add_step("turning", f"{self.standing} at", name, held.turning(time), METRES))
+            name = self.book.fresh(oscillation.name.name.partition("_")[0])
+            places.append(self.book.add_step("turning", f"{self.standing} at", name, oscillation.turning(time), METRES))
         return [BackAndForthTravel(self, [*places, self._place])]
 
     @cached_property
     def _acceleration(self) -> Symbol:
-        held, place, rest = self.harmonic, self._place, self.harmonic.equilibrium
-        apart = rest - place
-        formula = Power(held.angular_frequency, 2) * apart
-        said = f"The acceleration in the direction of increasing ${held.name.name}$ is"
-        return self.book.add_step("acceleration", said, self.book.fresh("a"), formula, ACCELERATION)
+        oscillation, position, rest = self.harmonic, self._place, self.harmonic.equilibrium
+        deviation = rest - position
+        formula = Power(oscillation.angular_frequency, 2) * deviation
+        text = f"The acceleration in the direction of increasing ${oscillation.name.name}$ is"
+        return self.book.add_step("acceleration", text, self.book.fresh("a"), formula, ACCELERATION)
 
     def along(self, kind: str) -> Polynomial:
         """Return the displacement ``s``, velocity ``v`` or acceleration ``a`` of the free coordinate."""

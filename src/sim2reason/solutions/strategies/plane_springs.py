@@ -62,11 +62,11 @@ class PlaneSprings(Strategy):
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the equilibrium and the answer, and return the answer's symbol."""
-        way = _Held(setting, book)
+        model = _Held(setting, book)
         if isinstance(setting.query, PeriodQuery):
-            return way.oscillate(setting.query).name
-        assert way.target is not None
-        return GOALS[way.target.quantity].write(way.target, way).name
+            return model.oscillate(setting.query).name
+        assert model.target is not None
+        return GOALS[model.target.quantity].write(model.target, model).name
 
 
 def _held_in_a_plane(m: Mechanism) -> bool:
@@ -111,14 +111,14 @@ class _Held(StraightMotion):
 
     def spring(self, what: str, line: str) -> Polynomial:
         """Return a parameter of a spring; ``strain`` and ``length`` are those in equilibrium."""
-        held = next(held for held in self.springs if held.name == line)
+        entry = next(entry for entry in self.springs if entry.name == line)
         if what == "damping":
             return NIL
         if what == "stiffness":
-            return Polynomial.of(held.stiffness)
+            return Polynomial.of(entry.stiffness)
         _ = self.place
-        length = Polynomial.of(held.length)
-        return length - Polynomial.of(held.natural) if what == "strain" else length
+        length = Polynomial.of(entry.length)
+        return length - Polynomial.of(entry.natural) if what == "strain" else length
 
     def growth(self, kind: str, line: str) -> Polynomial:
         """Return zero as a spring's change of length or its rate, since the body is at rest in equilibrium."""
@@ -132,19 +132,19 @@ class _Held(StraightMotion):
         """Return, by axis, the positions of the body and of the fixed ends, in the numbers of the text."""
         m, lexicon = self.mechanism, self.setting.lexicon
         body, nails = m.bodies[0].name, [_nail(m, line) for line in m.lines]
-        found: list[list[Polynomial]] = []
+        positions: list[list[Polynomial]] = []
         for axis in range(PLANE):
             pairs: list[tuple[float, ...]] = []
             for f in (initial_frames(m), initial_frames(lexicon.twin)):
                 points = [f.center(body).place, *(f.site(nail).place for nail in nails)]
                 pairs.append(tuple(float(point[axis]) for point in points))
-            found.append(_unshifted([lexicon.read(DualValue(*pair)) for pair in zip(*pairs, strict=True)]))
-        return found
+            positions.append(_unshifted([lexicon.read(DualValue(*pair)) for pair in zip(*pairs, strict=True)]))
+        return positions
 
     @cached_property
     def springs(self) -> list[_Spring]:
         """Return all springs."""
-        m, lexicon, found = self.mechanism, self.setting.lexicon, list[_Spring]()
+        m, lexicon, entries = self.mechanism, self.setting.lexicon, list[_Spring]()
         for number, line in enumerate(m.lines):
             twin = lexicon.twin.lines[number]
             assert isinstance(line.law, Elastic)
@@ -153,8 +153,8 @@ class _Held(StraightMotion):
             stiffness = lexicon.read(DualValue(line.law.stiffness, twin.law.stiffness)).expression()
             natural = lexicon.read(DualValue(line.law.length, twin.law.length)).expression()
             length = self.book.fresh(r"\ell", str(number + 1) if len(m.lines) > 1 else "")
-            found.append(_Spring(line.name, stiffness, natural, (x, y), length))
-        return found
+            entries.append(_Spring(line.name, stiffness, natural, (x, y), length))
+        return entries
 
     @cached_property
     def _there(self) -> tuple[float, float]:
@@ -170,14 +170,14 @@ class _Held(StraightMotion):
         """Write both balances of forces and their solution, and return the symbols X and Y."""
         names = self.book.fresh("X"), self.book.fresh("Y")
         step, who = self.book.begin_step("balance"), self.setting.display_name(self.mechanism.bodies[0].name)
-        lengths = {held.length: Root(_square(held, names)) for held in self.springs}
-        told = [step.law(name, formula) for name, formula in lengths.items()]
-        place = f"$({names[0].name}, {names[1].name})$"
-        step.add_text(f"With {who} at {place} the springs have the lengths {join_words(told)}.")
+        lengths = {item.length: Root(_square(item, names)) for item in self.springs}
+        definitions = [step.law(name, formula) for name, formula in lengths.items()]
+        position = f"$({names[0].name}, {names[1].name})$"
+        step.add_text(f"With {who} at {position} the springs have the lengths {join_words(definitions)}.")
         sums = [self._sum(names, axis) for axis in range(2)]
-        said = [step.law(held, ZERO) for held in sums]
-        step.add_text(f"In equilibrium their forces cancel along both axes: {join_words(said)}.")
-        across, along = (_without(held, lengths) for held in sums)
+        equations = [step.law(item, ZERO) for item in sums]
+        step.add_text(f"In equilibrium their forces cancel along both axes: {join_words(equations)}.")
+        across, along = (_without(item, lengths) for item in sums)
         inner = NumericRoot(along, names[1].name, self._there[1])
         outer = substitute(across, names[1].name, inner)
         step.add_text(
@@ -191,10 +191,12 @@ class _Held(StraightMotion):
 
     def _sum(self, names: tuple[Symbol, Symbol], axis: int) -> Expression:
         """Return the total restoring force along an axis."""
-        found: Expression = ZERO
-        for held in self.springs:
-            found = added(found, held.stiffness * (ONE - held.natural / held.length) * (names[axis] - held.end[axis]))
-        return found
+        force: Expression = ZERO
+        for spring in self.springs:
+            force = added(
+                force, spring.stiffness * (ONE - spring.natural / spring.length) * (names[axis] - spring.end[axis])
+            )
+        return force
 
     def _told_length(self, step: StepBuilder, name: Symbol, formula: Expression) -> str:
         """Record the length of a spring and return it in LaTeX, as a number or as a formula."""
@@ -209,13 +211,13 @@ class _Held(StraightMotion):
     def oscillate(self, query: PeriodQuery) -> Symbol:
         """Write the direction and stiffness of a mode of small oscillations, and return the answer's symbol."""
         turn = self._direction(query.rank)
-        step, stiff, whole = self.book.begin_step("stiffness"), self.book.fresh(r"\kappa"), ZERO
-        for held in self.springs:
-            weight, bearing = self._weights[held.name]
-            across = held.stiffness - weight
-            whole = whole + across + weight * Power(Call("cos", bearing - turn), 2)
-        said = "Including the tensions, which resist a transverse displacement, the stiffness in this direction is"
-        step.add_text(f"{said} {step.result(stiff, whole, STIFFNESS, law=True)}.")
+        step, stiff, total_stiffness = self.book.begin_step("stiffness"), self.book.fresh(r"\kappa"), ZERO
+        for spring in self.springs:
+            weight, bearing = self._weights[spring.name]
+            across = spring.stiffness - weight
+            total_stiffness = total_stiffness + across + weight * Power(Call("cos", bearing - turn), 2)
+        text = "Including the tensions, which resist a transverse displacement, the stiffness in this direction is"
+        step.add_text(f"{text} {step.result(stiff, total_stiffness, STIFFNESS, law=True)}.")
         step.close()
         mass = self.mass(self.mechanism.bodies[0].name).expression()
         rate = self.book.fresh(r"\omega")
@@ -225,18 +227,20 @@ class _Held(StraightMotion):
     @cached_property
     def _weights(self) -> Mapping[str, tuple[Symbol, Symbol]]:
         """Write k ℓ₀/ℓ and the angle with the x axis of each spring; return both symbols by the name of the spring."""
-        found: dict[str, tuple[Symbol, Symbol]] = {}
-        place = self.place
-        for number, held in enumerate(self.springs, start=1):
+        weights: dict[str, tuple[Symbol, Symbol]] = {}
+        position = self.place
+        for number, spring in enumerate(self.springs, start=1):
             mark = str(number) if len(self.springs) > 1 else ""
             weight, bearing = self.book.fresh("w", mark), self.book.fresh(r"\beta", mark)
             step = self.book.begin_step("bearing")
-            told = step.result(bearing, self._slope(place[1] - held.end[1], place[0] - held.end[0]), DEGREES, law=True)
-            part = step.result(weight, held.stiffness * held.natural / held.length, STIFFNESS, law=True)
-            step.add_text(f"Spring {mark} is at {told} to the x axis; let {part}.")
+            equation = step.result(
+                bearing, self._slope(position[1] - spring.end[1], position[0] - spring.end[0]), DEGREES, law=True
+            )
+            part = step.result(weight, spring.stiffness * spring.natural / spring.length, STIFFNESS, law=True)
+            step.add_text(f"Spring {mark} is at {equation} to the x axis; let {part}.")
             step.close()
-            found[held.name] = weight, bearing
-        return found
+            weights[spring.name] = weight, bearing
+        return weights
 
     def _slope(self, rise: Expression, run: Expression) -> Expression:
         """Return the angle of a line with the x axis, from the cotangent if the line is steep."""
@@ -257,13 +261,13 @@ class _Held(StraightMotion):
         if abs(sin(self.book.value(formula) - wanted)) > HALF.x:
             formula = formula + PI / TWO
         which = "stiffest" if rank else "softest"
-        said = f"The force is antiparallel to the displacement in the {which} direction, at the angle"
-        return self.book.add_step("direction", said, angle, formula, DEGREES)
+        text = f"The force is antiparallel to the displacement in the {which} direction, at the angle"
+        return self.book.add_step("direction", text, angle, formula, DEGREES)
 
 
-def _square(held: _Spring, place: tuple[Symbol, Symbol]) -> Expression:
+def _square(spring: _Spring, position: tuple[Symbol, Symbol]) -> Expression:
     """Return the square of the length of a spring to a position."""
-    (x, y), (far, up) = place, held.end
+    (x, y), (far, up) = position, spring.end
     return Power(x - far, 2) + Power(y - up, 2)
 
 
@@ -276,9 +280,9 @@ def _without(formula: Expression, lengths: Mapping[Symbol, Expression]) -> Expre
 
 def _unshifted(places: list[Polynomial]) -> list[Polynomial]:
     """Return positions along an axis without a common shift: x₁, x₂ and x for 0, x₂ − x₁ and x − x₁."""
-    for place in places:
-        taken = Polynomial({monomial: -part for monomial, part in place.terms.items() if part == -1.0})
-        moved = [held + taken for held in places]
-        if taken and all(len(held.terms) <= 1 for held in moved):
+    for position in places:
+        taken = Polynomial({monomial: -part for monomial, part in position.terms.items() if part == -1.0})
+        moved = [coordinate + taken for coordinate in places]
+        if taken and all(len(coordinate.terms) <= 1 for coordinate in moved):
             return moved
     return places

@@ -45,8 +45,8 @@ class RocketFlight(Strategy):
         """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         m = setting.mechanism
         if isinstance(setting.query, StretchQuery):
-            found = m.attractions or not any(m.gravity) or not _tops(setting)
-            return "it is not about the highest point of a flight in a uniform field" if found else ""
+            unsuitable = m.attractions or not any(m.gravity) or not _tops(setting)
+            return "it is not about the highest point of a flight in a uniform field" if unsuitable else ""
         if unknown := missing_goal(setting, MOMENTS):
             return unknown
         if m.attractions and not isinstance(setting.query.moment, AtStart | BurnedOut):
@@ -69,11 +69,11 @@ class _Burning(Burning):
             raise UnsolvedError("the pull of the planet changes as it rises")
         if self.target is None or self.goal is None:
             return self.time.name
-        found = self.goal.write(self.target, self).name
+        answer = self.goal.write(self.target, self).name
         above = self.uses == "s" and self.mechanism.coordinates[0].lower == 0.0  # the ground
         if above or not self.gravity or not self.out:  # it never moves backwards
             self.book.sign_chosen = 0
-        return found
+        return answer
 
     # ---- the moment
 
@@ -144,16 +144,16 @@ class _Burning(Burning):
             if self.book.is_hidden(self.time - self.burned):
                 self.tell_spent(self.time)
                 self.book.afterwards.append(lambda: exclude_burning(self, self.time))
-            said = f"{self.who} then moves with its engine off for"
-            return self.book.add_step("time", said, name, self.time - self.burned, SECONDS)
+            text = f"{self.who} then moves with its engine off for"
+            return self.book.add_step("time", text, name, self.time - self.burned, SECONDS)
         assert isinstance(moment, Moved)
         distance = self.book.fresh("d")
         self.book.state_given(distance.name, moment.value, METRES)
         rest = distance - high
         self.told_when_known(lambda: self.verify_farther(distance, high), distance, high)
         if not self.gravity:
-            said = f"{self.who} covers the rest of the distance ${distance.latex()}$ at the speed ${fast.latex()}$, in"
-            return self.book.add_step("time", said, name, rest / fast, SECONDS)
+            text = f"{self.who} covers the rest of the distance ${distance.latex()}$ at the speed ${fast.latex()}$, in"
+            return self.book.add_step("time", text, name, rest / fast, SECONDS)
         later = self.setting.time - self.burn.until
         falls = later > self.book.value(fast) / self.book.value(g)
         root = Root(Power(fast, 2) - 2.0 * g * rest)
@@ -217,8 +217,8 @@ class _Burning(Burning):
     @cached_property
     def _a(self) -> Symbol:
         if self.out:
-            said, formula = "With its engine off, gravity alone acts:", -self.gravity.expression()
-            return self.book.add_step("newton", said, self.book.fresh("a"), formula, ACCELERATION)
+            text, formula = "With its engine off, gravity alone acts:", -self.gravity.expression()
+            return self.book.add_step("newton", text, self.book.fresh("a"), formula, ACCELERATION)
         thrust, name = self.book.fresh("F"), self.book.fresh("a")
         force = multiplied(self.rate_of_burning, self.exhaust)
         left = self.left
@@ -242,31 +242,31 @@ class _Burning(Burning):
         if self.gravity:
             formula = formula - self.gravity.expression() * risen
         when = "at burnout is" if mark else f"at ${self.time.name}$ is" if self.out else "is then"
-        said = f"{before}{self.rocket_equation}, the velocity {when}"
-        return self.book.add_step("velocity", said, self.book.fresh(base, mark), formula, SPEED)
+        text = f"{before}{self.rocket_equation}, the velocity {when}"
+        return self.book.add_step("velocity", text, self.book.fresh(base, mark), formula, SPEED)
 
     def _gone(self, risen: Expression, mark: str) -> Symbol:
         """Write the distance covered in an ascent of duration `risen` with the engine on; return its symbol."""
         left = self.dry if self.out else self.left
         path, by_then = self._path(left, risen), " by burnout" if mark else ""
-        said = f"{self.course}. {self.integrated(left, risen)} So the distance covered{by_then} is"
-        return self.book.add_step("distance", said, self.book.fresh("s", mark), path, METRES)
+        text = f"{self.course}. {self.integrated(left, risen)} So the distance covered{by_then} is"
+        return self.book.add_step("distance", text, self.book.fresh("s", mark), path, METRES)
 
     @cached_property
     def _v(self) -> Symbol:
         if not self.out:
             return self._burnt(self._now, "v", "")
         if self.gravity and isinstance(self.query.moment, AtTime):
-            said = "" if self.tell_spent(self.time) else self.assumed_at(self.time)
-            found, risen = self._burnt(self._risen(self.time), "v", "", said), self._risen(self.time)
+            text = "" if self.tell_spent(self.time) else self.assumed_at(self.time)
+            speed, risen = self._burnt(self._risen(self.time), "v", "", text), self._risen(self.time)
             if not self.mechanism.attractions:
-                self.told_when_known(lambda: tell_in_the_air(self, found, risen), found, risen, self.dry, self.exhaust)
-            return found
+                self.told_when_known(lambda: tell_in_the_air(self, speed, risen), speed, risen, self.dry, self.exhaust)
+            return speed
         fast = self._at_end[0]
         if not self.gravity:
             return fast
-        said, formula = "Its velocity is then", fast - self.gravity.expression() * self.coast
-        return self.book.add_step("velocity", said, self.book.fresh("v"), formula, SPEED)
+        text, formula = "Its velocity is then", fast - self.gravity.expression() * self.coast
+        return self.book.add_step("velocity", text, self.book.fresh("v"), formula, SPEED)
 
     @cached_property
     def _s(self) -> Symbol:
@@ -277,13 +277,13 @@ class _Burning(Burning):
             return self._gone(self._now, "")
         name, (fast, high) = self.book.fresh("s"), self._at_end
         if isinstance(self.query.moment, Stopped) or isinstance(self.query, StretchQuery):
-            said, fall = f"With its engine off {self.name} rises on to", 2.0 * self.gravity.expression()
+            text, fall = f"With its engine off {self.name} rises on to", 2.0 * self.gravity.expression()
             if isinstance(self.query.moment, Stopped):
                 powered = "While the engine is on after lift-off, the thrust exceeds the weight, so the speed grows and"
-                said = f"{powered} {self.name} can come to rest only after burnout. {said}"
-            return self.book.add_step("distance", said, name, high + Power(fast, 2) / fall, METRES)
-        said = "height above the ground" if self.gravity else "distance from its starting point"
-        return self.book.add_step("distance", f"Its {said} is then", name, self._thrown(self.coast), METRES)
+                text = f"{powered} {self.name} can come to rest only after burnout. {text}"
+            return self.book.add_step("distance", text, name, high + Power(fast, 2) / fall, METRES)
+        text = "height above the ground" if self.gravity else "distance from its starting point"
+        return self.book.add_step("distance", f"Its {text} is then", name, self._thrown(self.coast), METRES)
 
     @property
     def _now(self) -> Expression:
@@ -300,5 +300,5 @@ class _Burning(Burning):
 def _tops(setting: ProblemContext) -> bool:
     """Return whether a greatest displacement or height is asked for, of a rocket that falls again at the end."""
     query = setting.query
-    asked = isinstance(query, StretchQuery) and query.functional in ("greatest displacement", "greatest height")
-    return asked and float(setting.motion.state(np.array([setting.time])).v[0, 0]) < 0.0
+    asks_greatest = isinstance(query, StretchQuery) and query.functional in ("greatest displacement", "greatest height")
+    return asks_greatest and float(setting.motion.state(np.array([setting.time])).v[0, 0]) < 0.0

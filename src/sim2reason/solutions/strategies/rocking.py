@@ -95,14 +95,14 @@ class _Rocking:
     @cached_property
     def _spread(self) -> tuple[Expression, Expression]:
         """Return the distance of the centre of mass from the axis, and the body's moment of inertia over its mass."""
-        held, shape = self.setting.mechanism.bodies[0], self.setting.scene.bodies.get(self.body)
+        body, shape = self.setting.mechanism.bodies[0], self.setting.scene.bodies.get(self.body)
         spread = mean_squares(shape, self._size) if isinstance(shape, Shape) else None
         if spread is None:
             raise UnreadError(f"{self.setting.display_name(self.body)} is in no table")
         axis = next(c.axis for c in self.setting.mechanism.coordinates if c.kind == "hinge")
-        actual = float(dot(axis, applied(held.inertia, axis)))
+        actual = float(dot(axis, applied(body.inertia, axis)))
         for formula in candidates(spread):
-            if abs(self.book.value(formula) * held.mass - actual) <= INERTIA_RTOL * actual:
+            if abs(self.book.value(formula) * body.mass - actual) <= INERTIA_RTOL * actual:
                 positive = self.book.value(spread.center) > 0.0
                 return spread.center if positive else -spread.center, formula
         raise UnreadError(f"the moment of inertia of {self.setting.display_name(self.body)} is in no table")
@@ -110,15 +110,15 @@ class _Rocking:
     @cached_property
     def offset(self) -> Symbol:
         """Write the distance of the centre of mass from the axis, m, and return its symbol."""
-        said = "Because of the hole, the centre of mass lies on the other side of the axis, at the distance"
-        return self.book.add_step("table", said, self.book.fresh("c"), self._spread[0], METRES)
+        text = "Because of the hole, the centre of mass lies on the other side of the axis, at the distance"
+        return self.book.add_step("table", text, self.book.fresh("c"), self._spread[0], METRES)
 
     @cached_property
     def own(self) -> Symbol:
         """Write the moment of inertia about the centre of mass and return its symbol."""
         _ = self.offset
-        said = "The moment of inertia about the centre of mass, that of the full body less that of the hole, is"
-        return self.book.add_step("table", said, self.book.fresh("I", "0"), self.mass * self._spread[1], INERTIA)
+        text = "The moment of inertia about the centre of mass, that of the full body less that of the hole, is"
+        return self.book.add_step("table", text, self.book.fresh("I", "0"), self.mass * self._spread[1], INERTIA)
 
     @cached_property
     def about(self) -> Symbol:
@@ -126,8 +126,8 @@ class _Rocking:
         (ex, ez), (ux, uz) = self.aside, self.uphill
         across = ez * ux - ex * uz
         square = Power(self.radius, 2) + Power(self.offset, 2) + TWO * self.radius * self.offset * across
-        said = "By the parallel-axis theorem and the law of cosines, the moment of inertia about the line of contact is"
-        return self.book.add_step("inertia", said, self.book.fresh("I"), self.own + self.mass * square, INERTIA)
+        text = "By the parallel-axis theorem and the law of cosines, the moment of inertia about the line of contact is"
+        return self.book.add_step("inertia", text, self.book.fresh("I"), self.own + self.mass * square, INERTIA)
 
     @cached_property
     def growth(self) -> Symbol:
@@ -138,25 +138,29 @@ class _Rocking:
         if self.launch != ZERO:
             along = ex * ux + ez * uz
             torque = torque + self.mass * self.radius * self.offset * along * Power(self.launch, 2)
-        said = "Taking torques about the line of contact, the clockwise angular acceleration is"
+        text = "Taking torques about the line of contact, the clockwise angular acceleration is"
         if self.launch != ZERO:
-            said = "Taking torques about the line of contact, with the centripetal acceleration of the centre of mass, "
-            said += "the clockwise angular acceleration is"
-        return self.book.add_step("torque", said, self.book.fresh(r"\alpha"), torque / self.about, ANGULAR_ACCELERATION)
+            text = "Taking torques about the line of contact, with the centripetal acceleration of the centre of mass, "
+            text += "the clockwise angular acceleration is"
+        return self.book.add_step("torque", text, self.book.fresh(r"\alpha"), torque / self.about, ANGULAR_ACCELERATION)
 
     @cached_property
     def acceleration(self) -> list[Expression]:
         """Write the acceleration of the centre of mass and return its components to the right and upward."""
         (ex, ez), (ux, uz) = self.aside, self.uphill
         grown = self.growth
-        found: list[Expression] = []
+        components: list[Expression] = []
         square = sum_of_squares([self.launch])
         for label, along, turned, inward in (("x", ux, ez, ex), ("z", uz, -ex, ez)):
             formula = self.radius * grown * along + self.offset * grown * turned - self.offset * square * inward
-            way = "to the right" if label == "x" else "upward"
-            said = f"The acceleration of the centre of mass {way} is that of the axis plus that due to the rotation,"
-            found.append(self.book.add_step("acceleration", said, self.book.fresh("a", label), formula, ACCELERATION))
-        return found
+            direction = "to the right" if label == "x" else "upward"
+            text = (
+                f"The acceleration of the centre of mass {direction} is that of the axis plus that due to the rotation,"
+            )
+            components.append(
+                self.book.add_step("acceleration", text, self.book.fresh("a", label), formula, ACCELERATION)
+            )
+        return components
 
     # ---- what is asked
 
@@ -174,8 +178,8 @@ class _Rocking:
         if quantity in ("angular acceleration", "torque"):
             size = self.book.magnitude(self.growth)
             if quantity == "torque":
-                said = "The magnitude of the torque about the centre of mass is"
-                return self.book.add_step("answer", said, self.book.fresh("M"), self.own * size, TORQUE)
+                text = "The magnitude of the torque about the centre of mass is"
+                return self.book.add_step("answer", text, self.book.fresh("M"), self.own * size, TORQUE)
             return size if isinstance(size, Symbol) else self._sized(size, r"\alpha", ANGULAR_ACCELERATION)
         return self._contact(quantity)
 
@@ -187,19 +191,19 @@ class _Rocking:
             x, z = self.acceleration
             formula: Expression = Root(Power(x, 2) + Power(z, 2))
         else:
-            found = [n for n in (0, 2) if abs(abs(way[n]) - 1.0) < INERTIA_RTOL]
-            if not found:
+            axes = [n for n in (0, 2) if abs(abs(way[n]) - 1.0) < INERTIA_RTOL]
+            if not axes:
                 raise UnsolvedError("a component along the slope")
-            part = self.acceleration[found[0] // 2]
-            formula = part if way[found[0]] > 0.0 else -part
+            part = self.acceleration[axes[0] // 2]
+            formula = part if way[axes[0]] > 0.0 else -part
         if quantity == "net force":
             return self.book.add_step(
                 "answer", "By Newton's second law,", self.book.fresh("F"), self.mass * formula, NEWTONS
             )
         if isinstance(formula, Symbol):
             return formula
-        said = "The component asked for is" if way is not None else "Its magnitude is"
-        return self.book.add_step("answer", said, self.book.fresh("a"), formula, ACCELERATION)
+        text = "The component asked for is" if way is not None else "Its magnitude is"
+        return self.book.add_step("answer", text, self.book.fresh("a"), formula, ACCELERATION)
 
     def _contact(self, quantity: str) -> Symbol:
         """Write the friction or normal force from Newton's second law and return its symbol."""
@@ -208,8 +212,8 @@ class _Rocking:
         part = x * ux + (z + self.gravity) * uz if along else (z + self.gravity) * ux - x * uz
         formula = self.mass * part
         formula = self.book.magnitude(formula)
-        said = f"Newton's second law {'along' if along else 'perpendicular to'} the plane gives the {quantity}"
-        return self.book.add_step("newton", said, self.book.fresh("f" if along else "N"), formula, NEWTONS)
+        text = f"Newton's second law {'along' if along else 'perpendicular to'} the plane gives the {quantity}"
+        return self.book.add_step("newton", text, self.book.fresh("f" if along else "N"), formula, NEWTONS)
 
     def _period(self, query: PeriodQuery) -> Symbol:
         """Write the period of small oscillations, with ω² = m g c cos ψ/I, and return its symbol."""
@@ -230,14 +234,14 @@ class _Rocking:
             tilt = name
         deep = self.offset if level else self.offset * Call("cos", tilt)
         high = self.radius - deep if level else self.radius * cosine - deep
-        said = "In equilibrium the moment of inertia about the line of contact is"
+        text = "In equilibrium the moment of inertia about the line of contact is"
         about = self.book.add_step(
-            "inertia", said, self.book.fresh("I"), self.own + self.mass * Power(high, 2), INERTIA
+            "inertia", text, self.book.fresh("I"), self.own + self.mass * Power(high, 2), INERTIA
         )
-        said = "For a small rotation the restoring torque is proportional to the angle, so the "
-        said += "angular frequency is"
+        text = "For a small rotation the restoring torque is proportional to the angle, so the "
+        text += "angular frequency is"
         formula = Root(self.mass * self.gravity * deep / about)
-        rate = self.book.add_step("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
+        rate = self.book.add_step("oscillation", text, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
         return measured_period(self.book, query, rate)
 
 

@@ -46,8 +46,8 @@ class SlackSwing(Strategy):
 
     def why_unsuitable(self, mechanism: Mechanism) -> str:
         """Return the reason, in words, that no small body swings on a string; empty if a body does."""
-        found = pivot(mechanism)
-        return "" if found is not None and found[1] is not None else "no small body swings on a string"
+        suspension = pivot(mechanism)
+        return "" if suspension is not None and suspension[1] is not None else "no small body swings on a string"
 
     def why_not_applicable(self, setting: ProblemContext) -> str:
         """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
@@ -96,17 +96,17 @@ class _Slack:
     @cached_property
     def last(self) -> MotionState:
         """Write all phases before that of the moment; return its initial position and velocity."""
-        held, flies = self.chain.start, self.chain.slack_at_once
+        state, flies = self.chain.start, self.chain.slack_at_once
         self.chain.tell_axes()
         self._phase("the start of the motion", flies=flies)
         for event in self._passed:
             if (event.kind == "taut") != flies:
                 raise UnsolvedError("the string goes slack just where it becomes taut")
-            held = self._tightened(held) if flies else self._slackened(held, event.time)
+            state = self._tightened(state) if flies else self._slackened(state, event.time)
             flies = not flies
             self.begun = event.time
             self._phase(f"the string becomes {'slack' if flies else 'taut'}", flies=flies)
-        return held
+        return state
 
     def _phase(self, begins: str, *, flies: bool) -> None:
         """Begin a phase on the circle or in free flight."""
@@ -116,18 +116,18 @@ class _Slack:
         )
 
     def _slackened(self, held: MotionState, time: float) -> MotionState:
-        found = self.chain.goes_slack(held, time)
+        state = self.chain.goes_slack(held, time)
         if self.timed:
-            angle = self.chain.angle(found, self.book.fresh(r"\phi", r"\text{s}"))
+            angle = self.chain.angle(state, self.book.fresh(r"\phi", r"\text{s}"))
             self._later(self.chain.times(held, self.speed).reaches(angle, time - self.begun))
-        return found
+        return state
 
     def _tightened(self, held: MotionState) -> MotionState:
         span, before = self.chain.is_taut_again(held)
-        found, self.speed = self.chain.jerked(before)
+        state, self.speed = self.chain.jerked(before)
         if self.timed:
             self._later(span)
-        return found
+        return state
 
     def _later(self, span: Symbol) -> None:
         """Write the start time of the next phase: that of the current one plus its duration `span`."""
@@ -141,34 +141,34 @@ class _Slack:
     @cached_property
     def there(self) -> MotionState:
         """Write the position and velocity at the moment and return them."""
-        moment, held = self.setting.query.moment, self.last
+        moment, state = self.setting.query.moment, self.last
         if isinstance(moment, WentTaut):
-            return self.chain.is_taut_again(held)[1] if self.flies else held
+            return self.chain.is_taut_again(state)[1] if self.flies else state
         if isinstance(moment, AtTime):
-            return self._at_time(moment, held)
-        return self.chain.highest(held) if self.flies else self.chain.turns(held)
+            return self._at_time(moment, state)
+        return self.chain.highest(state) if self.flies else self.chain.turns(state)
 
     def _at_time(self, moment: AtTime, held: MotionState) -> MotionState:
         name = self.book.fresh("t")
         self.book.state_given(name.name, moment.after, SECONDS)
         left = name
         if self.since != ZERO:
-            said = "The time since then is"
-            left = self.book.add_step("time", said, self.book.fresh("t"), name - self.since, SECONDS)
+            text = "The time since then is"
+            left = self.book.add_step("time", text, self.book.fresh("t"), name - self.since, SECONDS)
         if self.flies:
             return self.chain.after(held, left, f"At that time {self.chain.who} is at")
         return self.chain.swung(held, self.chain.times(held, self.speed), left)
 
     def _when(self) -> Symbol:
         """Write the time of the moment and return its symbol."""
-        held = self.last
+        state = self.last
         if isinstance(self.setting.query.moment, WentTaut):
-            span, _ = self.chain.is_taut_again(held)
+            span, _ = self.chain.is_taut_again(state)
         elif self.flies:
-            said = "The vertical velocity is zero after"
-            span = self.book.add_step("time", said, self.book.fresh("t"), held.vy / self.chain.gravity, SECONDS)
+            text = "The vertical velocity is zero after"
+            span = self.book.add_step("time", text, self.book.fresh("t"), state.vy / self.chain.gravity, SECONDS)
         else:
-            span = self.chain.times(held, self.speed).upright(self.setting.time - self.begun)
+            span = self.chain.times(state, self.speed).upright(self.setting.time - self.begun)
         self._later(span)
         assert isinstance(self.since, Symbol)
         return self.since
@@ -183,8 +183,8 @@ class _Slack:
         if sense is not None and sense.vector != UP and any(sense.vector):
             raise UnsolvedError("a component along a direction that is not vertical")
         self.vertical = sense is not None and sense.vector == UP
-        way, why = self.WAYS[self.quantity]
-        formula: Expression = getattr(self, way)()
+        method, why = self.WAYS[self.quantity]
+        formula: Expression = getattr(self, method)()
         if sense is None and self.book.value(formula) < 0.0:
             formula, why = -formula, magnitude_words(why, self.quantity)
         if isinstance(formula, Symbol):

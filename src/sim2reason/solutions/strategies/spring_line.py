@@ -49,8 +49,8 @@ def ends(m: Mechanism) -> tuple[float, float]:
     """Return the vector, m, from the fixed end of the spring to the body at the start, along the coordinates."""
     frames, through = initial_frames(m), m.lines[0].through
     fixed, free = sorted(through, key=lambda site: m.site[site].body is not None)
-    apart = minus(frames.site(free).place, frames.site(fixed).place)
-    x, y = (sum(a * b for a, b in zip(apart, c.axis, strict=True)) for c in m.coordinates)
+    separation = minus(frames.site(free).place, frames.site(fixed).place)
+    x, y = (sum(a * b for a, b in zip(separation, c.axis, strict=True)) for c in m.coordinates)
     return float(x), float(y)
 
 
@@ -82,20 +82,20 @@ class SingleSpringBody:
     @cached_property
     def length(self) -> Symbol:
         """Write the initial length of the spring, m, and return its symbol."""
-        said, name = "The initial length of the spring is", self.book.fresh(r"\ell", "1")
-        return self.book.add_step("length", said, name, vector_length(self.apart), METRES)
+        text, name = "The initial length of the spring is", self.book.fresh(r"\ell", "1")
+        return self.book.add_step("length", text, name, vector_length(self.apart), METRES)
 
     def answer(self, way: Way, turned: Callable[[Expression], Expression]) -> Symbol:
         """Write the answer by the method in `way` and return the answer's symbol; `turned` sets a formula's sign."""
-        method, said = way
+        method, text = way
         along: Expression = getattr(self, method)()
         formula, quantity = turned(along), quantity_of(self.setting)
         if isinstance(formula, Symbol):
             return formula
         if formula == -along:
-            said = magnitude_words(said, quantity)
+            text = magnitude_words(text, quantity)
         name = self.book.fresh(QUANTITY_SYMBOLS[quantity])
-        return self.book.add_step("answer", said, name, formula, self.setting.unit)
+        return self.book.add_step("answer", text, name, formula, self.setting.unit)
 
 
 HALF, TWO = Number(0.5), Number(2.0)
@@ -155,8 +155,8 @@ class _Oscillating(SingleSpringBody):
     @cached_property
     def strain(self) -> Symbol:
         """Write the initial extension, the amplitude up to a sign, and return its symbol."""
-        said = "Released from rest, the extension oscillates as a cosine with the initial value"
-        return self.book.add_step("strain", said, self.book.fresh("x", "0"), self.length - self.natural, METRES)
+        text = "Released from rest, the extension oscillates as a cosine with the initial value"
+        return self.book.add_step("strain", text, self.book.fresh("x", "0"), self.length - self.natural, METRES)
 
     @property
     def amplitude(self) -> Expression:
@@ -166,9 +166,9 @@ class _Oscillating(SingleSpringBody):
     @cached_property
     def rate(self) -> Symbol:
         """Write the angular frequency ω = √(k/m) and return its symbol."""
-        said = "The force is proportional to the extension, so the angular frequency is"
+        text = "The force is proportional to the extension, so the angular frequency is"
         formula = Root(self.stiffness / self.mass)
-        return self.book.add_step("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
+        return self.book.add_step("oscillation", text, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
 
     @cached_property
     def phase(self) -> Expression:
@@ -187,8 +187,8 @@ class _Oscillating(SingleSpringBody):
             self.book.state_given(name.name, moment.value, METRES)
             formula = Call("arccos", ONE - name / self.amplitude)
             who = capitalized(self.setting.display_name(self.setting.mechanism.bodies[0].name))
-            said = f"{who} is this far from its start when the extension has changed by as much, at the phase"
-            return self.book.add_step("phase", said, self.book.fresh(r"\phi"), formula, RADIANS)
+            text = f"{who} is this far from its start when the extension has changed by as much, at the phase"
+            return self.book.add_step("phase", text, self.book.fresh(r"\phi"), formula, RADIANS)
         stretched = self.book.value(self.strain) > 0.0
         return TWO * PI if isinstance(moment, MostStretched) == stretched else PI
 

@@ -48,9 +48,9 @@ class ForcesAtStart(Strategy):
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write each force and the acceleration, and return the symbol of the answer."""
-        way = _InitialAccelerations(setting, book)
-        assert way.target is not None
-        return GOALS[way.target.quantity].write(way.target, way).name
+        model = _InitialAccelerations(setting, book)
+        assert model.target is not None
+        return GOALS[model.target.quantity].write(model.target, model).name
 
 
 def _bound(m: Mechanism, name: str) -> str:
@@ -279,9 +279,9 @@ class InitialValue(Strategy):
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write the speed or kinetic energy at the start from the components of the velocity; return its symbol."""
-        way = _InitialVelocities(setting, book)
-        assert way.target is not None
-        return GOALS[way.target.quantity].write(way.target, way).name
+        model = _InitialVelocities(setting, book)
+        assert model.target is not None
+        return GOALS[model.target.quantity].write(model.target, model).name
 
 
 class _InitialVelocities(StraightMotion):

@@ -204,9 +204,9 @@ def _of_axle(setting: ProblemContext, book: SolutionBuilder) -> Symbol:
     first: Expression = Call("cos", arm.first)
     lift = arm.moment * (ONE + first) if book.value(arm.moment) > 0.0 else -arm.moment * (ONE - first)
     formula = HALF * arm.inertia * Power(arm.launch, 2) - lift * arm.gravity
-    said = "By conservation of energy, the kinetic energy at the highest point of the centre of mass is"
+    text = "By conservation of energy, the kinetic energy at the highest point of the centre of mass is"
     name = book.fresh("K")
-    book.add_step("energy", said, name, formula, JOULES)
+    book.add_step("energy", text, name, formula, JOULES)
     step = book.begin_step("extreme")
     varied = _varied(setting, book)
     changes = "increases" if _grows(book, name, varied) else "decreases"
@@ -227,9 +227,9 @@ def _grows(book: SolutionBuilder, name: Symbol, varied: str) -> bool:
     """Return whether the last result increases with a parameter."""
     values = {**book.values, varied: book.values[varied] * (1.0 + STEP)}
     for step in book.steps:
-        for held in step.relations:
-            if held.role in ("law", "result") and held.left.latex() in step.gives:
-                values[held.left.latex()] = float(held.right.value(values).real)
+        for relation in step.relations:
+            if relation.role in ("law", "result") and relation.left.latex() in step.gives:
+                values[relation.left.latex()] = float(relation.right.value(values).real)
     return values[name.name] > book.values[name.name]
 
 
@@ -241,11 +241,11 @@ def _of_body(setting: ProblemContext, book: SolutionBuilder) -> Symbol:
     level = (sum_of_squares([launch])) - TWO * gravity * length * Call("cos", angle)
     assert isinstance(query, ThresholdQuery)
     if isinstance(query.outcome, GoesRound):
-        said, formula = (
+        text, formula = (
             "By conservation of energy, the square of the speed at the top is",
             level - TWO * gravity * length,
         )
     else:
         ways = (level, BELOW), (level - THREE * gravity * length, ON_TOP)
-        formula, said = min(ways, key=lambda way: abs(book.value(way[0])))
-    return book.add_step("energy", said, book.fresh("w"), formula, latex("m^2/s^2"))
+        formula, text = min(ways, key=lambda condition: abs(book.value(condition[0])))
+    return book.add_step("energy", text, book.fresh("w"), formula, latex("m^2/s^2"))

@@ -103,15 +103,15 @@ class _Tumbling:
     def own(self) -> Symbol:
         """Write the moment of inertia about the axis and return its symbol."""
         formula = self.mass * Power(self.radius, 2) * (TWO + Call("cos", self.turn)) / SIX
-        said = shape_words(self.who, round(self.sides), self.turn)
-        return self.book.add_step("table", said, self.book.fresh("I", "0"), formula, INERTIA)
+        text = shape_words(self.who, round(self.sides), self.turn)
+        return self.book.add_step("table", text, self.book.fresh("I", "0"), formula, INERTIA)
 
     @cached_property
     def about(self) -> Symbol:
         """Write the moment of inertia of the prism about an edge and return its symbol."""
-        said = "By the parallel-axis theorem, the moment of inertia about an edge is"
+        text = "By the parallel-axis theorem, the moment of inertia about an edge is"
         formula = self.own + self.mass * Power(self.radius, 2)
-        return self.book.add_step("inertia", said, self.book.fresh("I"), formula, INERTIA)
+        return self.book.add_step("inertia", text, self.book.fresh("I"), formula, INERTIA)
 
     @property
     def weight(self) -> Expression:
@@ -133,9 +133,9 @@ class _Tumbling:
     @cached_property
     def natural(self) -> Symbol:
         """Write √(m g R/I), the frequency of the equivalent pendulum about an edge, rad/s, and return its symbol."""
-        said = "About an edge it moves like a pendulum whose small oscillations have the angular frequency"
+        text = "About an edge it moves like a pendulum whose small oscillations have the angular frequency"
         name, formula = self.book.fresh(r"\omega", "n"), Root(self.weight / self.about)
-        return self.book.add_step("natural", said, name, formula, ANGULAR_SPEED)
+        return self.book.add_step("natural", text, name, formula, ANGULAR_SPEED)
 
     def _times(self) -> SwingTime:
         return SwingTime(self.book, self.natural, PI + self.begins, self.rate, 1.0)
@@ -201,8 +201,11 @@ class _Tumbling:
         self.book.stated[name.name] = rf"{moment.value:g}{DEGREES}"
         if not self.edges:
             return name
-        said, whole = "Since the last landing it has turned through", Number(2.0 * self.edges / self.sides) * PI
-        return self.book.add_step("angle", said, self.book.fresh(r"\phi"), name - whole, DEGREES)
+        text, completed_angle = (
+            "Since the last landing it has turned through",
+            Number(2.0 * self.edges / self.sides) * PI,
+        )
+        return self.book.add_step("angle", text, self.book.fresh(r"\phi"), name - completed_angle, DEGREES)
 
     @property
     def angle(self) -> Expression:
@@ -221,8 +224,8 @@ class _Tumbling:
         self.book.state_given(name.name, moment.after, SECONDS)
         left = name
         if self.since != ZERO:
-            said = "The time since then is"
-            left = self.book.add_step("time", said, self.book.fresh("t"), name - self.since, SECONDS)
+            text = "The time since then is"
+            left = self.book.add_step("time", text, self.book.fresh("t"), name - self.since, SECONDS)
         return self._times().angle(left)
 
     @cached_property
@@ -247,27 +250,27 @@ class _Tumbling:
         if self.angle == ZERO:
             return ZERO
         tell(self.book, angle_words(self.half, self.angle))
-        said = "The torque of gravity about the edge divided by the moment of inertia is"
+        text = "The torque of gravity about the edge divided by the moment of inertia is"
         formula = self.weight * Call("sin", self.angle) / self.about
-        return self.book.add_step("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
+        return self.book.add_step("torque", text, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
 
     def write(self) -> Symbol:
         """Write the answer to the query and return the answer's symbol."""
         query, quantity = self.setting.query, quantity_of(self.setting)
         if query.target is not None and query.target.sense is not None and any(query.target.sense.vector):
             raise UnsolvedError("a component along a direction")
-        held: Expression | Callable[[], Expression] = getattr(self, self.WAYS[quantity][0])
-        formula, said = held() if callable(held) else held, self.WAYS[quantity][1]
+        attribute: Expression | Callable[[], Expression] = getattr(self, self.WAYS[quantity][0])
+        formula, text = attribute() if callable(attribute) else attribute, self.WAYS[quantity][1]
         if self.book.value(formula) < 0.0:
-            formula, said = -formula, magnitude_words(said, quantity)
+            formula, text = -formula, magnitude_words(text, quantity)
         if isinstance(formula, Symbol):
             return formula
         if quantity in BOTH:
-            said = of_components(
+            text = of_components(
                 quantity, self.radius * sum_of_squares([self.spin]), self.radius * self.growth, begins=True
             )
         return self.book.add_step(
-            "answer", said, self.book.fresh(QUANTITY_SYMBOLS[quantity]), formula, self.setting.unit
+            "answer", text, self.book.fresh(QUANTITY_SYMBOLS[quantity]), formula, self.setting.unit
         )
 
     def _velocity(self) -> Expression:
@@ -300,8 +303,8 @@ class _Tumbling:
 
     def _impulse(self) -> Expression:
         bent = self.launch * self.spin * Call("cos", self.turned)
-        said = velocities_words(self.turned, highest=self.highest, landed=self.edges > 0)
-        tell(self.book, said)
+        text = velocities_words(self.turned, highest=self.highest, landed=self.edges > 0)
+        tell(self.book, text)
         return self.mass * self.radius * Root(sum_of_squares([self.launch]) + sum_of_squares([self.spin]) - TWO * bent)
 
     WAYS: ClassVar[Mapping[str, tuple[str, str]]] = {

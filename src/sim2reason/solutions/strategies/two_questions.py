@@ -52,9 +52,9 @@ def merge_into_one_text(
 
 def _have_clear_names(parts: Sequence[Solution]) -> bool:
     """Return whether no symbol is introduced twice with different words."""
-    said: dict[str, str] = {}
+    words_by_name: dict[str, str] = {}
     introduced = (pair for part in parts for pair in meanings(part).items())
-    return all(are_same_meaning(name, said.setdefault(name, words), words) for name, words in introduced)
+    return all(are_same_meaning(name, words_by_name.setdefault(name, words), words) for name, words in introduced)
 
 
 def _placed(step: Step, places: Mapping[int, int], source: Mapping[str, int]) -> Step:
@@ -67,8 +67,10 @@ def _placed(step: Step, places: Mapping[int, int], source: Mapping[str, int]) ->
 
 def enter(part: Solution, book: SolutionBuilder) -> None:
     """Record the names, values and stated numbers of a solution in a solution builder."""
-    said = {name: text for step in part.steps if step.kind == "givens" for name, text in _stated(part, step.text)}
-    book.stated |= {name: said[name] for name in part.stated if name in said}
+    value_texts = {
+        name: text for step in part.steps if step.kind == "givens" for name, text in _stated(part, step.text)
+    }
+    book.stated |= {name: value_texts[name] for name in part.stated if name in value_texts}
     book.constants |= part.constants
     for name, value in part.values.items():
         if name not in book.values:
@@ -80,7 +82,7 @@ def enter(part: Solution, book: SolutionBuilder) -> None:
 def _stated(part: Solution, givens: str) -> list[tuple[str, str]]:
     """Return name and value with unit of each number that the question states, from the list of given numbers."""
     equations = (formula.partition(" = ") for formula in givens.split("$")[1::2])
-    return [(name, said) for name, _, said in equations if name in part.stated]
+    return [(name, value_text) for name, _, value_text in equations if name in part.stated]
 
 
 _SENTENCES = re.compile(r"(?<=[.]) (?=[A-Z])")
@@ -119,19 +121,19 @@ class ValueReached(Strategy):
         for moment, value in instants(setting):
             parts = [*_parts(setting, moment, value)]
             solutions = [solve(part, checked=False) for part in parts]
-            failed = next((found for found in solutions if not found.derived), None)
+            failed = next((solved for solved in solutions if not solved.derived), None)
             if failed is not None:
                 reasons.append(failed.reason or "only an integration leads to it")
                 continue
-            told = [solutions[0], *(_with_found(part, moment, value) for part in solutions[1:])]
-            found, steps = merge_into_one_text(parts, told)
+            chained = [solutions[0], *(_with_found(part, moment, value) for part in solutions[1:])]
+            solved, steps = merge_into_one_text(parts, chained)
             if steps:
-                for part in found:
+                for part in solved:
                     enter(part, book)
-                steps, goal = _with_stated_result(_without_repeated(steps), found)
+                steps, goal = _with_stated_result(_without_repeated(steps), solved)
                 book.rewrite(0, steps)
                 return goal
-            reasons.append(found[-1].reason)
+            reasons.append(solved[-1].reason)
         raise UnsolvedError(reasons[-1])
 
 
@@ -155,21 +157,23 @@ def _with_found(part: Solution, moment: Moment, value: float) -> Solution:
     used = {n for step in part.steps for n in step.symbols()} - {name}
     steps = [reduce_givens(step, used) if step.kind == "givens" else step for step in part.steps]
     relation = Relation(Symbol(name), Number(part.values[name]), "result", unit)
-    found = Step(len(steps), "moment", "", (relation,), (name,), ())
-    return replace(part, steps=tuple(_after_givens(steps, found)), stated=tuple(n for n in part.stated if n != name))
+    moment_step = Step(len(steps), "moment", "", (relation,), (name,), ())
+    return replace(
+        part, steps=tuple(_after_givens(steps, moment_step)), stated=tuple(n for n in part.stated if n != name)
+    )
 
 
-def _after_givens(steps: list[Step], found: Step) -> Iterator[Step]:
-    """Yield steps with the step `found` inserted after the given numbers; steps that use its name depend on it."""
-    (name,) = found.gives
+def _after_givens(steps: list[Step], moment_step: Step) -> Iterator[Step]:
+    """Yield steps with the step `moment_step` inserted after the given numbers; steps that use its name depend on it."""
+    (name,) = moment_step.gives
     first = [step for step in steps if step.kind == "givens"]
     rest = [step for step in steps if step.kind != "givens"]
-    place = {step.id: number for number, step in enumerate([*first, found, *rest])}
-    yield from (replace(step, id=place[step.id]) for step in first)
-    yield replace(found, id=place[found.id])
+    numbers = {step.id: number for number, step in enumerate([*first, moment_step, *rest])}
+    yield from (replace(step, id=numbers[step.id]) for step in first)
+    yield replace(moment_step, id=numbers[moment_step.id])
     for step in rest:
-        needs = {place[need] for need in (*step.needs, *((found.id,) if name in step.symbols() else ()))}
-        yield replace(step, id=place[step.id], needs=tuple(sorted(needs)))
+        needs = {numbers[need] for need in (*step.needs, *((moment_step.id,) if name in step.symbols() else ()))}
+        yield replace(step, id=numbers[step.id], needs=tuple(sorted(needs)))
 
 
 def _with_stated_result(steps: Sequence[Step], parts: Sequence[Solution]) -> tuple[list[Step], str]:
@@ -194,40 +198,40 @@ def _with_stated_result(steps: Sequence[Step], parts: Sequence[Solution]) -> tup
 
 def _with_found_values(steps: Sequence[Step], first: Solution) -> list[Step]:
     """Return the steps and an added one: values, at the found moment, of names that were defined before that moment."""
-    place = max((n for n, step in enumerate(steps) if first.goal in step.gives), default=len(steps))
-    formulas = {r.left.latex(): r for step in steps[:place] for r in step.relations if r.left.latex() in step.gives}
-    found = {name for step in steps[:place] if step.kind == SOLVE_KIND for name in step.gives} | {*first.stated}
+    index = max((n for n, step in enumerate(steps) if first.goal in step.gives), default=len(steps))
+    formulas = {r.left.latex(): r for step in steps[:index] for r in step.relations if r.left.latex() in step.gives}
+    known = {name for step in steps[:index] if step.kind == SOLVE_KIND for name in step.gives} | {*first.stated}
     open_names = {first.goal}
     for name, relation in formulas.items():
-        if not open_names.isdisjoint(relation.right.symbols()) and name not in found:
+        if not open_names.isdisjoint(relation.right.symbols()) and name not in known:
             open_names.add(name)
-    used = {name for step in steps[place + 1 :] for name in step.symbols()}
-    told = [formulas[name] for name in formulas if name in open_names & used]
-    if not told:
+    used = {name for step in steps[index + 1 :] for name in step.symbols()}
+    restated = [formulas[name] for name in formulas if name in open_names & used]
+    if not restated:
         return [*steps]
-    said = join_words([relation.latex(first.values[relation.left.latex()]) for relation in told])
-    sources = tuple(n for n, step in enumerate(steps) if {r.left.latex() for r in told} & {*step.gives})
-    relations = tuple(replace(relation, role="derived") for relation in told)
-    step = Step(len(steps), "moment", f"At this moment, {said}.", relations, (), (*sources, place))
-    return [*_renumbered([*steps[: place + 1], step, *steps[place + 1 :]])]
+    equations = join_words([relation.latex(first.values[relation.left.latex()]) for relation in restated])
+    sources = tuple(n for n, step in enumerate(steps) if {r.left.latex() for r in restated} & {*step.gives})
+    relations = tuple(replace(relation, role="derived") for relation in restated)
+    step = Step(len(steps), "moment", f"At this moment, {equations}.", relations, (), (*sources, index))
+    return [*_renumbered([*steps[: index + 1], step, *steps[index + 1 :]])]
 
 
 def _without(step: Step, name: str) -> Step:
     """Return a step without the sentences and verifications about a name that the text no longer contains."""
-    said = (sentence for sentence in _SENTENCES.split(step.text) if name not in names_in_text(sentence))
+    sentences = (sentence for sentence in _SENTENCES.split(step.text) if name not in names_in_text(sentence))
     checks = (r for r in step.relations if r.role not in CHECKS or name not in r.symbols())
-    return replace(step, text=" ".join(said), relations=tuple(checks))
+    return replace(step, text=" ".join(sentences), relations=tuple(checks))
 
 
 def _without_repeated(steps: Sequence[Step]) -> list[Step]:
     """Remove the steps that only verify relations which an earlier step verifies in other words."""
-    said: list[tuple[Relation, ...]] = []
+    seen: list[tuple[Relation, ...]] = []
     kept: list[Step] = []
     for step in steps:
-        if step.gives or not step.relations or step.relations not in said:
+        if step.gives or not step.relations or step.relations not in seen:
             kept.append(step)
         if not step.gives:
-            said.append(step.relations)
+            seen.append(step.relations)
     return [*_renumbered(kept)]
 
 
@@ -254,9 +258,9 @@ def _needed(goal: str, steps: Sequence[Step], stated: AbstractSet[str]) -> list[
 
 
 def _renumbered(steps: Sequence[Step]) -> Iterator[Step]:
-    place = {step.id: number for number, step in enumerate(steps)}
+    numbers = {step.id: number for number, step in enumerate(steps)}
     for step in steps:
-        yield replace(step, id=place[step.id], needs=tuple(place[need] for need in step.needs if need in place))
+        yield replace(step, id=numbers[step.id], needs=tuple(numbers[need] for need in step.needs if need in numbers))
 
 
 @strategy
@@ -278,8 +282,8 @@ class WhichOfTwo(Strategy):
         """Return the reason, in words, that the strategy does not apply to a question; empty if it applies."""
         if not isinstance(setting.query, WhichQuery):
             return "it asks for none of two"
-        found = KINDS[setting.query.kind].answer(setting.query, setting.study)
-        return "" if found is not None and found > 0.0 else "the first of the two is not the one"
+        answer = KINDS[setting.query.kind].answer(setting.query, setting.study)
+        return "" if answer is not None and answer > 0.0 else "the first of the two is not the one"
 
     def write(self, setting: ProblemContext, book: SolutionBuilder) -> str:
         """Write both answers in the shorter order and the comparison, and return the answer's symbol."""
@@ -288,16 +292,16 @@ class WhichOfTwo(Strategy):
         settings = [_inner(each, setting) for each in sorted(query.both, key=lambda each: (each.subject, repr(each)))]
         pairs = [(each, _solved(each)) for each in settings]
         orders = [merge_into_one_text(*zip(*order, strict=True)) for order in (pairs, pairs[::-1])]
-        told = [(parts, steps) for parts, steps in orders if steps]
-        if not told:
+        merged = [(parts, steps) for parts, steps in orders if steps]
+        if not merged:
             raise UnsolvedError(orders[0][0][0].reason)
-        parts, steps = min(told, key=lambda each: sum(len(step.text.split()) for step in each[1]))
+        parts, steps = min(merged, key=lambda each: sum(len(step.text.split()) for step in each[1]))
         for part in parts:
             enter(part, book)
         book.rewrite(0, steps)
         book.phases = [*max((part.phases for part in parts), key=len)]
-        asked = [each.query for each in settings]
-        goals = dict(zip(asked if parts is orders[0][0] else asked[::-1], parts, strict=True))
+        queries = [each.query for each in settings]
+        goals = dict(zip(queries if parts is orders[0][0] else queries[::-1], parts, strict=True))
         return _concluded(query, setting, book, *(Symbol(goals[each].goal) for each in query.both))
 
 
@@ -306,10 +310,10 @@ def _inner(query: Query, setting: ProblemContext) -> ProblemContext:
 
 
 def _solved(inner: ProblemContext) -> Solution:
-    found = solve(inner, checked=False)
-    if found.answer is None or not found.derived:
-        raise UnsolvedError(found.reason or "only an integration leads to it")
-    return found
+    solution = solve(inner, checked=False)
+    if solution.answer is None or not solution.derived:
+        raise UnsolvedError(solution.reason or "only an integration leads to it")
+    return solution
 
 
 def _concluded(query: WhichQuery, setting: ProblemContext, book: SolutionBuilder, one: Symbol, other: Symbol) -> str:
@@ -322,7 +326,7 @@ def _concluded(query: WhichQuery, setting: ProblemContext, book: SolutionBuilder
     formula, unit = (greater - less, book.units[one.name]) if kind.is_least else (greater / less, "")
     goal = book.fresh(r"\tau" if kind.is_least else "r")
     number = step.result(goal, formula, unit, law=True)
-    said = f"${less.latex()} < {greater.latex()}$" if kind.is_least else f"${greater.latex()} > {less.latex()}$"
-    step.add_text(f"Since {said}, {kind.conclusion(query, setting.words)} {number}.")
+    inequality = f"${less.latex()} < {greater.latex()}$" if kind.is_least else f"${greater.latex()} > {less.latex()}$"
+    step.add_text(f"Since {inequality}, {kind.conclusion(query, setting.words)} {number}.")
     step.close()
     return goal.name

@@ -70,9 +70,9 @@ class SwingAngle(ABC):
         query = self.setting.query
         if not isinstance(query, StretchQuery) or query.functional not in EXTREMES:
             return ""
-        found = EXTREMES[query.functional]
-        turns = found[0] == "acceleration" and is_slow_at_greatest(self.setting, self.setting.query.subject)
-        return "slowest" if turns else found[1]
+        entry = EXTREMES[query.functional]
+        turns = entry[0] == "acceleration" and is_slow_at_greatest(self.setting, self.setting.query.subject)
+        return "slowest" if turns else entry[1]
 
     @property
     def still(self) -> bool:
@@ -102,8 +102,8 @@ class SwingAngle(ABC):
     @cached_property
     def times(self) -> SwingTime:
         """Return the solver that relates time and the angle of the centre of mass by elliptic integrals."""
-        first, way = (self.first, self.way) if self.falls else (added(PI, -self.first), -self.way)
-        return SwingTime(self.book, self.natural, first, self.spin, way)
+        first, sense = (self.first, self.way) if self.falls else (added(PI, -self.first), -self.way)
+        return SwingTime(self.book, self.natural, first, self.spin, sense)
 
     def _when(self) -> Symbol:
         """Write the time of the moment and return its symbol."""
@@ -169,8 +169,8 @@ class SwingAngle(ABC):
     @cached_property
     def reach(self) -> Expression:
         """Return the magnitude of the angle at the turning point."""
-        found = self.first if self.spin == ZERO else self._turned()
-        return -found if found.latex().startswith("-") else found
+        angle = self.first if self.spin == ZERO else self._turned()
+        return -angle if angle.latex().startswith("-") else angle
 
     def _slack(self) -> Expression:
         """Write the angle at which the string goes slack; UnsolvedError without a string."""
@@ -204,8 +204,8 @@ class SwingAngle(ABC):
     @property
     def between(self) -> Expression:
         """Return the magnitude of the angle turned since the start."""
-        found = added(self.angle, -self.first)
-        return found if self.book.value(found) >= 0.0 else -found
+        difference = added(self.angle, -self.first)
+        return difference if self.book.value(difference) >= 0.0 else -difference
 
     _law_of_cosines = ""  # beginning of a sentence about the change in momentum, if the velocity changes direction
 
@@ -219,8 +219,8 @@ class SwingAngle(ABC):
         along = along if onward else -along
         if self.sine != ZERO:
             turned = f"${self.between.latex()}$" if onward else f"$180^\\circ - {self.between.latex()}$"
-            said = f"The two velocities make the angle {turned}, so by the law of cosines the impulse,"
-            self._law_of_cosines = f"{said} which is the change in momentum, has the magnitude"
+            text = f"The two velocities make the angle {turned}, so by the law of cosines the impulse,"
+            self._law_of_cosines = f"{text} which is the change in momentum, has the magnitude"
         return Root(Power(begun, 2) + Power(speed, 2) - along)
 
     # ---- what is asked
@@ -238,13 +238,13 @@ class SwingAngle(ABC):
         formula = -formula if (turned := sense is None and self.book.value(formula) < 0.0) else formula
         if isinstance(formula, Symbol) and (self.setting.unit != DEGREES or self.book.units[formula.name] == DEGREES):
             return formula  # an angle that the text says is counted in radians
-        said = self.said(quantity) or "So"
-        said = LOST if turned and quantity == "height" else magnitude_words(said, quantity) if turned else said
-        found = self.book.add_step(
-            "answer", said, self.book.fresh(QUANTITY_SYMBOLS[quantity]), formula, self.setting.unit
+        text = self.said(quantity) or "So"
+        text = LOST if turned and quantity == "height" else magnitude_words(text, quantity) if turned else text
+        answer = self.book.add_step(
+            "answer", text, self.book.fresh(QUANTITY_SYMBOLS[quantity]), formula, self.setting.unit
         )
-        self._compare_ends(quantity, found)
-        return found
+        self._compare_ends(quantity, answer)
+        return answer
 
     @property
     def components(self) -> tuple[Expression, Expression] | None:
@@ -253,8 +253,8 @@ class SwingAngle(ABC):
 
     def said(self, quantity: str) -> str:
         """Return the words before the formula of a quantity; those of an acceleration name its components."""
-        if quantity in BOTH and not self.vertical and (held := self.components) is not None:
-            return of_components(quantity, *held, begins=not self.still)
+        if quantity in BOTH and not self.vertical and (components := self.components) is not None:
+            return of_components(quantity, *components, begins=not self.still)
         if quantity == "impulse of the net force" and self._law_of_cosines:
             return self._law_of_cosines
         passed = quantity == "angle turned" and self.first != ZERO and self.angle.negative

@@ -74,10 +74,10 @@ class Arm:
         """Return the unit vector along the arm at the start, from the axle towards the first body on it."""
         frames = initial_frames(m)
         first = self.bodies[0]
-        apart = minus(frames[first].origin, frames[self.carrier].origin)
-        if hypot(*apart) < INERTIA_RTOL:
-            apart = minus(frames.center(first).place, frames[self.carrier].origin)
-        x, y, z = (float(part) / hypot(*apart) for part in apart)
+        offset = minus(frames[first].origin, frames[self.carrier].origin)
+        if hypot(*offset) < INERTIA_RTOL:
+            offset = minus(frames.center(first).place, frames[self.carrier].origin)
+        x, y, z = (float(part) / hypot(*offset) for part in offset)
         return x, y, z
 
     def at(self, time: float) -> tuple[float, float, float]:
@@ -92,10 +92,10 @@ class Arm:
         """
         m = self.setting.mechanism
         state, number = self.setting.study.trace.sample(times), m.number[m.body[self.carrier].coordinates[0].name]
-        way, side = self.way(m), 1.0 if self.begins_right else -1.0
+        direction, side = self.way(m), 1.0 if self.begins_right else -1.0
         sense = -side * self.axis[1]  # about y, what points to the right goes down
         turned = sense * state.q[:, number]
-        angles = side * atan2(way[0], -way[2]) + turned
+        angles = side * atan2(direction[0], -direction[2]) + turned
         return (angles + pi) % (2.0 * pi) - pi, turned, sense * state.v[:, number]
 
     @property
@@ -143,8 +143,8 @@ class Arm:
         return size
 
     def _shape(self, body: str) -> Shape | None:
-        found = self.setting.scene.bodies.get(body)
-        return found if isinstance(found, Shape) else None
+        shape = self.setting.scene.bodies.get(body)
+        return shape if isinstance(shape, Shape) else None
 
     def _place(self, body: str) -> Expression:
         """Return the position of a body's centre of mass along the arm, from the axle."""
@@ -169,14 +169,16 @@ class Arm:
             raise UnreadError(f"the centre of mass of {self.setting.display_name(body)} is in no table")
         name = self.book.fresh("c", self.setting.subscript_of(body))
         point = POINTS.get(type(shape).__name__, "its own centre")
-        said = f"The distance of the centre of mass of {self.setting.display_name(body)} from {point} is"
-        shift: Expression = self.book.add_step("table", said, name, spread.center, METRES)
+        text = f"The distance of the centre of mass of {self.setting.display_name(body)} from {point} is"
+        shift: Expression = self.book.add_step("table", text, name, spread.center, METRES)
         shift = shift if aside * self.book.value(shift) > 0.0 else -shift
-        whole = self.book.fresh("r", self.setting.subscript_of(body))
-        self.book.add_step("place", self._place_words(body, plain + shift, plain, shift), whole, plain + shift, METRES)
-        if abs(self.book.value(whole) - here) > INERTIA_RTOL:
+        position = self.book.fresh("r", self.setting.subscript_of(body))
+        self.book.add_step(
+            "place", self._place_words(body, plain + shift, plain, shift), position, plain + shift, METRES
+        )
+        if abs(self.book.value(position) - here) > INERTIA_RTOL:
             raise UnreadError(f"the centre of mass of {self.setting.display_name(body)} is beside the arm")
-        return whole
+        return position
 
     def _place_words(self, body: str, place: Expression, *parts: Expression) -> str:
         """Return the words before the position of a centre of mass on an arm."""
@@ -188,20 +190,20 @@ class Arm:
 
     def _own(self, body: str, mass: Expression) -> Expression:
         """Write the moment of inertia of a body about its own centre of mass, parallel to the axle; return it."""
-        held = self.setting.mechanism.body[body]
-        actual = float(dot(self.axis, applied(held.inertia, self.axis)))
+        rigid_body = self.setting.mechanism.body[body]
+        actual = float(dot(self.axis, applied(rigid_body.inertia, self.axis)))
         if actual <= 0.0:
             return ZERO
         shape = self._shape(body)
         spread = mean_squares(shape, self._size(body)) if shape is not None else None
         for formula, why in self._inertias(spread):
-            if abs(self.book.value(formula) * held.mass - actual) <= INERTIA_RTOL * actual:
+            if abs(self.book.value(formula) * rigid_body.mass - actual) <= INERTIA_RTOL * actual:
                 line = "the line through its centre of mass parallel to the axle"
                 flat = type(shape).__name__ in FLAT and spread is not None and formula == candidates(spread)[0]
                 line = f"{line}, a diameter of it," if flat else line
-                said = f"The moment of inertia of {self.setting.display_name(body)} about {line} is"
+                text = f"The moment of inertia of {self.setting.display_name(body)} about {line} is"
                 name = self.book.fresh("I", ",".join(p for p in ("0", self.setting.subscript_of(body)) if p))
-                return self.book.add_step("table", f"{why} {said}".lstrip(), name, mass * formula, INERTIA)
+                return self.book.add_step("table", f"{why} {text}".lstrip(), name, mass * formula, INERTIA)
         raise UnreadError(f"the moment of inertia of {self.setting.display_name(body)} is in no table")
 
     def _inertias(self, spread: MeanSquares | None) -> Iterator[tuple[Expression, str]]:
@@ -225,10 +227,10 @@ class Arm:
         points = [body for body in self.bodies if not any(self.setting.mechanism.body[body].inertia)]
         as_points = "a point mass" if len(points) == 1 else "point masses"
         added = f", with {self.setting.bodies_phrase(points)} as {as_points}" if points else ""
-        said = f"By the parallel-axis theorem{added}, the moment of inertia about the axle is"
+        text = f"By the parallel-axis theorem{added}, the moment of inertia about the axle is"
         if all(self.piece(body).inertia == ZERO for body in self.bodies):
-            said = "The moment of inertia about the axle is"
-        return self.book.add_step("inertia", said, self.book.fresh("I"), total, INERTIA)
+            text = "The moment of inertia about the axle is"
+        return self.book.add_step("inertia", text, self.book.fresh("I"), total, INERTIA)
 
     @cached_property
     def moment(self) -> Expression:
@@ -239,14 +241,14 @@ class Arm:
             total = total + piece.mass * piece.place
         if len(parts) == 1:
             return total
-        said, name = "The sum of the masses times their distances from the axle is", self.book.fresh("S")
+        text, name = "The sum of the masses times their distances from the axle is", self.book.fresh("S")
         if all(self.book.value(piece.place) > 0.0 for piece in parts):
-            return self.book.add_step("moment", said, name, total, MOMENT)
+            return self.book.add_step("moment", text, name, total, MOMENT)
         step, first = self.book.begin_step("moment"), self.setting.display_name(self.bodies[0])
         counted = f"distances on the side of {first} being counted as positive,"
-        step.add_text(f"{said[:-3]}, {counted} is {step.result(name, total, MOMENT, law=True)}.")
+        step.add_text(f"{text[:-3]}, {counted} is {step.result(name, total, MOMENT, law=True)}.")
         sign, side = ("> 0", "this") if self.book.value(name) > 0.0 else ("< 0", "the opposite")
-        if any(isinstance(held, SideOfCenterOfMass) for held in self.setting.assumed):
+        if any(isinstance(premise, SideOfCenterOfMass) for premise in self.setting.assumed):
             step.add_text(f"By assumption, the centre of mass is on {side} side, so ${name.name} {sign}$.")
         elif not self.book.is_hidden(total):
             step.add_text(f"As ${name.name} {sign}$, the centre of mass is on {side} side.")
@@ -270,5 +272,5 @@ class Arm:
         return capitalized(self.setting.display_name(lone if lone in self.setting.words.mentions else self.bodies[0]))
 
 
-def _squared(held: Expression) -> Expression:
-    return Power(-held if held.negative else held, 2)
+def _squared(expression: Expression) -> Expression:
+    return Power(-expression if expression.negative else expression, 2)

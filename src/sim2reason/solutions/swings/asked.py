@@ -149,7 +149,7 @@ def where_extreme(
     return f"By conservation of energy, the {noun} is {superlative} {where}."
 
 
-def write_other_end(book: SolutionBuilder, found: Expression, ends: Ends) -> None:
+def write_other_end(book: SolutionBuilder, greatest: Expression, ends: Ends) -> None:
     """Write the acceleration at the other end of a swing, which is smaller than the greatest one."""
     pull, first, excess = ends
     cosine = Call("cos", first) if first != ZERO else ONE
@@ -158,8 +158,8 @@ def write_other_end(book: SolutionBuilder, found: Expression, ends: Ends) -> Non
     less = min(lowest, turning, key=book.value)
     where = "At the lowest point" if less is lowest else "At a turning point"
     step, name = book.begin_step("verify"), book.fresh("a", r"\text{end}")
-    record_inequality(book, step, found, less)
+    record_inequality(book, step, greatest, less)
     step.add_text(
-        f"{where} the acceleration is {step.verified(name, less, ACCELERATION)}, less than ${found.latex()}$."
+        f"{where} the acceleration is {step.verified(name, less, ACCELERATION)}, less than ${greatest.latex()}$."
     )
     step.close()

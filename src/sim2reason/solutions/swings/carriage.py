@@ -50,25 +50,31 @@ def carriage_system(m: Mechanism) -> CarriageSystem | None:
         and abs(hinge.axis[2]) < DIRECTION_TOLERANCE
         and abs(dot(along, hinge.axis)) < DIRECTION_TOLERANCE
     )
-    found = tuple(pull for pull in pulls if pull is not None)
-    known = {carriage, hinge.body, *(pull.body for pull in found if pull.body)}
-    whole = len(m.coordinates) == len(known) and all(body.name in known or body.parent in known for body in m.bodies)
-    return CarriageSystem(carriage, hinge.body, found) if upright and whole and len(found) == len(pulls) else None
+    valid_pulls = tuple(pull for pull in pulls if pull is not None)
+    known = {carriage, hinge.body, *(pull.body for pull in valid_pulls if pull.body)}
+    is_complete = len(m.coordinates) == len(known) and all(
+        body.name in known or body.parent in known for body in m.bodies
+    )
+    return (
+        CarriageSystem(carriage, hinge.body, valid_pulls)
+        if upright and is_complete and len(valid_pulls) == len(pulls)
+        else None
+    )
 
 
 def _pull(m: Mechanism, line: Line, rail: Coordinate) -> Pull | None:
     """Return the pull of a string that runs along the rail from the carriage; None for any other string."""
-    on = [place for place, site in enumerate(line.through) if m.site[site].body == rail.body]
+    on = [index for index, site in enumerate(line.through) if m.site[site].body == rail.body]
     if len(on) != 1 or on[0] not in (0, len(line.through) - 1) or line.wheels or line.circle:
         return None
     names = line.through if on[0] == 0 else line.through[::-1]
     inner, outer = names[:-1], m.site[names[-1]]
     frames = initial_frames(m)
-    way = minus(frames.site(names[1]).place, frames.site(names[0]).place)
+    direction = minus(frames.site(names[1]).place, frames.site(names[0]).place)
     fixed = all(m.site[site].body is None for site in inner[1:])
-    if not fixed or abs(abs(dot(way, rail.axis)) - dot(way, way) ** 0.5) > DIRECTION_TOLERANCE:
+    if not fixed or abs(abs(dot(direction, rail.axis)) - dot(direction, direction) ** 0.5) > DIRECTION_TOLERANCE:
         return None
-    side = copysign(1.0, float(dot(way, rail.axis)))
+    side = copysign(1.0, float(dot(direction, rail.axis)))
     if isinstance(line.law, ConstantTension):
         return Pull(line.name, side) if outer.body is None else None
     plain = isinstance(line.law, Inextensible) and not line.law.slack and not line.law.reel
@@ -86,11 +92,11 @@ class Carriage:
 
     def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
         """Read the parameters; raise UnreadError if one is not a simple function of the numbers in the text."""
-        found = carriage_system(setting.mechanism)
-        assert found is not None, "who asks has seen that something swings on it"
-        self.setting, self.riding = setting, found
-        self.arm = Arm(setting, book, found.arm)
-        self._rail = setting.mechanism.body[found.carriage].coordinates[0].axis
+        system = carriage_system(setting.mechanism)
+        assert system is not None, "who asks has seen that something swings on it"
+        self.setting, self.riding = setting, system
+        self.arm = Arm(setting, book, system.arm)
+        self._rail = setting.mechanism.body[system.carriage].coordinates[0].axis
         self.forward = copysign(1.0, float(dot(self._rail, self.arm.way(setting.mechanism))))
 
     @property
@@ -145,11 +151,11 @@ class Carriage:
     @cached_property
     def driving_force(self) -> Expression:
         """Return the forward force along the rail, in N: that of hands, and the weight of hanging bodies."""
-        found: Expression = ZERO
+        force: Expression = ZERO
         for pull in sorted(self.riding.pulls, key=lambda pull: -self.towards(pull.line)):
             size = self._weight(pull.body) if pull.body else self._hand(pull.line)
-            found = found + (size if self.towards(pull.line) > 0.0 else -size)
-        return found
+            force = force + (size if self.towards(pull.line) > 0.0 else -size)
+        return force
 
     def _weight(self, body: str) -> Expression:
         return self.mass(body) * self.arm.gravity
@@ -172,10 +178,10 @@ class Carriage:
         x, y, z = (self.forward * part for part in self._rail)
         for pull in self.riding.pulls:
             if pull.body:
-                way = self.setting.direction_words((x, y, z) if self.towards(pull.line) > 0.0 else (-x, -y, -z))
-                mass, weight = (held.latex() for held in (self.mass(pull.body), self._weight(pull.body)))
+                direction = self.setting.direction_words((x, y, z) if self.towards(pull.line) > 0.0 else (-x, -y, -z))
+                mass, weight = (expression.latex() for expression in (self.mass(pull.body), self._weight(pull.body)))
                 yield (
                     f"{capitalized(self.setting.display_name(pull.body))} moves "
                     f"vertically as fast as {self.noun} along the "
-                    f"rail, so it acts as a mass ${mass}$ fixed to {self.noun} that a force ${weight}$ pulls {way}."
+                    f"rail, so it acts as a mass ${mass}$ fixed to {self.noun} that a force ${weight}$ pulls {direction}."
                 )

@@ -110,9 +110,9 @@ class CarriageAngle(SwingAngle):
 
     def _hanging(self) -> list[str]:
         """Return the sentences about bodies that hang from strings of the carriage, at the first call only."""
-        said = [] if self._told_hanging else [*self.carriage.hanging()]
+        sentences = [] if self._told_hanging else [*self.carriage.hanging()]
         self._told_hanging = True
-        return said
+        return sentences
 
     @property
     def swings(self) -> str:
@@ -141,14 +141,16 @@ class CarriageAngle(SwingAngle):
         tilt = self.book.fresh(r"\beta")
         formula = Call("arctan", self.driving_force / (self.carriage.total_mass * self.gravity))
         lead = "In the frame that accelerates along the rail with the common centre of mass,"
-        said = " ".join([*self._hanging(), lead, "the effective gravity is tilted by the angle"])
-        self.book.add_step("tilt", said, tilt, formula, DEGREES)
-        said, whole = (
+        text = " ".join([*self._hanging(), lead, "the effective gravity is tilted by the angle"])
+        self.book.add_step("tilt", text, tilt, formula, DEGREES)
+        text, turning_angle = (
             f"About this direction {self.swings} oscillates symmetrically, so it turns back at",
             self.first + TWO * tilt,
         )
-        beyond = self.book.value(whole) > 0.0  # on the other side of the lowest point
-        name = self.book.add_step("turning", said, self.book.fresh(r"\phi"), whole if beyond else -whole, DEGREES)
+        beyond = self.book.value(turning_angle) > 0.0  # on the other side of the lowest point
+        name = self.book.add_step(
+            "turning", text, self.book.fresh(r"\phi"), turning_angle if beyond else -turning_angle, DEGREES
+        )
         return -name if beyond else name
 
     def _where_moved(self, moment: Moved) -> Expression:
@@ -170,8 +172,8 @@ class CarriageAngle(SwingAngle):
             step.add_text(
                 f"It rises no higher than at the start, so $|{name.name}| \\le {self.first.latex()} < 90^\\circ$."
             )
-        said = "No external force acts along the rail, so the common centre of mass does not move along it:"
-        step.add_text(f"{said} {law}, so {step.result(name, formula, DEGREES)}.")
+        text = "No external force acts along the rail, so the common centre of mass does not move along it:"
+        step.add_text(f"{text} {law}, so {step.result(name, formula, DEGREES)}.")
         self._far = far
         step.close()
         if abs(self.book.values[name.name] - self.now) > ANGLE_TOLERANCE:

@@ -56,11 +56,11 @@ class CarriageLaws(CarriageAngle):
         if not self.lone:
             square = TWO * self.moment * c.total_mass * worth / self.effective_inertia
         momentum, energy = self._kept(turns, runs)
-        kept, held = step.law(*momentum), step.law(energy, work)
+        kept, energy_law = step.law(*momentum), step.law(energy, work)
         step.add_text(*self._named(turns, runs))
         inertial = " with the work of the pull and of the inertial forces" if drift != ZERO else ""
         step.add_text(
-            f"The momentum along the rail stays zero, {kept}, and energy is conserved{inertial}: {held}. Together"
+            f"The momentum along the rail stays zero, {kept}, and energy is conserved{inertial}: {energy_law}. Together"
         )
         solved = step.result(turns, Root(square), ANGULAR_SPEED)
         formula = self.moment * turns * there / c.total_mass
@@ -111,8 +111,8 @@ class CarriageLaws(CarriageAngle):
         if self.driving_force == ZERO:
             return ZERO
         lead = "The force along the rail gives the common centre of mass the acceleration"
-        said, name = " ".join([*self._hanging(), lead]), self.book.fresh("a", "0")
-        return self.book.add_step("frame", said, name, self.driving_force / self.carriage.total_mass, ACCELERATION)
+        text, name = " ".join([*self._hanging(), lead]), self.book.fresh("a", "0")
+        return self.book.add_step("frame", text, name, self.driving_force / self.carriage.total_mass, ACCELERATION)
 
     @cached_property
     def place(self) -> Expression:
@@ -124,9 +124,9 @@ class CarriageLaws(CarriageAngle):
             return self._far
         over = self.sine_first - self.signed if self.angle != -self.first else TWO * self.sine_first
         formula = self.moment * over / self.carriage.total_mass
-        said = "The common centre of mass does not move along the rail, so the displacement of "
-        said += f"{self.carriage.noun} is"
-        return self.book.add_step("place", said, self.book.fresh("x"), formula, METRES)
+        text = "The common centre of mass does not move along the rail, so the displacement of "
+        text += f"{self.carriage.noun} is"
+        return self.book.add_step("place", text, self.book.fresh("x"), formula, METRES)
 
     # ---- how that changes
 
@@ -148,8 +148,8 @@ class CarriageLaws(CarriageAngle):
         pull, mass = self.radial_pull, self.mass
         who = self.setting.display_name(self.arm.bodies[0])
         if self.sine == ZERO:
-            said = f"By Newton's second law along {self.swings} for {who}, in the frame of {c.noun},"
-            return book.add_step("rod", said, name, mass * pull, NEWTONS), ZERO
+            text = f"By Newton's second law along {self.swings} for {who}, in the frame of {c.noun},"
+            return book.add_step("rod", text, name, mass * pull, NEWTONS), ZERO
         step, a = book.begin_step("rod"), book.fresh("a", r"\text{c}")
         pulled = self.driving_force + name * self.signed
         along = step.law(name, mass * (pull - a * self.signed))
@@ -176,9 +176,9 @@ class CarriageLaws(CarriageAngle):
         lead = (
             f"The force in {self.swings} has no component along the rail, so the acceleration of {self.carriage.noun}"
         )
-        said = " ".join([*self._hanging(), f"{lead} {self.carriage.way} is"])
+        text = " ".join([*self._hanging(), f"{lead} {self.carriage.way} is"])
         name = self.book.fresh("a", r"\text{c}")
-        return self.book.add_step("newton", said, name, self.driving_force / self.carriage.sliding_mass, ACCELERATION)
+        return self.book.add_step("newton", text, name, self.driving_force / self.carriage.sliding_mass, ACCELERATION)
 
     @cached_property
     def angular_acceleration(self) -> Expression:
@@ -191,8 +191,8 @@ class CarriageLaws(CarriageAngle):
         if self.book.value(formula) == 0.0:
             return ZERO
         counted = f"the angular acceleration of {self.swings}, {self.carriage.turning}, is"
-        said = f"Along the circle, with weight and inertial force, {counted}"
-        return self.book.add_step("growth", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
+        text = f"Along the circle, with weight and inertial force, {counted}"
+        return self.book.add_step("growth", text, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
 
     @cached_property
     def _turned_up(self) -> tuple[Symbol, Symbol]:
@@ -200,7 +200,7 @@ class CarriageLaws(CarriageAngle):
         c, book, s, inertia = self.carriage, self.book, self.moment, self.arm.inertia
         step, turns, a = book.begin_step("torque"), book.fresh(r"\alpha"), book.fresh("a", r"\text{c}")
         bent = sum_of_squares([self.rate]) * self.signed
-        held = self.driving_force + s * bent
+        net_force = self.driving_force + s * bent
         weight = self.gravity * self.signed
         rail = step.law(c.total_mass * a, self.driving_force + s * (turns * self.cosine + bent))
         torque = step.law(inertia * turns, s * (weight + a * self.cosine))
@@ -208,11 +208,11 @@ class CarriageLaws(CarriageAngle):
         step.add_text(f"Let ${turns.name}$ be the angular acceleration of {self.swings}, {c.turning}, and ${a.name}$")
         step.add_text(f"the acceleration of {c.noun} {c.way}. Along the rail, with all masses: {rail}.")
         step.add_text("About the axle, with the inertial")
-        over = s * (c.total_mass * weight + self.cosine * held)
+        over = s * (c.total_mass * weight + self.cosine * net_force)
         step.add_text(
             f"force: {torque}. Together {step.result(turns, over / self.effective_inertia, ANGULAR_ACCELERATION)}"
         )
-        formula = (held + s * turns * self.cosine) / c.total_mass
+        formula = (net_force + s * turns * self.cosine) / c.total_mass
         step.add_text(f"and {step.result(a, formula, ACCELERATION)}.")
         step.close()
         return turns, a

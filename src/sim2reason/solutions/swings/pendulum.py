@@ -40,22 +40,22 @@ def pivot(m: Mechanism) -> tuple[str, str | None, tuple[float, float, float]] | 
 
 def place(m: Mechanism) -> tuple[float, float, float]:
     """Return the vector, m, from the pivot to the body at the start."""
-    found = pivot(m)
-    assert found is not None, "who asks has seen that it swings"
-    body, _, point = found
+    suspension = pivot(m)
+    assert suspension is not None, "who asks has seen that it swings"
+    body, _, point = suspension
     x, y, z = minus(initial_frames(m).center(body).place, point)
     return float(x), float(y), float(z)
 
 
 def geometry(m: Mechanism) -> tuple[float, float, float]:
     """Return the length, m, the initial angle with the downward vertical, rad, and the initial speed, m/s."""
-    apart = place(m)
-    length = hypot(*apart)
+    offset = place(m)
+    length = hypot(*offset)
     if len(m.coordinates) == 1:
         speed = abs(m.coordinates[0].speed) * length
     else:
         speed = hypot(*(coordinate.speed for coordinate in m.coordinates))
-    return length, acos(max(-1.0, min(1.0, -apart[2] / length))), speed
+    return length, acos(max(-1.0, min(1.0, -offset[2] / length))), speed
 
 
 SAMPLES = 257  # samples up to the moment, which is at most a few turns after the start
@@ -70,9 +70,9 @@ class SwingState(SwingAngle):
     def __init__(self, setting: ProblemContext, book: SolutionBuilder) -> None:
         """Read the parameters; raise UnreadError if the length or initial state is not a simple function of them."""
         super().__init__(setting, book)
-        found = pivot(setting.mechanism)
-        assert found is not None
-        self.body, self.line, _ = found
+        suspension = pivot(setting.mechanism)
+        assert suspension is not None
+        self.body, self.line, _ = suspension
         lexicon = setting.lexicon
         parts = (lexicon.of(lambda m, n=n: geometry(m)[n]).expression() for n in range(3))
         self.length, self.first, self.launch = parts
@@ -95,9 +95,9 @@ class SwingState(SwingAngle):
     def _seen(self, times: Array) -> tuple[Array, Array]:
         """Return the engine's angles and their rates at some times, each (n,), for signs alone."""
         state = self.setting.study.trace.sample(times)
-        found = pivot(self.setting.mechanism)
-        assert found is not None
-        point, center = found[2], state.frames.center(self.body)
+        suspension = pivot(self.setting.mechanism)
+        assert suspension is not None
+        point, center = suspension[2], state.frames.center(self.body)
         x, y, z = (np.broadcast_to(part, times.shape) - point[n] for n, part in enumerate(center.place))
         side = 1.0 if place(self.setting.mechanism)[0] >= 0.0 else -1.0
         across = side * (center.velocity[2] * x - center.velocity[0] * z)
@@ -135,8 +135,8 @@ class SwingState(SwingAngle):
         formula = Call("arccos", added(self.cosine_first, -ratio_of))
         beyond = self.now < 0.0 if not self.extreme else True
         other = " on the other side of the vertical," if beyond and self.first != ZERO else ""
-        said = f"{capitalized(self.who)} turns back{other} where all its energy is potential"
-        step.add_text(f"{said}: {law}, so {step.result(name, formula, DEGREES)}.")
+        text = f"{capitalized(self.who)} turns back{other} where all its energy is potential"
+        step.add_text(f"{text}: {law}, so {step.result(name, formula, DEGREES)}.")
         if self.line is not None and not self.book.is_hidden(formula):
             self._tell_reach(step, name, "this")
         step.close()
@@ -219,8 +219,8 @@ class SwingState(SwingAngle):
         )
         square = added(sum_of_squares([self.launch]), gained)
         law = step.law(Power(name, 2), square)
-        said = by_energy(self.setting, "speed", name, extreme=bool(self.extreme))
-        step.add_text(f"{said} {law}, so {step.result(name, Root(square), SPEED)}.")
+        text = by_energy(self.setting, "speed", name, extreme=bool(self.extreme))
+        step.add_text(f"{text} {law}, so {step.result(name, Root(square), SPEED)}.")
         step.close()
         return Power(name, 2)
 

@@ -67,8 +67,8 @@ class AxleForces(SwingAngle):
         moment = self.arm.moment
         size = self.book.magnitude(moment)
         formula = size * self.gravity * self.sine / self.arm.inertia
-        said = "Apart from its sign, the angular acceleration is the torque of gravity over the moment of inertia,"
-        return self.book.add_step("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
+        text = "Apart from its sign, the angular acceleration is the torque of gravity over the moment of inertia,"
+        return self.book.add_step("torque", text, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
 
     # ---- all bodies as one
 
@@ -87,12 +87,12 @@ class AxleForces(SwingAngle):
     def lever(self) -> Expression:
         """Write the distance of the common centre of mass from the axle, m, and return it."""
         if len(self.arm.bodies) == 1:
-            place = self.arm.piece(self.arm.bodies[0]).place
-            return self.book.magnitude(place)
+            position = self.arm.piece(self.arm.bodies[0]).place
+            return self.book.magnitude(position)
         moment = self.arm.moment
         formula = (moment if self.falls else -moment) / self.whole
-        said = "The distance of the common centre of mass from the axle is"
-        return self.book.add_step("place", said, self.book.fresh("d", r"\text{cm}"), formula, METRES)
+        text = "The distance of the common centre of mass from the axle is"
+        return self.book.add_step("place", text, self.book.fresh("d", r"\text{cm}"), formula, METRES)
 
     @property
     def _below(self) -> Expression:
@@ -179,8 +179,8 @@ def small_oscillations(arm: Arm, book: SolutionBuilder, query: PeriodQuery) -> S
         f"${near.latex()}$ where the angle is small."
     )
     step.close()
-    said = f"{HARMONIC} the oscillation is harmonic with the angular frequency"
-    rate = book.add_step("oscillation", said, book.fresh(r"\omega"), Root(torque / inertia), ANGULAR_SPEED)
+    text = f"{HARMONIC} the oscillation is harmonic with the angular frequency"
+    rate = book.add_step("oscillation", text, book.fresh(r"\omega"), Root(torque / inertia), ANGULAR_SPEED)
     return measured_period(book, query, rate)
 
 
@@ -205,31 +205,31 @@ def total_angle(swing: SwingAngle, seen: Seen) -> Expression:
         raise UnsolvedError("its centre of mass is on the other side of the axle")
     if not turns:
         return swing.between
-    way = float(kept[0])
-    _tell_way(swing, turns, way)
-    reach, found = Polynomial.of(swing.reach), _place(swing.first).scaled(-way)
-    found = found + reach.scaled(2.0 * turns - 1.0)
+    sense = float(kept[0])
+    _tell_way(swing, turns, sense)
+    reach, angle = Polynomial.of(swing.reach), _place(swing.first).scaled(-sense)
+    angle = angle + reach.scaled(2.0 * turns - 1.0)
     if not swing.still:
-        found = found + reach - _place(swing.angle).scaled(way if turns % 2 else -way)
-    return found.factored()
+        angle = angle + reach - _place(swing.angle).scaled(sense if turns % 2 else -sense)
+    return angle.factored()
 
 
-def _tell_way(swing: SwingAngle, turns: int, way: float) -> None:
+def _tell_way(swing: SwingAngle, turns: int, sense: float) -> None:
     """Write the angles between which the body swings in turn, up to its position at the moment."""
-    inward, ends = way < 0.0 and swing.first != ZERO, ZERO if swing.still else swing.angle
+    inward, ends = sense < 0.0 and swing.first != ZERO, ZERO if swing.still else swing.angle
     reach, through = f"${swing.reach.latex()}$", " through the lowest point"
     begins = f"${swing.first.latex()}$" if swing.first != ZERO else "the lowest point"
-    said = [f"From {begins} it swings{through if inward else ''} to {reach}{' on the other side' if inward else ''}"]
+    clauses = [f"From {begins} it swings{through if inward else ''} to {reach}{' on the other side' if inward else ''}"]
     if turns > 1:
         often = "once" if turns == TWICE else f"{turns - 1} times"
-        said.append(f"{often} from one turning point to the other")
+        clauses.append(f"{often} from one turning point to the other")
     if not swing.still:
-        side = way if turns % 2 else -way
+        side = sense if turns % 2 else -sense
         crosses = ends != ZERO and side * swing.book.value(ends) < 0.0
         size = f"${(-ends if ends.negative else ends).latex()}$" if ends != ZERO else "the lowest point"
-        said.append(f"back{through if crosses else ''} to {size}")
+        clauses.append(f"back{through if crosses else ''} to {size}")
     step = swing.book.begin_step("names")
-    step.add_text(f"{join_words(said)}.")
+    step.add_text(f"{join_words(clauses)}.")
     step.close()
 
 
@@ -239,13 +239,13 @@ def _round(swing: SwingAngle, end: float) -> Expression:
     there = swing.angle
     if there == ZERO or isinstance(there, Number):
         there = Number(float(halves)) * PI if halves else ZERO
-    apart = there - swing.first
-    return apart if swing.book.value(apart) >= 0.0 else -apart
+    difference = there - swing.first
+    return difference if swing.book.value(difference) >= 0.0 else -difference
 
 
-def _place(held: Expression) -> Polynomial:
+def _place(angle: Expression) -> Polynomial:
     """Convert an angle, or its negative, to a polynomial with that sign."""
-    if held == ZERO:
+    if angle == ZERO:
         return Polynomial({})
-    negative = held.latex().startswith("-")
-    return Polynomial.of(-held).scaled(-1.0) if negative else Polynomial.of(held)
+    negative = angle.latex().startswith("-")
+    return Polynomial.of(-angle).scaled(-1.0) if negative else Polynomial.of(angle)

@@ -124,28 +124,28 @@ def _bowl(size: Sizes) -> MeanSquares:
     parts = [_segment(outer, height), _segment(inner, low)]
     rest = volumes[0] - volumes[1]
     shares = [volumes[0] / rest, -(volumes[1] / rest)]
-    found = joined([Part(share, spread, center) for share, (spread, center) in zip(shares, parts, strict=True)])
+    combined = joined([Part(share, spread, center) for share, (spread, center) in zip(shares, parts, strict=True)])
     why = (
         "A bowl is a solid cap less a smaller one, of the same density; the moments of inertia of caps follow by "
         "integration over thin discs parallel to their flat faces."
     )
-    return replace(found, why=why, why_own=why)
+    return replace(combined, why=why, why_own=why)
 
 
 def _holed_ball(size: Sizes) -> MeanSquares:
     outer, inner = size("radius"), size("hole")
-    whole, hole = _less(3, outer, inner)
-    found = joined([Part(whole, _ball(outer)), Part(hole, _ball(inner), size("offset"))])
+    full, hole = _less(3, outer, inner)
+    combined = joined([Part(full, _ball(outer)), Part(hole, _ball(inner), size("offset"))])
     why = "It is a solid ball less the one that would fill the hole, of the same density."
-    return replace(found, why=why, why_own=why)
+    return replace(combined, why=why, why_own=why)
 
 
 def _bored(size: Sizes) -> MeanSquares:
     """Return the mean squares of a cylinder with a parallel bore; y is the axis and z the line to the bore."""
     outer, inner = size("radius"), size("hole")
-    whole, hole = _less(2, outer, inner)
+    full, hole = _less(2, outer, inner)
     discs = [MeanSquares(of(0.25, radius), of(0.25, radius)) for radius in (outer, inner)]
-    spread = joined([Part(whole, discs[0]), Part(hole, discs[1], size("offset"))])
+    spread = joined([Part(full, discs[0]), Part(hole, discs[1], size("offset"))])
     return MeanSquares(spread.xx, spread.zz, spread.center, ZERO)
 
 
@@ -161,8 +161,8 @@ def _prism(size: Sizes, sides: int, long: Expression) -> MeanSquares:
     )
     high = f" The height adds ${long.latex()}$ times the mass, as the length of a rod does." if long != ZERO else ""
     double = " About the axis of the prism it is twice as large, by the perpendicular-axis theorem."
-    found = square if simple_fraction(plain) is None else of(plain, radius)
-    return MeanSquares(found, long, why=why + high, why_own=why + double)
+    transverse = square if simple_fraction(plain) is None else of(plain, radius)
+    return MeanSquares(transverse, long, why=why + high, why_own=why + double)
 
 
 def _thick(size: Sizes) -> MeanSquares:
@@ -198,8 +198,8 @@ def mean_squares(shape: Shape, size: Sizes) -> MeanSquares | None:
     if name in ("PolygonalPrism", "LongPrism"):
         long = of(1.0 / 12.0, size("height")) if name == "PolygonalPrism" else ZERO
         return _prism(size, getattr(shape, "sides", 4), long)
-    found = TABLE.get(name)
-    return found(size) if found is not None else None
+    builder = TABLE.get(name)
+    return builder(size) if builder is not None else None
 
 
 def candidates(spread: MeanSquares) -> list[Expression]:
@@ -223,10 +223,10 @@ def tilted(spread: MeanSquares, angle: Expression) -> tuple[Expression, str]:
     return across * along + own * beside, f"{spread.why_own or spread.why} {why}".lstrip()
 
 
-def _collected(held: Expression) -> Expression:
+def _collected(expression: Expression) -> Expression:
     """Return a sum in which terms that differ only in a numerical factor are combined."""
     parts: dict[Expression, float] = {}
-    for term in held.terms if isinstance(held, Sum) else (held,):
+    for term in expression.terms if isinstance(expression, Sum) else (expression,):
         factors = term.factors if isinstance(term, Product) else (term,)
         number = prod(factor.x for factor in factors if isinstance(factor, Number))
         rest = reduce(multiplied, (factor for factor in factors if not isinstance(factor, Number)), ONE)
@@ -251,16 +251,16 @@ def sinking_words(radius: Expression, half: Expression, slope: Expression) -> st
     """Return a clause about the distance by which the axis sinks from one landing to the next."""
     if slope == ZERO:
         return "When the next edge lands, the axis is as high as before"
-    way = Number(2.0) * radius * Call("sin", half) * Call("sin", slope)
+    drop = Number(2.0) * radius * Call("sin", half) * Call("sin", slope)
     moves = "the axis moves by one side of the base along the plane"
-    return f"Until the next edge lands, {moves} and sinks by ${way.latex()}$"
+    return f"Until the next edge lands, {moves} and sinks by ${drop.latex()}$"
 
 
 def landing_words(speed: Expression, turn: Expression, law: str) -> str:
     """Return the sentences before the conservation of angular momentum about a new edge."""
     fast, angle = speed.latex(), turn.latex()
-    said = f"Just before, the axis has the speed ${fast}$, at the angle ${angle}$ to its direction just after."
-    return f"{said} Angular momentum about the new edge is conserved: {law},"
+    sentence = f"Just before, the axis has the speed ${fast}$, at the angle ${angle}$ to its direction just after."
+    return f"{sentence} Angular momentum about the new edge is conserved: {law},"
 
 
 def angle_words(half: Expression, angle: Expression) -> str:
@@ -308,16 +308,16 @@ def verify_tops(
     def write() -> None:
         top = weight * (ONE - Call("cos", begins))
         over = book.value(HALF * inertia * Power(rates[-1], 2)) > book.value(top)
-        least = min(rates if over else rates[:-1], key=book.value)
-        energy = HALF * inertia * (Power(least, 2))
+        smallest = min(rates if over else rates[:-1], key=book.value)
+        energy = HALF * inertia * (Power(smallest, 2))
         step, names = book.begin_step("verify"), [book.fresh("K", r"\text{min}"), book.fresh("U", r"\text{top}")]
         record_inequality(book, step, energy, top)
-        told = [step.verified(name, held, JOULES) for name, held in zip(names, (energy, top), strict=True)]
+        verified = [step.verified(name, value, JOULES) for name, value in zip(names, (energy, top), strict=True)]
         edges, landing = ("each edge", "a landing") if over else ("each edge before the last", "an earlier landing")
         step.add_text(
             f"The axis passes over {edges}, since the least kinetic energy at the start or just after {landing},"
         )
-        step.add_text(f"{told[0]}, exceeds the energy {told[1]} by which it rises.")
+        step.add_text(f"{verified[0]}, exceeds the energy {verified[1]} by which it rises.")
         step.close()
 
     book.afterwards.append(write)

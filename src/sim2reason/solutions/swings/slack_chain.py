@@ -55,9 +55,9 @@ class SlackSwingPhases:
     @cached_property
     def slack_at_once(self) -> bool:
         """Return whether the string is slack at the start: the bob is above the fixed point and slow."""
-        held = self.swing
-        g, ell, v = (self.book.value(part) for part in (self.gravity, self.length, held.launch))
-        return v**2 + g * ell * cos(held.began) < 0.0
+        swing = self.swing
+        g, ell, v = (self.book.value(part) for part in (self.gravity, self.length, swing.launch))
+        return v**2 + g * ell * cos(swing.began) < 0.0
 
     def _side(self) -> float:
         """Return the sign of x, by the engine, where the string first goes slack, or at the start if it stays taut."""
@@ -83,13 +83,13 @@ class SlackSwingPhases:
     @cached_property
     def start(self) -> MotionState:
         """Return the initial position and velocity of the bob."""
-        held, ell = self.swing, self.length
+        swing, ell = self.swing, self.length
         begins = self.sign(0.0, 0)
-        sine = Call("sin", held.first) if held.first != ZERO else ZERO
-        cosine = held.cosine_first
+        sine = Call("sin", swing.first) if swing.first != ZERO else ZERO
+        cosine = swing.cosine_first
         forward = -begins if sine != ZERO else self.sign(0.0, 1)
-        vx, vy = held.launch * cosine * forward, -(held.launch * sine)
-        return MotionState(ell * sine * begins, -(ell * cosine), vx, vy, held.launch)
+        vx, vy = swing.launch * cosine * forward, -(swing.launch * sine)
+        return MotionState(ell * sine * begins, -(ell * cosine), vx, vy, swing.launch)
 
     def tell_axes(self) -> None:
         """Write the origin and the directions of the coordinates."""
@@ -122,12 +122,12 @@ class SlackSwingPhases:
             step.add_text(f"As $0 < {y.latex()} < {ell.latex()}$, {self.who} gets there.")
         step.close()
         x = book.fresh("x", r"\text{s}")
-        said = "Its horizontal distance from the fixed point is"
-        book.add_step(CIRCLE, said, x, Root(Power(ell, 2) - Power(y, 2)), METRES)
+        text = "Its horizontal distance from the fixed point is"
+        book.add_step(CIRCLE, text, x, Root(Power(ell, 2) - Power(y, 2)), METRES)
         out = self.sign(time, 0)
-        said = "Its velocity there is perpendicular to the string, which gives"
-        vx = book.add_step(TANGENT, said, book.fresh("v", "x"), -(v * y / ell * out), SPEED)
-        vy = book.add_step(TANGENT, said, book.fresh("v", "y"), v * x / ell, SPEED)
+        text = "Its velocity there is perpendicular to the string, which gives"
+        vx = book.add_step(TANGENT, text, book.fresh("v", "x"), -(v * y / ell * out), SPEED)
+        vy = book.add_step(TANGENT, text, book.fresh("v", "y"), v * x / ell, SPEED)
         return MotionState(x if out > 0.0 else -x, y, vx, vy, v)
 
     def squared(self, held: MotionState) -> Expression:
@@ -171,23 +171,23 @@ class SlackSwingPhases:
     def highest(self, held: MotionState) -> MotionState:
         """Write the highest point of the projectile and return its position and velocity."""
         book, g = self.book, self.gravity
-        said = f"{capitalized(self.who)} now moves as a projectile. Where its vertical velocity is zero, its height is"
-        y = book.add_step("top", said, book.fresh("y"), held.y + Power(held.vy, 2) / (TWO * g), METRES)
+        text = f"{capitalized(self.who)} now moves as a projectile. Where its vertical velocity is zero, its height is"
+        y = book.add_step("top", text, book.fresh("y"), held.y + Power(held.vy, 2) / (TWO * g), METRES)
         return MotionState(held.x + held.vx * held.vy / g, y, held.vx, ZERO)
 
     # ---- the jerk
 
     def radial(self, held: MotionState) -> Symbol:
         """Write the velocity component along the string just before it becomes taut, and return its symbol."""
-        said = "The jerk takes away the velocity along the string,"
+        text = "The jerk takes away the velocity along the string,"
         formula = (held.x * held.vx + held.y * held.vy) / self.length
-        return self.book.add_step("jerk", said, self.book.fresh("w"), formula, SPEED)
+        return self.book.add_step("jerk", text, self.book.fresh("w"), formula, SPEED)
 
     def jerked(self, held: MotionState) -> tuple[MotionState, Symbol]:
         """Write the velocity just after the jerk, along the circle; return it and the counter-clockwise speed."""
         book, ell = self.book, self.length
-        said = "The jerk takes away the velocity along the string; the component perpendicular to it is"
-        u = book.add_step("jerk", said, book.fresh("u"), (held.x * held.vy - held.y * held.vx) / ell, SPEED)
+        text = "The jerk takes away the velocity along the string; the component perpendicular to it is"
+        u = book.add_step("jerk", text, book.fresh("u"), (held.x * held.vy - held.y * held.vx) / ell, SPEED)
         vx, vy = -(u * held.y / ell), u * held.x / ell
         return MotionState(held.x, held.y, vx, vy, u), u
 
@@ -196,8 +196,8 @@ class SlackSwingPhases:
     def turns(self, held: MotionState) -> MotionState:
         """Write the height at which the bob comes to rest on the circle and return the position."""
         book, ell = self.book, self.length
-        said = "It turns back where all its kinetic energy is used up, at the height"
-        y = book.add_step("turning", said, book.fresh("y"), held.y + self.squared(held) / (TWO * self.gravity), METRES)
+        text = "It turns back where all its kinetic energy is used up, at the height"
+        y = book.add_step("turning", text, book.fresh("y"), held.y + self.squared(held) / (TWO * self.gravity), METRES)
         x: Expression = Root(Power(ell, 2) - Power(y, 2))
         return MotionState(x if self.sign(self.setting.time, 0) > 0.0 else -x, y, ZERO, ZERO, ZERO)
 
@@ -237,8 +237,8 @@ class SlackSwingPhases:
         if abs(x) < abs(y):
             slope = Call("arcsin", (held.x if x > 0.0 else -held.x) / self.length)
             formula = slope if y < 0.0 else PI - slope
-        said = "The string then makes with the downward vertical the angle"
-        return self.book.add_step("angle", said, name, formula, DEGREES)
+        text = "The string then makes with the downward vertical the angle"
+        return self.book.add_step("angle", text, name, formula, DEGREES)
 
 
 def vector_magnitude(one: Expression, other: Expression) -> Expression:

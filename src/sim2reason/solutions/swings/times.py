@@ -36,20 +36,20 @@ class SwingTime:
             part = self.rate / (TWO * self.natural)
             formula = Root(Power(part, 2) + Power(half, 2)) if half != ZERO else part
         name, step = self.book.fresh("k"), self.book.begin_step("modulus")
-        told = step.result(name, formula, "", law=True)
+        equation = step.result(name, formula, "", law=True)
         k, rate = name.latex(), self.natural.latex()
         step.add_text(r"Let $\varphi$ be the angle from the lowest position.")
         step.add_text(rf"By conservation of energy, $\dot\varphi^{{2}}$ equals $4 {rate}^{{2}} ({k}^{{2}} - \sin^{{2}}")
-        step.add_text(rf"(\varphi/2))$ with {told}.")
+        step.add_text(rf"(\varphi/2))$ with {equation}.")
         if self.book.values[name.name] > 1.0:
-            said = rf"With $\psi$ for $\varphi/2$, the time since the lowest position is $\frac{{1}}{{{k} {rate}}}"
-            said += rf" \operatorname{{F}}(\psi, 1/{k})$"
+            text = rf"With $\psi$ for $\varphi/2$, the time since the lowest position is $\frac{{1}}{{{k} {rate}}}"
+            text += rf" \operatorname{{F}}(\psi, 1/{k})$"
             square = rf"\sin^{{2}}\vartheta/{k}^{{2}}"
         else:
-            said = rf"With ${k} \sin\psi$ for $\sin(\varphi/2)$, the time since the lowest position is"
-            said += rf" $\frac{{1}}{{{rate}}} \operatorname{{F}}(\psi, {k})$"
+            text = rf"With ${k} \sin\psi$ for $\sin(\varphi/2)$, the time since the lowest position is"
+            text += rf" $\frac{{1}}{{{rate}}} \operatorname{{F}}(\psi, {k})$"
             square = rf"{k}^{{2}} \sin^{{2}}\vartheta"
-        step.add_text(f"{said}, where $\\operatorname{{F}}$ is the elliptic integral of the first kind,")
+        step.add_text(f"{text}, where $\\operatorname{{F}}$ is the elliptic integral of the first kind,")
         step.add_text(rf"$\int_0^{{\psi}} d\vartheta / \sqrt{{1 - {square}}}$.")
         if not self.book.is_hidden(name):
             over = self.book.values[name.name] > 1.0
@@ -83,20 +83,20 @@ class SwingTime:
 
     def _integral(self, angle: Symbol) -> Symbol:
         """Write the incomplete integral F(θ) and return its symbol."""
-        said, formula = f"The integral up to ${angle.latex()}$ is", IncompleteElliptic(angle, self._elliptic_modulus)
-        return self._special(said, self.book.fresh("u"), formula, "")
+        text, formula = f"The integral up to ${angle.latex()}$ is", IncompleteElliptic(angle, self._elliptic_modulus)
+        return self._special(text, self.book.fresh("u"), formula, "")
 
     def _amplitude(self, integral: Symbol) -> Symbol:
         """Write the angle θ at which the elliptic integral F(θ) has a given value, and return its symbol."""
-        said = f"The angle up to which the integral is ${integral.latex()}$ is"
+        text = f"The angle up to which the integral is ${integral.latex()}$ is"
         formula = Amplitude(integral, self._elliptic_modulus)
-        return self._special(said, self.book.fresh(r"\psi"), formula, RADIANS)
+        return self._special(text, self.book.fresh(r"\psi"), formula, RADIANS)
 
     def _special(self, said: str, name: Symbol, formula: SpecialFunction, unit: str) -> Symbol:
         """Write the value of a special function, or only its symbol if it depends on the unknown; return that."""
         step = self.book.begin_step("elliptic")
-        told = step.result(name, formula, unit, law=True)
-        step.add_text(f"{said} {f'${name.latex()}$' if self.book.is_hidden(formula) else told}.")
+        equation = step.result(name, formula, unit, law=True)
+        step.add_text(f"{said} {f'${name.latex()}$' if self.book.is_hidden(formula) else equation}.")
         step.close()
         return name
 
@@ -113,8 +113,8 @@ class SwingTime:
             if abs(over - 1.0) < PHASE_TOLERANCE**2:
                 return self._quarters(1)
             formula = Call("arcsin", Call("sin", angle / TWO) / self.modulus)
-        said = "Half the angle is" if self.rounds else "The angle in the integral is"
-        theta = self.book.add_step("angle", said, self.book.fresh(r"\psi"), formula, RADIANS)
+        text = "Half the angle is" if self.rounds else "The angle in the integral is"
+        theta = self.book.add_step("angle", text, self.book.fresh(r"\psi"), formula, RADIANS)
         return Polynomial.of(self._integral(theta))
 
     def _quarters(self, count: int) -> Polynomial:
@@ -141,9 +141,9 @@ class SwingTime:
         full = 2.0 * self.book.values[self.complete.name]
         now = self.book.value(self.begins.expression()) + self.book.value(self.pace) * time
         part = self.book.value(left.expression())
-        found = [(sign, round((now - sign * part) / full)) for sign in (1.0, -1.0)]
-        off = [abs(sign * part + turns * full - now) for sign, turns in found]
-        sign, turns = found[off.index(min(off))]
+        candidates = [(sign, round((now - sign * part) / full)) for sign in (1.0, -1.0)]
+        off = [abs(sign * part + turns * full - now) for sign, turns in candidates]
+        sign, turns = candidates[off.index(min(off))]
         if min(off) > PHASE_TOLERANCE * full:
             raise UnsolvedError("the angle at that moment is not known")
         return self._after(self._quarters(2 * turns) + left.scaled(sign))
@@ -158,9 +158,9 @@ class SwingTime:
         return self._after(self._quarters(count))
 
     def _after(self, integral: Polynomial) -> Symbol:
-        said = "Hence"
+        text = "Hence"
         formula = (integral - self.begins).expression() / self.pace
-        return self.book.add_step("time", said, self.book.fresh("t"), formula, SECONDS)
+        return self.book.add_step("time", text, self.book.fresh("t"), formula, SECONDS)
 
     @property
     def frequency(self) -> Symbol:
@@ -168,29 +168,29 @@ class SwingTime:
         share = 1.0 if self.rounds else 0.5
         formula = Number(share) * PI * self.pace / self.complete
         quarter, rate = self.complete.latex(), self.natural.latex()
-        said = f"The period is $4 {quarter}/{rate}$"
+        text = f"The period is $4 {quarter}/{rate}$"
         if self.rounds:
-            said = f"A whole turn takes the time $2 {quarter}/({self.modulus.latex()} {rate})$"
-        said += ", so the angular frequency is"
-        return self.book.add_step("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
+            text = f"A whole turn takes the time $2 {quarter}/({self.modulus.latex()} {rate})$"
+        text += ", so the angular frequency is"
+        return self.book.add_step("oscillation", text, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
 
     def angle(self, time: Symbol) -> Symbol:
         """Write the angle at a time and return its symbol."""
         _ = self.modulus
         begins, grown, name = self.begins.expression(), self.pace * time, self.book.fresh("u", "t")
         inward = self.way < 0.0 and not self.rounds and self.rate != ZERO
-        said = f"At first the integral is ${begins.latex()}${', as it moves inwards' if inward else ''}; it"
-        said = f"{said if self.begins else 'The integral'} grows at the rate ${self.pace.latex()}$, up to"
-        whole = begins + grown if self.begins else grown
-        theta = self._amplitude(self.book.add_step("elliptic", said, name, whole, ""))
+        text = f"At first the integral is ${begins.latex()}${', as it moves inwards' if inward else ''}; it"
+        text = f"{text if self.begins else 'The integral'} grows at the rate ${self.pace.latex()}$, up to"
+        integral_value = begins + grown if self.begins else grown
+        theta = self._amplitude(self.book.add_step("elliptic", text, name, integral_value, ""))
         self._tell_turns(name)
         if self.rounds:
             formula: Expression = TWO * theta if self.way * self.side > 0.0 else -(TWO * theta)
         else:
             formula = TWO * Call("arcsin", self.modulus * Call("sin", theta))
             formula = formula if self.side > 0.0 else -formula
-        said = "The angle with the vertical is then"
-        return self.book.add_step("angle", said, self.book.fresh(r"\phi", "t"), formula, DEGREES)
+        text = "The angle with the vertical is then"
+        return self.book.add_step("angle", text, self.book.fresh(r"\phi", "t"), formula, DEGREES)
 
     def _tell_turns(self, integral: Symbol) -> None:
         """Write how many turning points precede the time at which the elliptic integral has a given value."""
@@ -206,9 +206,9 @@ class SwingTime:
         step, name = self.book.begin_step("verify"), self.book.fresh("u", r"\text{turn}")
         formula = Number(float(turns[before])) * self.complete
         often = {0: "not at all", 1: "once", 2: "twice"}.get(before, f"{before} times")
-        told, k = step.verified(name, formula, ""), self.complete.latex()
+        verified, k = step.verified(name, formula, ""), self.complete.latex()
         step.add_text(
-            f"It turns back where the integral is ${k}$, $3 {k}$, $5 {k}$ and so on, next at {told}: until then it"
+            f"It turns back where the integral is ${k}$, $3 {k}$, $5 {k}$ and so on, next at {verified}: until then it"
         )
         step.add_text(f"has turned back {often} since the start.")
         step.close()

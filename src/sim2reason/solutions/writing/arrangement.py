@@ -23,16 +23,18 @@ SINGULAR_PLURAL = "the displacement is", "the displacements are"
 def merged(steps: Sequence[Step]) -> list[Step]:
     """Return steps in which those with like sentences form one step at the position of the first."""
     groups: list[list[Step]] = []
-    place: dict[int, int] = {}  # from the number of a step to that of the step with which it is merged
+    group_ids: dict[int, int] = {}  # from the number of a step to that of the step with which it is merged
     start = 0
     for step in steps:
         start = len(groups) if step.kind in BEGIN else start
-        held = replace(step, needs=tuple(sorted({place[n] for n in step.needs if n in place})))
-        group = next((group for group in groups[start:] if _alike(group[0], held, follows=group is groups[-1])), None)
+        renumbered = replace(step, needs=tuple(sorted({group_ids[n] for n in step.needs if n in group_ids})))
+        group = next(
+            (group for group in groups[start:] if _alike(group[0], renumbered, follows=group is groups[-1])), None
+        )
         if group is None:
             groups.append(group := [])
-        group.append(held)
-        place[step.id] = group[0].id
+        group.append(renumbered)
+        group_ids[step.id] = group[0].id
     return [_merge_group(group) for group in groups]
 
 
@@ -42,11 +44,14 @@ def _alike(first: Step, other: Step, *, follows: bool) -> bool:
     A step that `follows` directly may use all earlier results; another one no more than the first step does.
     """
     one, two = SENTENCE.fullmatch(first.text), SENTENCE.fullmatch(other.text)
-    said = one is not None and two is not None and one["lead"] == two["lead"]
+    same_words = one is not None and two is not None and one["lead"] == two["lead"]
     known = {*other.needs} == {*first.needs} or bool(other.needs and {*other.needs} < {*first.needs})
     known = known or (follows and all(number < first.id for number in other.needs))
     return (
-        said and (first.kind, first.phase) == (other.kind, other.phase) and known and bool(first.gives and other.gives)
+        same_words
+        and (first.kind, first.phase) == (other.kind, other.phase)
+        and known
+        and bool(first.gives and other.gives)
     )
 
 
@@ -79,22 +84,22 @@ def gap_at_start(lexicon: Lexicon, frames: tuple[Frames, Frames], number: int) -
     For a disc and a wall, the gap may be a sum of three lengths: the positions of wall and disc, and the radius.
     """
     sides: list[Side] = [(frames[0], lexicon.mechanism), (frames[1], lexicon.twin)]
-    whole = DualValue(*(_place(*side, number) - side[1].meetings[number].distance for side in sides))
+    gap_value = DualValue(*(_place(*side, number) - side[1].meetings[number].distance for side in sides))
     try:
-        return lexicon.read(whole)
+        return lexicon.read(gap_value)
     except UnreadError:
-        found = _of_three(lexicon, whole) if lexicon.mechanism.meetings[number].a is None else None
-        if found is None:
+        gap = _of_three(lexicon, gap_value) if lexicon.mechanism.meetings[number].a is None else None
+        if gap is None:
             raise
-        return found
+        return gap
 
 
-def _of_three(lexicon: Lexicon, whole: DualValue) -> Polynomial | None:
+def _of_three(lexicon: Lexicon, gap_value: DualValue) -> Polynomial | None:
     """Return a gap as a stated length, or its negative, plus a sum of two lengths; None if no length fits."""
     for length in reversed(lexicon.lengths):
         for sign in (1.0, -1.0):
             try:
-                rest = lexicon.read(whole - DualValue(sign * length.here, sign * length.there))
+                rest = lexicon.read(gap_value - DualValue(sign * length.here, sign * length.there))
             except UnreadError:
                 continue
             return lexicon.read(length).scaled(sign) + rest
@@ -122,34 +127,36 @@ def group_steps(steps: Sequence[Step]) -> list[Step]:
     waiting = list(steps)
     if sum(len(step.gives) for step in waiting if step.kind in GROUPED) < MIN_NAMES_FOR_ROWS:
         return waiting
-    told, found, place = set[int](), list[Step](), dict[int, int]()
+    written, grouped, group_ids = set[int](), list[Step](), dict[int, int]()
     while waiting:
         group: list[Step] = [waiting.pop(0)]
         kind = group[0].kind
-        told.add(group[0].id)
-        while kind in GROUPED and (more := [s for s in waiting if s.kind == kind and told.issuperset(s.needs)]):
+        written.add(group[0].id)
+        while kind in GROUPED and (more := [s for s in waiting if s.kind == kind and written.issuperset(s.needs)]):
             group += more
-            told.update(step.id for step in more)
-            waiting = [step for step in waiting if step.id not in told]
+            written.update(step.id for step in more)
+            waiting = [step for step in waiting if step.id not in written]
         rows = group if kind == TIME else [_row(group)]  # times count from different events
-        place |= {step.id: (step if kind == TIME else group[0]).id for step in group}
-        found += rows
-    return [replace(s, needs=tuple(sorted({place[n] for n in s.needs if n in place} - {s.id}))) for s in found]
+        group_ids |= {step.id: (step if kind == TIME else group[0]).id for step in group}
+        grouped += rows
+    return [
+        replace(s, needs=tuple(sorted({group_ids[n] for n in s.needs if n in group_ids} - {s.id}))) for s in grouped
+    ]
 
 
 def without_repeats(steps: Sequence[Step]) -> list[Step]:
     """Shorten or remove the sentences in steps about collisions that repeat an earlier step."""
-    said, found = set[str](), list[Step]()
+    seen, shortened = set[str](), list[Step]()
     for step in steps:
         text, (lead, *_) = step.text, step.text.split("$", 1)
-        if step.kind == "impulse" and lead in said:
+        if step.kind == "impulse" and lead in seen:
             text = text.replace(lead, "In the same way, ", 1)
         first, end, rest = text.partition(". ")
-        if step.kind == "relative" and first in said:
+        if step.kind == "relative" and first in seen:
             text = rest
-        said |= {lead, first} if end else {lead}
-        found.append(replace(step, text=text))
-    return found
+        seen |= {lead, first} if end else {lead}
+        shortened.append(replace(step, text=text))
+    return shortened
 
 
 def _row(group: Sequence[Step]) -> Step:
@@ -162,12 +169,12 @@ def _row(group: Sequence[Step]) -> Step:
         formulas = [f"${formula}$" for formula in step.text.split("$")[1::2][-len(step.gives) :]]
         rows.setdefault(instants.pop() if len(instants) == 1 else "", []).extend(formulas)
     noun = ROWS[group[0].kind]
-    told = [
+    clauses = [
         f"{f'at {instant} ' if instant else ''}the {noun if len(formulas) > 1 else SINGULAR[noun]} "
         f"{'are' if len(formulas) > 1 else 'is'} {join_words(formulas)}"
         for instant, formulas in rows.items()
     ]
-    return merge_group_into(group, f"{capitalized('; '.join(told))}.")
+    return merge_group_into(group, f"{capitalized('; '.join(clauses))}.")
 
 
 ORDER = "order of collisions"  # kind of these steps
@@ -185,20 +192,20 @@ def in_order(steps: Sequence[Step], earliest: Mapping[int, int], late: AbstractS
     names that are known only at the end, `late`, stays in its position; its conclusion is assumed before the unknown is
     solved for.
     """
-    found = [step for step in steps if step.kind != ORDER or not late.isdisjoint(step.symbols())]
+    ordered = [step for step in steps if step.kind != ORDER or not late.isdisjoint(step.symbols())]
     for step in steps:
-        if step in found:
+        if step in ordered:
             continue
         used = {name for r in step.relations if r.role == "verified" for name in r.right.symbols()}
-        after = [n for n, held in enumerate(found) if used & {*held.gives}]
+        after = [n for n, other in enumerate(ordered) if used & {*other.gives}]
         begins = earliest[step.id]
-        times = (n for n, held in enumerate(found) if held.kind == "impact time" and held.id >= begins)
-        first = next(times, next((n - 1 for n, held in enumerate(found) if held.id >= begins), len(found) - 1))
-        place = max([first, *after]) + 1
-        while place < len(found) and found[place].kind in OUTCOME:
-            place += 1
-        found.insert(place, step)
-    return _with_supposition(found)
+        times = (n for n, other in enumerate(ordered) if other.kind == "impact time" and other.id >= begins)
+        first = next(times, next((n - 1 for n, other in enumerate(ordered) if other.id >= begins), len(ordered) - 1))
+        index = max([first, *after]) + 1
+        while index < len(ordered) and ordered[index].kind in OUTCOME:
+            index += 1
+        ordered.insert(index, step)
+    return _with_supposition(ordered)
 
 
 def _with_supposition(steps: Sequence[Step]) -> list[Step]:
@@ -209,5 +216,5 @@ def _with_supposition(steps: Sequence[Step]) -> list[Step]:
         return [*steps]
     until = late.text.rpartition(LAST)[2]
     text = f"This supposes that there is no further collision{until.removesuffix('.')}, which is verified below."
-    said = Step(max(step.id for step in steps) + 1, "supposition", text, (), (), ())
-    return [*steps[:solved], said, *steps[solved:]]
+    supposition = Step(max(step.id for step in steps) + 1, "supposition", text, (), (), ())
+    return [*steps[:solved], supposition, *steps[solved:]]

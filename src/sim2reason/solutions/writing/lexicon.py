@@ -148,14 +148,14 @@ class Lexicon:
 
     @cached_property
     def _atoms(self) -> list[tuple[DualValue, Polynomial]]:
-        found: list[tuple[DualValue, Polynomial]] = []
+        atoms: list[tuple[DualValue, Polynomial]] = []
         for path, there in self._twin[1].items():
             given, symbol = self.givens[path], Symbol(self.givens[path].symbol)
             if given.angle:
-                found.append((DualValue(math.sin(given.value), math.sin(there)), Polynomial.of(Call("sin", symbol))))
-                found.append((DualValue(math.cos(given.value), math.cos(there)), Polynomial.of(Call("cos", symbol))))
-            found.append((DualValue(given.value, there), Polynomial.of(symbol)))
-        return [*found, *self._attracting()]
+                atoms.append((DualValue(math.sin(given.value), math.sin(there)), Polynomial.of(Call("sin", symbol))))
+                atoms.append((DualValue(math.cos(given.value), math.cos(there)), Polynomial.of(Call("cos", symbol))))
+            atoms.append((DualValue(given.value, there), Polynomial.of(symbol)))
+        return [*atoms, *self._attracting()]
 
     def _attracting(self) -> list[tuple[DualValue, Polynomial]]:
         """Return (value, symbol) of the gravitational constant G; also of 1/G if masses follow from g as g R²/G."""
@@ -196,8 +196,8 @@ class Lexicon:
     @cached_property
     def _nothing(self) -> float:
         """Return the size below which a number of the mechanism counts as zero; smaller if given numbers are tiny."""
-        least = min((abs(given.value) for given in self.givens.values() if given.value), default=1.0)
-        return COINCIDENCE_RTOL if least >= ATOMIC_SIZE else COINCIDENCE_RTOL * least**2
+        smallest = min((abs(given.value) for given in self.givens.values() if given.value), default=1.0)
+        return COINCIDENCE_RTOL if smallest >= ATOMIC_SIZE else COINCIDENCE_RTOL * smallest**2
 
     def _searched(self, number: DualValue) -> Polynomial:
         if any(number.here == number.there == pull.constant for pull in self.mechanism.attractions):
@@ -233,21 +233,21 @@ class Lexicon:
         for size in (3, 4):
             if comb(len(self._atoms) + size - 1, size) > TERMS:
                 break
-            for held in combinations_with_replacement(self._atoms, size):
-                factor = _factor(number, reduce(mul, (atom for atom, _ in held)))
+            for factors in combinations_with_replacement(self._atoms, size):
+                factor = _factor(number, reduce(mul, (atom for atom, _ in factors)))
                 if factor is not None:
-                    return reduce(mul, (name for _, name in held)).scaled(factor)
-        found = self._of_sums(number)
-        if found is None:
+                    return reduce(mul, (name for _, name in factors)).scaled(factor)
+        polynomial = self._of_sums(number)
+        if polynomial is None:
             raise UnreadError(f"{number.here:.6g} is no simple function of the numbers in the text")
-        return found
+        return polynomial
 
     def _of_sums(self, number: DualValue) -> Polynomial | None:
         """Return a number, cached, as a total mass times other numbers or a sum of two products; None if neither."""
         if number not in self._sums:
             atoms = [LabelledNumber(atom.here, atom.there, name) for atom, name in self._atoms]
             masses = [Symbol(g.symbol) for g in self.givens.values() if g.counted_unit == latex("kg")]
-            heavy = [held for held in atoms if held.name.symbol in masses]
+            heavy = [candidate for candidate in atoms if candidate.name.symbol in masses]
             self._sums[number] = sum_of_products(number.here, number.there, heavy, atoms)
         return self._sums[number]
 

@@ -31,11 +31,11 @@ def unit_of(text: str) -> str:
     """Return the unit at the end of a LaTeX text; empty if there is none."""
     if text.endswith(DEGREES):
         return "deg"
-    found = re.search(r"(?:\\ )?((?:\\text\{[^{}]*\}(?:\^\d)?)+)(?:\^\{-(\d)\})?$", text)
-    if found is None:
+    match = re.search(r"(?:\\ )?((?:\\text\{[^{}]*\}(?:\^\d)?)+)(?:\^\{-(\d)\})?$", text)
+    if match is None:
         return ""
-    unit = re.sub(r"\\text\{([^{}]*)\}", r"\1", found[1]).strip().replace(MICRO, "u")
-    return f"1/{unit}{f'^{found[2]}' if found[2] != '1' else ''}" if found[2] else unit
+    unit = re.sub(r"\\text\{([^{}]*)\}", r"\1", match[1]).strip().replace(MICRO, "u")
+    return f"1/{unit}{f'^{match[2]}' if match[2] != '1' else ''}" if match[2] else unit
 
 
 METRES, SECONDS, KILOGRAMS, RADIANS = latex("m"), latex("s"), latex("kg"), latex("rad")
@@ -97,15 +97,15 @@ def unit_of_quantity(name: str) -> str:
     return latex(declared.unit)
 
 
-def magnitude_words(said: str, quantity: str) -> str:
+def magnitude_words(text: str, quantity: str) -> str:
     """Reword an introduction such as *The momentum is* as *The magnitude of the momentum is*, for vector quantities.
 
     Text that does not name `quantity` is replaced; text about a scalar is unchanged.
     """
     if quantity not in QUANTITIES or not QUANTITIES[quantity].vector:
-        return said
-    found, count = re.subn(rf"\b([Tt])he {quantity}\b", rf"\1he magnitude of the {quantity}", said, count=1)
-    return found if count else f"The magnitude of the {quantity} is"
+        return text
+    reworded, count = re.subn(rf"\b([Tt])he {quantity}\b", rf"\1he magnitude of the {quantity}", text, count=1)
+    return reworded if count else f"The magnitude of the {quantity} is"
 
 
 def subscript(name: str) -> str:

@@ -36,18 +36,18 @@ def sum_of_products(
     `masses` may be added up before they are multiplied by two `atoms`, the numbers of the text.
     """
     products = [*_products(atoms)]
-    found = _of_totals(here, there, masses, [held for held in products if len(held) < MAX_FACTORS])
-    return found if found is not None else _of_pairs(here, there, products)
+    polynomial = _of_totals(here, there, masses, [product for product in products if len(product) < MAX_FACTORS])
+    return polynomial if polynomial is not None else _of_pairs(here, there, products)
 
 
 def _products(atoms: Sequence[LabelledNumber]) -> list[tuple[LabelledNumber, ...]]:
-    found: list[tuple[LabelledNumber, ...]] = []
+    products: list[tuple[LabelledNumber, ...]] = []
     for size in range(1, MAX_FACTORS + 1):
         more = [*combinations_with_replacement(atoms, size)]
-        if len(found) + len(more) > MAX_PRODUCTS:
+        if len(products) + len(more) > MAX_PRODUCTS:
             break
-        found += more
-    return found
+        products += more
+    return products
 
 
 def _of_totals(
@@ -56,15 +56,15 @@ def _of_totals(
     """Return a number as a sum of masses times a product of at most two numbers; None if it is none."""
     ones, others = _values([*products])
     for size in range(2, len(masses) + 1):
-        for held in combinations(masses, size):
-            mass, twin = sum(one.here for one in held), sum(one.there for one in held)
+        for subset in combinations(masses, size):
+            mass, twin = sum(one.here for one in subset), sum(one.there for one in subset)
             ratios = here / (mass * ones), there / (twin * others)
             fits = (np.abs(np.abs(ratios[0]) - 1.0) < COINCIDENCE_RTOL) & (
                 np.abs(ratios[1] - ratios[0]) < COINCIDENCE_RTOL
             )
             if fits.any():
                 number = int(np.argmax(fits))
-                return (total(one.name for one in held) * _product(products[number])).scaled(
+                return (total(one.name for one in subset) * _product(products[number])).scaled(
                     float(np.sign(ratios[0][number]))
                 )
     return None
@@ -82,8 +82,8 @@ def _of_pairs(here: float, there: float, products: Sequence[tuple[LabelledNumber
     for one, other in np.argwhere(~near & np.isfinite(first) & np.isfinite(second)).tolist():
         weights = [float(part[one, other]) for part in (first, second)]
         pair = products[one], products[other]
-        value = sum(w * prod(atom.here for atom in held) for w, held in zip(weights, pair, strict=True))
-        twin = sum(w * prod(atom.there for atom in held) for w, held in zip(weights, pair, strict=True))
+        value = sum(w * prod(atom.here for atom in factors) for w, factors in zip(weights, pair, strict=True))
+        twin = sum(w * prod(atom.there for atom in factors) for w, factors in zip(weights, pair, strict=True))
         if abs(value - here) <= COINCIDENCE_RTOL * abs(here) and abs(twin - there) <= COINCIDENCE_RTOL * abs(there):
             return _product(pair[0]).scaled(weights[0]) + _product(pair[1]).scaled(weights[1])
     return None
@@ -94,17 +94,17 @@ def _nearest(values: Array) -> Array:
     common = np.array(sorted(COMMON_COEFFICIENTS))
     after = np.clip(np.searchsorted(common, values), 1, len(common) - 1)
     above, below = common[after], common[after - 1]
-    found = np.where(np.abs(values - above) < np.abs(values - below), above, below)
-    return np.where(np.abs(values - found) < PROPORTIONAL_RTOL * np.abs(values), found, np.nan)
+    nearest = np.where(np.abs(values - above) < np.abs(values - below), above, below)
+    return np.where(np.abs(values - nearest) < PROPORTIONAL_RTOL * np.abs(values), nearest, np.nan)
 
 
 def _values(products: Sequence[tuple[LabelledNumber, ...]]) -> tuple[Array, Array]:
-    here = np.array([prod(atom.here for atom in held) for held in products])
-    return here, np.array([prod(atom.there for atom in held) for held in products])
+    here = np.array([prod(atom.here for atom in factors) for factors in products])
+    return here, np.array([prod(atom.there for atom in factors) for factors in products])
 
 
-def _product(held: tuple[LabelledNumber, ...]) -> Polynomial:
-    found = Polynomial.of(1.0)
-    for atom in held:
-        found = found * atom.name
-    return found
+def _product(factors: tuple[LabelledNumber, ...]) -> Polynomial:
+    product = Polynomial.of(1.0)
+    for atom in factors:
+        product = product * atom.name
+    return product

@@ -59,11 +59,11 @@ class SolutionBuilder(NameAllocator):
 
     def copy(self) -> "SolutionBuilder":
         """Return a builder with the same names and values but no steps, for a draft."""
-        found = SolutionBuilder(self._units, asks=self.asks, called=self._called, most=self.most)
-        found.hidden, found.sought, found.passage = {*self.hidden}, self.sought, self.passage
-        found.values, found.units, found.stated = {**self.values}, {**self.units}, {**self.stated}
-        found._taken, found.labels = {*self._taken}, copy(self.labels)
-        return found
+        builder = SolutionBuilder(self._units, asks=self.asks, called=self._called, most=self.most)
+        builder.hidden, builder.sought, builder.passage = {*self.hidden}, self.sought, self.passage
+        builder.values, builder.units, builder.stated = {**self.values}, {**self.units}, {**self.stated}
+        builder._taken, builder.labels = {*self._taken}, copy(self.labels)
+        return builder
 
     def saved(self) -> dict[str, object]:
         """Return a copy of the state of the builder; `vars(book).update(…)` restores it."""
@@ -110,11 +110,11 @@ class SolutionBuilder(NameAllocator):
     def value(self, held: Expression, at: Mapping[str, float] | None = None) -> float:
         """Return the value of a formula, with known values or those of `at`; raise UnsolvedError if it has none."""
         try:
-            found = held.value(self.values if at is None else at)
+            number = held.value(self.values if at is None else at)
         except (ValueError, ArithmeticError) as error:  # the root of what is negative, a division by zero
             raise UnsolvedError(f"{held.latex()} has no value") from error
-        assert not isinstance(found, complex)
-        return found
+        assert not isinstance(number, complex)
+        return number
 
     def unit_in_text(self, unit: str) -> str:
         """Return an SI unit, in LaTeX, in the unit system of the text."""
@@ -314,14 +314,14 @@ def verify_assumed(book: SolutionBuilder, greater: Expression, less: Expression,
     step.close()
 
 
-def why_this_time(book: SolutionBuilder, step: StepBuilder, found: Symbol, other: Expression) -> str:
+def why_this_time(book: SolutionBuilder, step: StepBuilder, chosen: Symbol, other: Expression) -> str:
     """Return a clause that the `other` root for a time is negative or later; empty for a solution in symbols."""
     if book.in_symbols:
         return ""
     if book.value(other) < 0.0:
         record_inequality(book, step, ZERO, other)
         return "; the other root is negative"
-    if book.value(other) > book.value(found):
-        record_inequality(book, step, other, found)
+    if book.value(other) > book.value(chosen):
+        record_inequality(book, step, other, chosen)
         return "; the other root is later"
     return ""

@@ -36,11 +36,11 @@ class AgreementCheck(Check):
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
         """Yield every refused scene if there are too many."""
-        reasons = [(found, reason(found)) for found in specimens.members]
-        refused = [(found, why) for found, why in reasons if why]
+        reasons = [(specimen, reason(specimen)) for specimen in specimens.members]
+        refused = [(specimen, why) for specimen, why in reasons if why]
         if len(refused) > max(1.0, REFUSED * len(reasons)):
-            for found, why in refused:
-                yield found.finding(
+            for specimen, why in refused:
+                yield specimen.finding(
                     self.name,
                     f"both engines agree on at least {1.0 - REFUSED:.0%} of the scenes",
                     f"they do not on {len(refused)} of {len(reasons)}; here: {why}",
@@ -48,13 +48,13 @@ class AgreementCheck(Check):
                 )
 
 
-def reason(found: Specimen) -> str:
+def reason(specimen: Specimen) -> str:
     """Return why a motion is not certified to its end; empty if it is."""
     try:
-        trace, certificate = found.certified
+        trace, certificate = specimen.certified
     except (SimulationError, UnsupportedError) as error:
         return str(error)
-    return certificate.reason if trace.cut == "certificate" or certificate.stable_until < found.end else ""
+    return certificate.reason if trace.cut == "certificate" or certificate.stable_until < specimen.end else ""
 
 
 ENERGY_RTOL = 1e-8  # of the largest energy that is there or exchanged
@@ -68,13 +68,13 @@ class EnergyCheck(Check):
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
         """Check the intervals between events, except with rocket engines, which change masses."""
-        for found in specimens.moving:
-            mechanism = found.study.mechanism
+        for specimen in specimens.moving:
+            mechanism = specimen.study.mechanism
             if not mechanism.burns:
-                yield from self._works(found)
-                yield from self._impacts(found)
+                yield from self._works(specimen)
+                yield from self._impacts(specimen)
             for force in mechanism.forces:
-                yield from self._potential(found, force)
+                yield from self._potential(specimen, force)
 
     def _works(self, found: Specimen) -> Iterator[Finding]:
         trace = found.study.trace
@@ -86,11 +86,11 @@ class EnergyCheck(Check):
             scale = max(before, after, float(sizes.max(initial=0.0)), _energy_floor(trace.mechanism))
             if np.isfinite(work) and abs(after - before - work) > ENERGY_RTOL * scale:
                 gained = f"from {start:.4g} to {stop:.4g} s it grows by {after - before:.9g} J"
-                told = ", ".join(f"{part:.6g} J by {name}" for name, part in parts.items() if part)
+                breakdown = ", ".join(f"{part:.6g} J by {name}" for name, part in parts.items() if part)
                 yield found.finding(
                     self.name,
                     "the kinetic energy grows by the work of all that acts",
-                    f"{gained}, the work is {work:.9g} J ({told})",
+                    f"{gained}, the work is {work:.9g} J ({breakdown})",
                     "see that each law tells truly whether it is constant, and depends on nothing but its arguments",
                 )
                 return
@@ -153,8 +153,8 @@ def _work(trace: Trace, force: Force, start: float, stop: float) -> tuple[float,
         velocity = state.vector(state.frames.center(force.body).velocity)
         return np.einsum("ij,ij->i", acting(state, force), velocity)[None, :]
 
-    found = integrals(trace, start, stop, power, _energy_floor(trace.mechanism))
-    return float(found.values[0]), float(found.sizes[0])
+    work_integrals = integrals(trace, start, stop, power, _energy_floor(trace.mechanism))
+    return float(work_integrals.values[0]), float(work_integrals.sizes[0])
 
 
 def _energy_floor(mechanism: Mechanism) -> float:
@@ -170,30 +170,30 @@ class MomentumCheck(Check):
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
         """Check every direction in which a body slides, except with edge contacts, engines or welds."""
-        for found in specimens.moving:
-            mechanism = found.study.mechanism
+        for specimen in specimens.moving:
+            mechanism = specimen.study.mechanism
             if not (mechanism.feet or mechanism.burns or any(hit.sticks for hit in mechanism.meetings)):
-                yield from self._impulses(found)
-                yield from self._impacts(found)
+                yield from self._impulses(specimen)
+                yield from self._impacts(specimen)
 
     def _impulses(self, found: Specimen) -> Iterator[Finding]:
         trace = found.study.trace
         ways = list(movable(trace.mechanism))
 
         def pushing(state: State) -> Array:
-            return np.array([push(state, way) for way in ways])
+            return np.array([push(state, coordinate) for coordinate in ways])
 
         for start, stop in intervals(trace, found.end) if ways else ():
             pushes, sizes = integrals(trace, start, stop, pushing, _momentum_floor(trace.mechanism))
             ends = trace.sample(edges(start, stop))
-            for way, impulse, size in zip(ways, map(float, pushes), map(float, sizes), strict=True):
-                before, after = momentum(ends, way)
+            for coordinate, impulse, size in zip(ways, map(float, pushes), map(float, sizes), strict=True):
+                before, after = momentum(ends, coordinate)
                 scale = max(abs(before), abs(after), size, _momentum_floor(trace.mechanism))
                 if np.isfinite(impulse) and abs(after - before - impulse) > ENERGY_RTOL * scale:
                     gained = f"from {start:.4g} to {stop:.4g} s it grows by {after - before:.9g} kg m/s"
                     yield found.finding(
                         self.name,
-                        f"the momentum of {way.body} and what it carries grows by the impulse of what acts",
+                        f"the momentum of {coordinate.body} and what it carries grows by the impulse of what acts",
                         f"{gained}, the impulse is {impulse:.9g} N s",
                         "see that each law tells truly whether it is constant, and depends on its arguments alone",
                     )
@@ -206,7 +206,7 @@ class MomentumCheck(Check):
             state = trace.sample(np.array([edges(0.0, time)[1], after]))
             for direction in free:
                 ways = [c for c in movable(trace.mechanism) if abs(inner(c.axis, direction)) > 1.0 - 1e-12]
-                parts = [momentum(state, way) * inner(way.axis, direction) for way in ways]
+                parts = [momentum(state, coordinate) * inner(coordinate.axis, direction) for coordinate in ways]
                 old, new = np.sum(parts, axis=0)
                 if abs(new - old) > ENERGY_RTOL * max(float(np.abs(parts).max()), _momentum_floor(trace.mechanism)):
                     yield found.finding(
@@ -221,9 +221,9 @@ class MomentumCheck(Check):
 def free_directions(mechanism: Mechanism) -> list[Vector]:
     """Return the directions in which all bodies can move and no fixed object exerts an impulse."""
     roots = [body for body in mechanism.bodies if body.parent is None]
-    held = any(mechanism.site[site].body is None for line in mechanism.lines for site in line.through)
+    anchored = any(mechanism.site[site].body is None for line in mechanism.lines for site in line.through)
     rough = any(face.friction > 0.0 for face in mechanism.faces)
-    if held or rough or any(hit.a is None for hit in mechanism.meetings):
+    if anchored or rough or any(hit.a is None for hit in mechanism.meetings):
         return []
     own = {body.name: [c for c in movable(mechanism) if c.body == body.name] for body in roots}
     return [

@@ -50,13 +50,13 @@ class GivensCheck(Check):
 
     def _declared(self, found: Specimen) -> Iterator[Finding]:
         """Yield findings for numbers of the scene that matter but are missing in some wording."""
-        heard = [set(stated_numbers(found.scene, seed)) for seed in range(found.seed, found.seed + WORDINGS)]
+        wordings = [set(stated_numbers(found.scene, seed)) for seed in range(found.seed, found.seed + WORDINGS)]
         for parameter in found.scene.parameters:
             path, value = parameter.path, parameter.value
             if (
                 parameter.hidden
                 or not value
-                or all(path in said for said in heard)
+                or all(path in stated_paths for stated_paths in wordings)
                 or stated_by_word(found.scene, path)
             ):
                 continue
@@ -88,10 +88,10 @@ class GivensCheck(Check):
 
 def _facts(mechanism: Mechanism) -> dict[str, float]:
     """Return the masses and the friction and restitution coefficients of a mechanism, by description."""
-    found = {f"the mass of {body.name}": body.mass for body in mechanism.bodies}
-    found |= {f"the friction under {face.subject}": face.friction for face in mechanism.faces}
-    found |= {f"the restitution of {' and '.join(hit.names)}": hit.restitution for hit in mechanism.meetings}
-    return {name: value for name, value in found.items() if value not in (0.0, 1.0) and np.isfinite(value)}
+    facts = {f"the mass of {body.name}": body.mass for body in mechanism.bodies}
+    facts |= {f"the friction under {face.subject}": face.friction for face in mechanism.faces}
+    facts |= {f"the restitution of {' and '.join(hit.names)}": hit.restitution for hit in mechanism.meetings}
+    return {name: value for name, value in facts.items() if value not in (0.0, 1.0) and np.isfinite(value)}
 
 
 def _decided(found: Specimen) -> set[str]:
@@ -158,11 +158,11 @@ class HiddenNumbersCheck(Check):
                 other = studied(changed(found.scene, numbers), found.scene.horizon)
                 difference = next(differences(found, other), None) if other is not None else None
                 if difference is not None:
-                    said = ", ".join(f"{path} = {value:g}" for path, value in numbers.items())
+                    assignments = ", ".join(f"{path} = {value:g}" for path, value in numbers.items())
                     yield found.finding(
                         self.name,
                         "the same answers whatever the hidden numbers are",
-                        f"with {said}, {difference.text}",
+                        f"with {assignments}, {difference.text}",
                         "say the number, or build so that nothing depends on it",
                     )
                     break
@@ -171,9 +171,9 @@ class HiddenNumbersCheck(Check):
 def _redrawn(scene: Scene, parameter: Parameter, rng: np.random.Generator) -> float:
     """Return another value from the field's declared range, or up to twice the value without a range."""
     owner, _, name = parameter.path.rpartition(".")
-    held = field_types(type(cast("Model", scene.value(owner))))[name]
+    field_type = field_types(type(cast("Model", scene.value(owner))))[name]
     value = parameter.value or 1.0
-    low, high = (held.drawn.low, held.drawn.high) if held.drawn is not None else (value, 2.0 * value)
+    low, high = (field_type.drawn.low, field_type.drawn.high) if field_type.drawn is not None else (value, 2.0 * value)
     return float(rng.uniform(low, high))
 
 
@@ -197,8 +197,8 @@ class RangesCheck(Check):
                 self.name, f"{name} varies", f"it is the same in {MANY_DRAWS} draws", "widen its Range, or leave it out"
             )
         looked = _Looked()
-        for found in specimens.moving:
-            looked.at(found)
+        for member in specimens.moving:
+            looked.at(member)
         for seed in range(FRESH, FRESH + MOST):
             if not looked.open:
                 break
@@ -255,19 +255,19 @@ def _field(path: str) -> str:
     return ".".join("*" if step.isdigit() else step for step in path.split("."))
 
 
-def _matters(found: Specimen, path: str) -> bool:
+def _matters(member: Specimen, path: str) -> bool:
     """Return whether changing a number changes an answer."""
-    value = next(p.value for p in found.scene.parameters if p.path == path) or 0.0
-    tried = [value * shift if value else shift - 1.0 for shift in SHIFTS]
+    value = next(p.value for p in member.scene.parameters if p.path == path) or 0.0
+    candidates = [value * shift if value else shift - 1.0 for shift in SHIFTS]
     owner, _, name = path.rpartition(".")
-    kind = cast("type[Model]", type(found.scene.value(owner)))
+    kind = cast("type[Model]", type(member.scene.value(owner)))
     if field_types(kind)[name].above:  # a limit, which matters where it lies beyond another
-        tried += limits_of(found.scene, path)
-    for other in tried:
-        scene = changed(found.scene, {path: other})
+        candidates += limits_of(member.scene, path)
+    for other in candidates:
+        scene = changed(member.scene, {path: other})
         if scene is not None:
-            again = studied(scene, found.scene.horizon)
-            if again is None or next(differences(found, again), None) is not None:
+            again = studied(scene, member.scene.horizon)
+            if again is None or next(differences(member, again), None) is not None:
                 return True
     return False
 
@@ -289,19 +289,19 @@ def _constant(cls: type[Entity]) -> list[str]:
 
 def _alike(values: Mapping[str, list[object]]) -> list[str]:
     """Return the names with many drawn values that are all equal."""
-    return sorted(name for name, held in values.items() if len(held) >= OFTEN and len(set(held)) == 1)
+    return sorted(name for name, draws in values.items() if len(draws) >= OFTEN and len(set(draws)) == 1)
 
 
 def _varying(value: Model) -> Iterator[tuple[str, object]]:
     """Yield all randomly drawn values of an object and its parts: numbers, choices, and counts of members."""
     for name, kind in field_types(type(value)).items():
-        held, called = getattr(value, name), f"{type(value).__name__}.{name}"
+        field_value, called = getattr(value, name), f"{type(value).__name__}.{name}"
         if kind.optional:
-            yield f"whether there is {called}", held is not None
-        if held is not None and (kind.drawn is not None or kind.words):
-            yield called, held
-        if isinstance(held, tuple) and kind.count is not None and kind.count.low < kind.count.high:
-            yield f"the number of {called}", len(held)  # type: ignore[reportUnknownArgumentType]
-        for member in held if isinstance(held, tuple) else (held,):  # type: ignore[reportUnknownVariableType]
+            yield f"whether there is {called}", field_value is not None
+        if field_value is not None and (kind.drawn is not None or kind.words):
+            yield called, field_value
+        if isinstance(field_value, tuple) and kind.count is not None and kind.count.low < kind.count.high:
+            yield f"the number of {called}", len(field_value)  # type: ignore[reportUnknownArgumentType]
+        for member in field_value if isinstance(field_value, tuple) else (field_value,):  # type: ignore[reportUnknownVariableType]
             if isinstance(member, Model):
                 yield from _varying(member)

@@ -31,21 +31,21 @@ class DrawnCheck(Check):
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
         """Draw all scenes as shapes, the first one also as a file."""
-        for found in specimens.members:
-            yield from self._drawn(found)
-        for found in specimens.some(FILES):
-            self._written(found)
+        for specimen in specimens.members:
+            yield from self._drawn(specimen)
+        for specimen in specimens.some(FILES):
+            self._written(specimen)
 
     def _drawn(self, found: Specimen) -> Iterator[Finding]:
         expected = "every body has its place in the line drawing"
-        with catch_warnings(record=True) as told:
+        with catch_warnings(record=True) as caught:
             simplefilter("always", FigureWarning)
             try:
                 shown = drawing(found.scene, found.description)
             except UnsupportedError as error:
                 yield found.finding(self.name, expected, str(error), "build it so that what is tied stands apart")
                 return
-        for message in dict.fromkeys(str(warning.message) for warning in told):
+        for message in dict.fromkeys(str(warning.message) for warning in caught):
             yield found.finding(self.name, expected, message, "give the body's class a look in sim2reason.figures")
         named = {label.subject for label in shown.labels if label.name}
         missing = [address for address in found.description.names.letters if address not in named]
@@ -72,15 +72,15 @@ class PlottedCheck(Check):
         """Plot all motions as curves, the first one also as a file."""
         expected, remedy = "a plot shows all that moves", "name bodies in build as their fields are"
         panels = 0
-        for found in specimens.moving:
-            panels += len(motion_curves(found.study.trace, found.description).panels)
-            missing = [name for name in moving(found) if name not in plotted(found)]
+        for specimen in specimens.moving:
+            panels += len(motion_curves(specimen.study.trace, specimen.description).panels)
+            missing = [name for name in moving(specimen) if name not in plotted(specimen)]
             if missing:
-                yield found.finding(self.name, expected, f"no curve is of {', '.join(missing)}", remedy)
+                yield specimen.finding(self.name, expected, f"no curve is of {', '.join(missing)}", remedy)
         if not panels:
             yield Finding(self.name, expected, f"{len(specimens.moving)} scenes that move have no panel", remedy)
-        for found in specimens.moving[:FILES]:
-            self._written(found)
+        for specimen in specimens.moving[:FILES]:
+            self._written(specimen)
 
     def _written(self, found: Specimen) -> None:
         try:
@@ -90,12 +90,14 @@ class PlottedCheck(Check):
             return
 
 
-def moving(found: Specimen) -> list[str]:
+def moving(specimen: Specimen) -> list[str]:
     """Return the bodies of the text that move by themselves, not only with a carrying body."""
-    state, said = found.study.trace.state, found.words.mentions
+    state, mentions = specimen.study.trace.state, specimen.words.mentions
     shift = QUANTITIES["displacement"].evaluate
-    within = state.times <= found.end
-    names = [body.name for body in state.mechanism.bodies if body.name in said and _moves_itself(state.mechanism, body)]
+    within = state.times <= specimen.end
+    names = [
+        body.name for body in state.mechanism.bodies if body.name in mentions and _moves_itself(state.mechanism, body)
+    ]
     return [name for name in names if np.abs(shift(state, name)[within]).max(initial=0.0) > REST_TOLERANCE]
 
 
@@ -103,11 +105,11 @@ def _moves_itself(mechanism: Mechanism, body: RigidBody) -> bool:
     """Return whether a coordinate of the body itself moves its centre of mass; a wheel's rotation does not."""
     gradient = initial_frames(mechanism).center(body.name).gradient
     ways = (gradient.get(mechanism.number[own.name], ZERO) for own in body.coordinates)
-    return any(hypot(*way) > REST_TOLERANCE for way in ways)
+    return any(hypot(*direction) > REST_TOLERANCE for direction in ways)
 
 
-def plotted(found: Specimen) -> set[str]:
+def plotted(specimen: Specimen) -> set[str]:
     """Return the names of the objects with a curve in some panel."""
-    mechanism, said = found.study.mechanism, found.words.mentions
+    mechanism, mentions = specimen.study.mechanism, specimen.words.mentions
     shown = [quantity for quantity in QUANTITIES.values() if quantity.panel]
-    return {name for quantity in shown for name in quantity.of.phrases(mechanism, said)}
+    return {name for quantity in shown for name in quantity.of.phrases(mechanism, mentions)}

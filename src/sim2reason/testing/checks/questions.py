@@ -28,13 +28,13 @@ class QuestionsCheck(Check):
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
         """Ask a question of every kind about every scene."""
-        asked = set[str]()
-        for found in specimens.moving:
+        asked_kinds = set[str]()
+        for specimen in specimens.moving:
             for kind in KINDS:
                 for number in range(QUESTION_TRIES):
-                    yield from self._ask(found, kind, number, asked)
-        if len(asked) < MIN_KINDS:
-            names = ", ".join(sorted(asked)) or "none"
+                    yield from self._ask(specimen, kind, number, asked_kinds)
+        if len(asked_kinds) < MIN_KINDS:
+            names = ", ".join(sorted(asked_kinds)) or "none"
             expected = f"questions of at least {MIN_KINDS} kinds can be asked"
             remedy = "name bodies in build as their fields are, `room.body('bob', …)` for `bob`, and let something move"
             yield Finding(self.name, expected, f"there is only: {names}", remedy)
@@ -48,10 +48,10 @@ class QuestionsCheck(Check):
         asked.add(name)
         noun = targets[query.target] if query.target is not None else None
         hidden = tuple(unknown for unknown in words.unknowns if unknown.path == query.hides)
-        told = replace(words, unknowns=hidden)  # a text leaves no more unknown than is asked for
+        question_words = replace(words, unknowns=hidden)  # a text leaves no more unknown than is asked for
         for shape in kind.shapes(query, words, noun):
             text = sentence(shape)
-            if parse_question(text, study, told) != query:
+            if parse_question(text, study, question_words) != query:
                 expected = "a question in words leads back to what it asks"
                 remedy = "call bodies by names that can be told apart"
                 yield found.finding(self.name, expected, f"{text!r} does not lead back to {query}", remedy)
@@ -69,8 +69,8 @@ class SolutionsCheck(Check):
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
         """Yield a finding if no question about scenes with constant forces has a worked solution."""
-        steady = [found for found in specimens.moving if _is_pushed(found.scene.mechanism)]
-        reasons = [reason for found in steady for reason in _reasons(found)]
+        steady = [specimen for specimen in specimens.moving if _is_pushed(specimen.scene.mechanism)]
+        reasons = [reason for specimen in steady for reason in _reasons(specimen)]
         if steady and reasons and "" not in reasons:
             yield steady[0].finding(
                 self.name,
@@ -85,15 +85,17 @@ def _is_pushed(mechanism: Mechanism) -> bool:
     return bool(mechanism.forces) and not changing(mechanism)
 
 
-def _reasons(found: Specimen) -> Iterator[str]:
+def _reasons(specimen: Specimen) -> Iterator[str]:
     """Yield the reason why each question drawn about a scene has no worked solution; empty if the question has one."""
     kind = KINDS["state"]
     for number in range(SOLUTION_TRIES):
-        query = kind.draw(found.study, found.words, found.targets, np.random.default_rng([found.seed, number]))
-        answer = kind.answer(query, found.study) if query is not None else None
+        query = kind.draw(
+            specimen.study, specimen.words, specimen.targets, np.random.default_rng([specimen.seed, number])
+        )
+        answer = kind.answer(query, specimen.study) if query is not None else None
         if query is None or not answer:
             continue
-        setting = ProblemContext(found.scene, found.words, found.description.symbols, found.study, query)
+        setting = ProblemContext(specimen.scene, specimen.words, specimen.description.symbols, specimen.study, query)
         try:
             yield solve(setting, derived=True).reason
         except Sim2ReasonError as error:

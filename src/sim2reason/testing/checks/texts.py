@@ -34,10 +34,10 @@ class RoundTripCheck(Check):
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
         """Write and parse all scenes, each in several wordings."""
-        for found in specimens.members:
-            yield from self._file(found)
-            wordings = range(found.seed, found.seed + WORDINGS)
-            yield from (lost for seed in wordings for lost in self._text(found, describe(found.scene, seed)))
+        for specimen in specimens.members:
+            yield from self._file(specimen)
+            wordings = range(specimen.seed, specimen.seed + WORDINGS)
+            yield from (lost for seed in wordings for lost in self._text(specimen, describe(specimen.scene, seed)))
 
     def _file(self, found: Specimen) -> Iterator[Finding]:
         expected, remedy = "the file of a scene loads as that scene", "declare all that build uses as fields"
@@ -73,8 +73,8 @@ def meant(parsed: ParsedScene) -> Signature:
 
 def numbers(scene: Scene) -> list[tuple[str, float]]:
     """Return all stated numbers; a massless pulley may belong to an entity or to a string."""
-    said = [(p.measure.name, p.value) for p in scene.parameters if not p.hidden and p.value is not None]
-    return sorted(number for number in said if number != ("pulley mass", 0.0))
+    stated = [(p.measure.name, p.value) for p in scene.parameters if not p.hidden and p.value is not None]
+    return sorted(number for number in stated if number != ("pulley mass", 0.0))
 
 
 MIN_WORDINGS = 3
@@ -106,8 +106,8 @@ class SymbolsCheck(Check):
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
         """Yield pairs of numbers with one symbol, and symbols missing in the text."""
-        for found in specimens.members:
-            yield from self._shared(found)
+        for specimen in specimens.members:
+            yield from self._shared(specimen)
 
     def _shared(self, found: Specimen) -> Iterator[Finding]:
         description = describe(found.scene, found.seed, symbolic)
@@ -136,9 +136,9 @@ class MaskingCheck(Check):
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
         """Hide each number, and remove each sentence and table row."""
-        for found in specimens.some(SCENES):
-            yield from self._numbers(found)
-            yield from self._sentences(found)
+        for specimen in specimens.some(SCENES):
+            yield from self._numbers(specimen)
+            yield from self._sentences(specimen)
 
     def _numbers(self, found: Specimen) -> Iterator[Finding]:
         """Yield findings for hidden numbers that the text still reveals, or that its parse does not report."""
@@ -158,10 +158,10 @@ class MaskingCheck(Check):
 
     def _sentences(self, found: Specimen) -> Iterator[Finding]:
         """Yield findings for sentences and table rows whose removal does not change the meaning."""
-        told = found.description
-        spared = spare(told)
-        for cut, text in without_one(list(pieces(told.text))):
-            if cut not in spared and _understood(text) == meaning(told):
+        description = found.description
+        spared = spare(description)
+        for cut, text in without_one(list(pieces(description.text))):
+            if cut not in spared and _understood(text) == meaning(description):
                 yield found.finding(
                     self.name,
                     "every sentence is needed",
@@ -279,8 +279,8 @@ class ClaimsCheck(Check):
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
         """Yield each sentence that denies what its scene has."""
-        for found in specimens.members:
-            yield from self._false_claims(found)
+        for specimen in specimens.members:
+            yield from self._false_claims(specimen)
 
     def _false_claims(self, found: Specimen) -> Iterator[Finding]:
         for sentence in found.description.sentences:

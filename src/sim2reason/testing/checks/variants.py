@@ -32,11 +32,11 @@ class MirrorImageCheck(Check):
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
         """Compare coordinates and their rates up to the end of both motions."""
-        for found in specimens.moving:
-            what = self._parted(found)
+        for specimen in specimens.moving:
+            what = self._parted(specimen)
             if what:
                 remedy = "let laws of force depend on their arguments alone"
-                yield found.finding(self.name, "the mirror image moves as the mirror image", what, remedy)
+                yield specimen.finding(self.name, "the mirror image moves as the mirror image", what, remedy)
 
     def _parted(self, found: Specimen) -> str:
         """Return in words where a motion and its mirror image differ; empty if they agree."""
@@ -97,9 +97,9 @@ class ScalingCheck(Check):
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
         """Double all stated lengths, then all masses, then all times."""
-        for found in specimens.moving:
-            for units in KEPLER if found.study.mechanism.attractions else INDEPENDENT_UNITS:
-                yield from self._scaled(found, units)
+        for specimen in specimens.moving:
+            for units in KEPLER if specimen.study.mechanism.attractions else INDEPENDENT_UNITS:
+                yield from self._scaled(specimen, units)
 
     def _scaled(self, found: Specimen, units: Units) -> Iterator[Finding]:
         other = scaled(found, units)
@@ -113,14 +113,14 @@ class ScalingCheck(Check):
             )
 
 
-def scaled(found: Specimen, units: Units) -> SimulatedScene | None:
+def scaled(specimen: Specimen, units: Units) -> SimulatedScene | None:
     """Return the scene with its stated numbers multiplied as in smaller units, simulated; None if invalid."""
     numbers = {
         path: parameter.value * units.factor(parse_unit(parameter.measure.unit).dimension)
-        for path, parameter in stated_numbers(found.scene, found.seed).items()
+        for path, parameter in stated_numbers(specimen.scene, specimen.seed).items()
         if parameter.value
     }
-    return studied(changed(found.scene, numbers), found.scene.horizon * units.time)
+    return studied(changed(specimen.scene, numbers), specimen.scene.horizon * units.time)
 
 
 def _factor(units: Units) -> Callable[[Dimension], float]:
@@ -138,12 +138,12 @@ class AblationsCheck(Check):
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
         """Remove every optional part, and fix every movable body."""
-        for found in specimens.some(SCENES):
-            for address in removable(found.scene):
-                yield from self._without(found, address)
-            for body in found.scene.mechanism.bodies:
+        for specimen in specimens.some(SCENES):
+            for address in removable(specimen.scene):
+                yield from self._without(specimen, address)
+            for body in specimen.scene.mechanism.bodies:
                 if body.coordinates and body.name.startswith(f"{IT}."):
-                    yield from self._glued(found, body.name)
+                    yield from self._glued(specimen, body.name)
 
     def _without(self, found: Specimen, address: str) -> Iterator[Finding]:
         """Yield a finding unless the rest of the scene is described and simulated, or refused with an error."""
@@ -200,13 +200,13 @@ def removable(scene: Scene) -> Iterator[str]:
 
 def _removable(value: Model, address: str) -> Iterator[str]:
     for name, kind in field_types(type(value)).items():
-        held, where = getattr(value, name), f"{address}.{name}"
-        if kind.optional and held is not None:
+        field_value, where = getattr(value, name), f"{address}.{name}"
+        if kind.optional and field_value is not None:
             yield where
-        if isinstance(held, tuple):
-            for index, member in enumerate(held):  # type: ignore[reportUnknownVariableType]
+        if isinstance(field_value, tuple):
+            for index, member in enumerate(field_value):  # type: ignore[reportUnknownVariableType]
                 yield f"{where}.{index}"
                 if isinstance(member, Model):
                     yield from _removable(member, f"{where}.{index}")
-        elif isinstance(held, Model):
-            yield from _removable(held, where)
+        elif isinstance(field_value, Model):
+            yield from _removable(field_value, where)

@@ -93,16 +93,16 @@ class _Rows:
         bodies = self.mechanism.bodies
         roots = np.repeat([math.sqrt(body.mass + 1.0) for body in bodies], 3)
         spread = np.vstack([self._spread(self._frames.center(body.name))[:, : self._n] for body in bodies])
-        way, sizes, rates = np.linalg.svd(roots[:, None] * spread, full_matrices=False)
+        basis, sizes, rates = np.linalg.svd(roots[:, None] * spread, full_matrices=False)
         kept = sizes > GRADIENT_FLOOR
-        way, rates = way[:, kept], rates[kept] / sizes[kept, None]
+        basis, rates = basis[:, kept], rates[kept] / sizes[kept, None]
 
         def biases(speeds: Array) -> Array:
             frames = self._going([float(speed) for speed in speeds])
             return roots * np.concatenate([frames.center(body.name).bias for body in bodies])
 
         total = sum((biases(speeds) for speeds in rates), np.zeros(len(roots))) - len(rates) * biases(np.zeros(self._n))
-        total -= way @ (way.T @ total)
+        total -= basis @ (basis.T @ total)
         return dict(zip((body.name for body in bodies), total.reshape(-1, 3), strict=True))
 
     def _called(self, address: str | None) -> str:
@@ -114,12 +114,12 @@ class _Rows:
 
     def _spread(self, point: Point) -> Array:
         """Return the gradient of a point's position, (3, n), by the coordinates and the distances from surfaces."""
-        found = np.zeros((3, self._width))
+        gradient = np.zeros((3, self._width))
         for number, axis in point.gradient.items():
-            found[:, number] += axis
+            gradient[:, number] += axis
         for number, normal in point.lift.items():
-            found[:, self._n + number] += normal
-        return found
+            gradient[:, self._n + number] += normal
+        return gradient
 
     def body(self, body: RigidBody) -> None:
         """Add a body's gradients, labelled by initial state and path curvature: three of position, more if it rotates.
@@ -159,29 +159,29 @@ class _Rows:
         """Return the label of a possible collision: the bodies' names, the restitution and the initial gap."""
         one, other = sorted((hit.a or "", hit.b), key=self._called)
         places = [self._frames.center(name).place if name else ZERO for name in (one, other)]
-        apart = minus(places[1], places[0])
+        separation = minus(places[1], places[0])
         if hit.normal is not None:
-            along = dot(hit.normal, apart)
-            apart = (along, 0.0, 0.0) if hit.a is not None else (abs(along) - hit.distance, 0.0, 0.0)
-        numbers = [_rounded(number) for number in (hit.distance, hit.restitution, hit.sticks, *apart)]
+            along = dot(hit.normal, separation)
+            separation = (along, 0.0, 0.0) if hit.a is not None else (abs(along) - hit.distance, 0.0, 0.0)
+        numbers = [_rounded(number) for number in (hit.distance, hit.restitution, hit.sticks, *separation)]
         return "hit", self._called(one), self._called(other), repr(numbers)
 
     def push(self, force: Force) -> Label:
         """Return the label of a force: its value at several velocities, and the distances from its region's borders."""
         point = self._frames.center(force.body)
         velocities = (point.velocity, X, Y, Z)
-        found = [force.law.force(point.place, velocity, self._stage, math) for velocity in velocities]
+        forces = [force.law.force(point.place, velocity, self._stage, math) for velocity in velocities]
         borders = () if force.region is None else force.region.margins(point.place, math)
-        return "force", self._called(force.body), *map(_rounded, (*chain.from_iterable(found), *borders))
+        return "force", self._called(force.body), *map(_rounded, (*chain.from_iterable(forces), *borders))
 
     def pairs(self) -> list[Label]:
         """Return the labels of the pairs of bodies that attract each other, with their distances."""
-        found: list[Label] = []
+        labels: list[Label] = []
         for pair in self.mechanism.attractions:
             distance = dist(self._frames.center(pair.a).place, self._frames.center(pair.b).place)
             both = sorted((self._called(pair.a), self._called(pair.b)))
-            found.append(("attraction", *both, pair.constant, pair.power, _rounded(distance)))
-        return found
+            labels.append(("attraction", *both, pair.constant, pair.power, _rounded(distance)))
+        return labels
 
     def line(self, line: Line) -> None:
         """Add the gradient of the length of a string, rod, spring or actuator, labelled by its force law.
@@ -196,8 +196,8 @@ class _Rows:
             one, other = self._frames.site(first), self._frames.site(last)
             distance = dist(one.place, other.place)
             if distance > 0.0:
-                apart = np.array(minus(other.place, one.place))
-                row += apart / distance @ (self._spread(other) - self._spread(one))
+                separation = np.array(minus(other.place, one.place))
+                row += separation / distance @ (self._spread(other) - self._spread(one))
         law, stretch = line.law, 0.0
         if isinstance(law, Elastic):
             stretch = self._frames.length(line) + wound - law.length
@@ -208,8 +208,8 @@ class _Rows:
         """Add the gradients of the position of an edge that may touch a plane, along its normal and its surface."""
         point = self._frames.site(foot.site)
         gap = dot(foot.normal, point.place) - foot.height
-        for way in (foot.normal, foot.along):
-            self._add(("foot", _rounded(gap)), np.array(way) @ self._spread(point))
+        for direction in (foot.normal, foot.along):
+            self._add(("foot", _rounded(gap)), np.array(direction) @ self._spread(point))
 
     def rise(self, label: Label, number: int) -> None:
         """Add the gradient of a body's distance from its surface, which counts as an additional coordinate."""

@@ -88,123 +88,125 @@ class _SentenceStarts(NamedTuple):
     strings: bool
 
 
-def may_begin(matcher: Matcher, kind: type[Part], place: int) -> bool:
-    """Return whether an entity's text may begin with sentence `place`, by the fixed words of the templates."""
+def may_begin(matcher: Matcher, kind: type[Part], position: int) -> bool:
+    """Return whether an entity's text may begin with sentence `position`, by the fixed words of the templates."""
     templates, tables, strings = _sentence_starts(kind)
-    if strings or any(matcher.contains_fixed_words(place, template) for template in templates):
+    if strings or any(matcher.contains_fixed_words(position, template) for template in templates):
         return True
-    return tables and any(piece.startswith("|") for piece in matcher.pieces[place + 1 :])
+    return tables and any(piece.startswith("|") for piece in matcher.pieces[position + 1 :])
 
 
 @cache
 def _sentence_starts(kind: type[Part]) -> _SentenceStarts:
-    members = (model for held in field_types(kind).values() for model in held.models if issubclass(model, Part))
-    found = [_sentence_starts(model) for model in members]
+    members = (
+        model for field_type in field_types(kind).values() for model in field_type.models if issubclass(model, Part)
+    )
+    inner_starts = [_sentence_starts(model) for model in members]
     own = [saying for saying in kind.says if not isinstance(saying, PartLines)]
-    spoken = (line for saying in own for line in variants(saying))
+    lines = (line for saying in own for line in variants(saying))
     return _SentenceStarts(
-        frozenset(chain(*spoken, *(said.templates for said in found))),
-        any(isinstance(saying, Each) for saying in own) or any(said.tables for said in found),
-        bool(inside(kind)) or any(said.strings for said in found),
+        frozenset(chain(*lines, *(starts.templates for starts in inner_starts))),
+        any(isinstance(saying, Each) for saying in own) or any(starts.tables for starts in inner_starts),
+        bool(inside(kind)) or any(starts.strings for starts in inner_starts),
     )
 
 
-def entity_lines(matcher: Matcher, address: str, place: int, state: ParseState) -> Iterator[tuple[int, ParseState]]:
+def entity_lines(matcher: Matcher, address: str, position: int, state: ParseState) -> Iterator[tuple[int, ParseState]]:
     """Yield the parses of all sentences of an entity: of its parts, its own, of its inner strings."""
     inner = [partial(_inside, matcher, address, name) for name in inside(state.kind(address, Part))]
     steps: list[Step] = [partial(part_lines, matcher, address), *inner]
-    yield from _in_turn(steps, place, state)
+    yield from _in_turn(steps, position, state)
 
 
-def part_lines(matcher: Matcher, address: str, place: int, state: ParseState) -> Iterator[tuple[int, ParseState]]:
+def part_lines(matcher: Matcher, address: str, position: int, state: ParseState) -> Iterator[tuple[int, ParseState]]:
     """Yield the parses of the sentences of a part: of the parts inside it first, then its own."""
     kind = state.kind(address, Part)
     placed = {saying.field for saying in kind.says if isinstance(saying, PartLines)}
     first = [PartLines(name) for name in field_types(kind) if name not in placed]
     steps: list[Step] = [partial(_saying, matcher, saying, address) for saying in (*first, *kind.says)]
-    yield from _in_turn(steps, place, state)
+    yield from _in_turn(steps, position, state)
 
 
-def _in_turn(steps: list[Step], place: int, state: ParseState) -> Iterator[tuple[int, ParseState]]:
+def _in_turn(steps: list[Step], position: int, state: ParseState) -> Iterator[tuple[int, ParseState]]:
     if not steps:
-        yield place, state
+        yield position, state
         return
-    for after, then in steps[0](place, state):
+    for after, then in steps[0](position, state):
         yield from _in_turn(steps[1:], after, then)
 
 
 def _parts(
-    matcher: Matcher, field: str, address: str, place: int, state: ParseState
+    matcher: Matcher, field: str, address: str, position: int, state: ParseState
 ) -> Iterator[tuple[int, ParseState]]:
     """Yield the parses of the parts in a field; parts without sentences are described by their entity."""
-    held, where = field_types(state.kind(address, Part))[field], f"{address}.{field}"
-    parts = [model for model in held.models if issubclass(model, Part)]
-    if parts and held.count is None:
-        yield from _inner(matcher, where, held, place, state)
+    field_type, where = field_types(state.kind(address, Part))[field], f"{address}.{field}"
+    parts = [model for model in field_type.models if issubclass(model, Part)]
+    if parts and field_type.count is None:
+        yield from _inner(matcher, where, field_type, position, state)
     elif any(model.says for model in parts):
-        yield from _several(matcher, where, held, place, state)
+        yield from _several(matcher, where, field_type, position, state)
     else:
-        yield place, state
+        yield position, state
 
 
 def _inner(
-    matcher: Matcher, address: str, held: FieldType, place: int, state: ParseState
+    matcher: Matcher, address: str, field_type: FieldType, position: int, state: ParseState
 ) -> Iterator[tuple[int, ParseState]]:
     """Yield the parses of a single part, for each of its possible classes; an optional part may be absent."""
-    for kind in held.models:
-        yield from part_lines(matcher, address, place, state.with_kind(address, kind))
-    absent = state.with_value(address, None) if held.optional else None
+    for kind in field_type.models:
+        yield from part_lines(matcher, address, position, state.with_kind(address, kind))
+    absent = state.with_value(address, None) if field_type.optional else None
     if absent is not None:
-        yield place, absent
+        yield position, absent
 
 
 def _several(
-    matcher: Matcher, address: str, held: FieldType, place: int, state: ParseState, index: int = 0
+    matcher: Matcher, address: str, field_type: FieldType, position: int, state: ParseState, index: int = 0
 ) -> Iterator[tuple[int, ParseState]]:
     """Yield the parses of a variable number of parts, each with its own sentences and of any of its classes."""
     done = state.with_count(address, index, index)
     if done is not None:
-        yield place, done
+        yield position, done
     here = f"{address}.{index}"
-    for kind in held.models if index < MAX_MEMBERS else ():
-        for after, then in part_lines(matcher, here, place, state.with_kind(here, kind)):
-            if after > place:
-                yield from _several(matcher, address, held, after, then, index + 1)
+    for kind in field_type.models if index < MAX_MEMBERS else ():
+        for after, then in part_lines(matcher, here, position, state.with_kind(here, kind)):
+            if after > position:
+                yield from _several(matcher, address, field_type, after, then, index + 1)
 
 
 def _inside(
-    matcher: Matcher, address: str, name: str, place: int, state: ParseState
+    matcher: Matcher, address: str, name: str, position: int, state: ParseState
 ) -> Iterator[tuple[int, ParseState]]:
     """Yield the parse of the sentence of an entity's inner connection, with the index of the next sentence."""
     inner = inside(state.kind(address, Part))[name]
     routes = InnerRoute(address, inner)
-    for told in inner.kind.parse(f"{address}.{name}", place, state, matcher, routes):
-        yield place + 1, told.state
+    for parsed in inner.kind.parse(f"{address}.{name}", position, state, matcher, routes):
+        yield position + 1, parsed.state
 
 
 def _saying(
-    matcher: Matcher, saying: Saying, address: str, place: int, state: ParseState
+    matcher: Matcher, saying: Saying, address: str, position: int, state: ParseState
 ) -> Iterator[tuple[int, ParseState]]:
     if isinstance(saying, PartLines):
-        yield from _parts(matcher, saying.field, address, place, state)
+        yield from _parts(matcher, saying.field, address, position, state)
         return
     if isinstance(saying, Each):
-        yield from _each(matcher, saying, address, place, state)
+        yield from _each(matcher, saying, address, position, state)
         return
     several = f"{address}.{saying.several}" if isinstance(saying, Wordings) and saying.several else ""
     many, one = (state.with_count(several, 2), state.with_count(several, 1, 1)) if several else (state, None)
     for line in variants(saying):
         here = _without(saying, line, address, many) if many is not None else None
         for number, template in enumerate(line):
-            if here is not None and matcher.contains_fixed_words(place, template):
-                for then in matcher.sentence(place, template, address, here.with_choice(number)):
-                    yield place + 1, then
+            if here is not None and matcher.contains_fixed_words(position, template):
+                for then in matcher.sentence(position, template, address, here.with_choice(number)):
+                    yield position + 1, then
     if one is not None:
-        yield place, one
+        yield position, one
     if topic := topic_of(saying):
-        yield place, _at_least(wordings(saying)[0], address, state)._replace(without=state.without | {topic})
+        yield position, _at_least(wordings(saying)[0], address, state)._replace(without=state.without | {topic})
     for then in _unsaid(wordings(saying)[0], address, state):
-        yield place, then
+        yield position, then
 
 
 def _without(saying: Saying, line: tuple[str, ...], address: str, state: ParseState) -> ParseState | None:
@@ -218,44 +220,44 @@ def _at_least(template: str, address: str, state: ParseState) -> ParseState:
     """Return the state after omission of a sentence, whose numbers get the smallest values that are ever drawn."""
     kind = state.kind(address, Part)
     for path in (slot.path for slot in slots(template) if slot.kind == "path"):
-        whole = f"{address}.{kind.words[path].parameter if path in kind.words else path}"
-        owner, _, name = whole.rpartition(".")
+        full_address = f"{address}.{kind.words[path].parameter if path in kind.words else path}"
+        owner, _, name = full_address.rpartition(".")
         owners = (kind,) if owner == address else declared_type(state, owner).models
-        held = next((field_types(each)[name] for each in owners if name in field_types(each)), None)
-        if held is not None and held.drawn is not None and not held.optional:
-            state = state.with_value(whole, held.drawn.low) or state
+        field_type = next((field_types(each)[name] for each in owners if name in field_types(each)), None)
+        if field_type is not None and field_type.drawn is not None and not field_type.optional:
+            state = state.with_value(full_address, field_type.drawn.low) or state
     return state
 
 
 def _each(
-    matcher: Matcher, saying: Each, address: str, place: int, state: ParseState
+    matcher: Matcher, saying: Each, address: str, position: int, state: ParseState
 ) -> Iterator[tuple[int, ParseState]]:
     """Yield the parses of one sentence per member, or of a table of three or more similar bodies."""
     field = f"{address}.{saying.field}"
     none = state.with_count(field, 0, 0)
     if none is not None:
-        yield place, none
+        yield position, none
     for number, template in enumerate(saying.wordings):
-        if matcher.contains_fixed_words(place, template):
-            yield from _members(matcher, template, field, place, state.with_choice(number), 0)
+        if matcher.contains_fixed_words(position, template):
+            yield from _members(matcher, template, field, position, state.with_choice(number), 0)
     for kind in declared_type(state, field).models:
         if issubclass(kind, Body):
             here = state.with_choice(0)  # the wording of the sentences does not show
-            yield from parse_table(matcher, saying.table, field, kind, place, here)
+            yield from parse_table(matcher, saying.table, field, kind, position, here)
 
 
 def _members(
-    matcher: Matcher, template: str, field: str, place: int, state: ParseState, index: int
+    matcher: Matcher, template: str, field: str, position: int, state: ParseState, index: int
 ) -> Iterator[tuple[int, ParseState]]:
     """Yield the parses of the sentences of the members from `index` on, all in one wording."""
     address = field.rpartition(".")[0]
     if index == MAX_MEMBERS:
         return
-    for then in matcher.sentence(place, template.replace(".*", f".{index}"), address, state):
-        whole = then.with_count(field, index + 1, index + 1)
-        if whole is not None:
-            yield place + 1, whole
-        yield from _members(matcher, template, field, place + 1, then, index + 1)
+    for then in matcher.sentence(position, template.replace(".*", f".{index}"), address, state):
+        complete = then.with_count(field, index + 1, index + 1)
+        if complete is not None:
+            yield position + 1, complete
+        yield from _members(matcher, template, field, position + 1, then, index + 1)
 
 
 def _unsaid(template: str, address: str, state: ParseState) -> Iterator[ParseState]:
@@ -264,13 +266,13 @@ def _unsaid(template: str, address: str, state: ParseState) -> Iterator[ParseSta
     for path in dict.fromkeys(slot.path for slot in slots(template) if slot.kind == "path" and "*" not in slot.path):
         path = kind.words[path].parameter if path in kind.words else path  # noqa: PLW2901 - what the word depends on
         where, (head, _, inner) = f"{address}.{path}", path.partition(".")
-        held, holder = field_types(kind).get(head), f"{address}.{head}"
-        may_be_absent = held is not None and held.optional and holder not in state.letters
+        field_type, holder = field_types(kind).get(head), f"{address}.{head}"
+        may_be_absent = field_type is not None and field_type.optional and holder not in state.letters
         absent = state.with_value(holder, None) if may_be_absent else None
         if absent is not None:
             yield absent
-        told = kind.is_stated_by_word(path, state.values.get(where)) or _by_word(state, where)
-        if told and (inner or held is None or not held.optional):
+        is_stated = kind.is_stated_by_word(path, state.values.get(where)) or _by_word(state, where)
+        if is_stated and (inner or field_type is None or not field_type.optional):
             yield state
 
 

@@ -128,13 +128,13 @@ class Matcher:
 
     def _forms(self, text: str, at: int, slot: Slot, owner: str, state: ParseState, *, start: bool) -> Iterator[Found]:
         """Yield the matches of a slot whose text depends on a count: one, two or more members, or none."""
-        address, least = joined(owner, slot.path), 1 if slot.kind == "agree" else 0
+        address, fewest = joined(owner, slot.path), 1 if slot.kind == "agree" else 0
         several = (
             ((slot.two, 2, 2), (slot.many, 3, MAX_MEMBERS))
             if slot.two != slot.many
-            else ((slot.many, least + 1, MAX_MEMBERS),)
+            else ((slot.many, fewest + 1, MAX_MEMBERS),)
         )
-        for form, low, high in ((slot.one, least, least), *several):
+        for form, low, high in ((slot.one, fewest, fewest), *several):
             then = state.with_count(address, low, high)
             if then is not None:
                 yield from self.template(text, at, form, owner, then, start=start)
@@ -172,14 +172,14 @@ class Matcher:
             if unknown is not None:
                 yield symbol.end(), unknown
             return
-        told, begin = (self.given.get(symbol[1], ""), 0) if symbol else (text, at)
-        match = NUMBER.match(told, begin)
+        source, begin = (self.given.get(symbol[1], ""), 0) if symbol else (text, at)
+        match = NUMBER.match(source, begin)
         if match is None:
             return
         for unit, value in meanings(match.group(), measure.unit):
-            end = self.literal(told, match.end(), join_unit("", unit))
+            end = self.literal(source, match.end(), join_unit("", unit))
             if symbol and end is not None:
-                end = symbol.end() if end == len(told) else None
+                end = symbol.end() if end == len(source) else None
             then = state.with_value(address, value)
             if end is not None and then is not None:
                 yield end, then
@@ -236,14 +236,14 @@ class Matcher:
             return
         slot = rest[0]
         if slot.kind == "text":
-            found = self._just(text, at, slot.text, state)
+            matches = self._just(text, at, slot.text, state)
         elif slot.path == "letter":
-            found = self._just(text, at, state.letters[address], state)
+            matches = self._just(text, at, state.letters[address], state)
         elif slot.path == "noun":
-            found = self._just(text, at, state.nouns[state.body(address)], state)
+            matches = self._just(text, at, state.nouns[state.body(address)], state)
         else:
-            found = self.at(text, at, f"{address}.{slot.path}", state)
-        for end, then in found:
+            matches = self.at(text, at, f"{address}.{slot.path}", state)
+        for end, then in matches:
             yield from self._of_body(text, end, rest[1:], address, then)
 
     def _list(
@@ -277,8 +277,8 @@ class Matcher:
             for member, letter in zip(members, letters, strict=True):
                 then = then.introduced(member, kind, letter)
             for end, named in self._just(text, at, listed(state.nouns[kind], letters, full=True) + " ", then):
-                for after, told in self._of_body(text, end, slots(kind.alike), members[0], named):
-                    shared = told.shared(members, kind.says_in(kind.alike))
+                for after, described in self._of_body(text, end, slots(kind.alike), members[0], named):
+                    shared = described.shared(members, kind.says_in(kind.alike))
                     if shared is not None:
                         yield after, shared
 

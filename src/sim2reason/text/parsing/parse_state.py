@@ -55,7 +55,7 @@ class ParseState(NamedTuple):
     @property
     def unknowns(self) -> dict[str, str]:
         """Return the symbols (with dollars) that stand for unknown numbers, by address."""
-        return {path: told for path, told in self.values.items() if isinstance(told, str) and told.startswith("$")}
+        return {path: value for path, value in self.values.items() if isinstance(value, str) and value.startswith("$")}
 
     def with_choice(self, number: int) -> "ParseState":
         """Return the state with the index of a sentence's wording appended to the script of wordings."""
@@ -73,20 +73,20 @@ class ParseState(NamedTuple):
 
     def shared(self, members: Sequence[str], names: Iterable[str]) -> "ParseState | None":
         """Return the state in which all bodies of a list have the first one's known numbers; None on contradiction."""
-        found: ParseState | None = self
+        merged: ParseState | None = self
         for name in sorted(names):
             value = self.values.get(f"{members[0]}.{name}")
             for member in members[1:] if value is not None else ():
-                found = found.with_value(f"{member}.{name}", value) if found is not None else None
-        return found
+                merged = merged.with_value(f"{member}.{name}", value) if merged is not None else None
+        return merged
 
     def with_count(self, address: str, low: int, high: int = MAX_MEMBERS) -> "ParseState | None":
         """Return the state with a narrower range for the number of members of a list; None if no number remains."""
-        least, most = self.size_range(address)
-        low, high = max(least, low), min(most, high)
+        fewest, most = self.size_range(address)
+        low, high = max(fewest, low), min(most, high)
         if low > high:
             return None
-        return self if (low, high) == (least, most) else self._replace(counts={**self.counts, address: (low, high)})
+        return self if (low, high) == (fewest, most) else self._replace(counts={**self.counts, address: (low, high)})
 
     def size_range(self, address: str) -> tuple[int, int]:
         """Return the minimum and maximum number of members of a list of bodies or parts."""
@@ -102,10 +102,10 @@ class ParseState(NamedTuple):
 
     def kind(self, address: str, base: type[M]) -> type[M]:
         """Return the class of the object at an address; TypeError if it is not a subclass of `base`."""
-        found = self.kinds[address]
-        if not issubclass(found, base):
-            raise TypeError(f"{address} is a {found.__name__}")
-        return found
+        cls = self.kinds[address]
+        if not issubclass(cls, base):
+            raise TypeError(f"{address} is a {cls.__name__}")
+        return cls
 
     def body(self, address: str) -> type[Body]:
         """Return the class of an introduced body."""
@@ -170,10 +170,10 @@ def declared_type(state: ParseState, address: str) -> DeclaredType:
     if address in state.kinds:
         return DeclaredType(models=(state.kinds[address],))
     owner, _, step = address.rpartition(".")
-    held = declared_type(state, owner) if owner else DeclaredType()
+    owner_type = declared_type(state, owner) if owner else DeclaredType()
     if step.isdigit():
-        return replace(held, several=False)
-    for model in held.models:
+        return replace(owner_type, several=False)
+    for model in owner_type.models:
         if issubclass(model, Body) and step in model.words:
             return DeclaredType(word=model.words[step])
         if step in field_types(model):
@@ -224,8 +224,8 @@ def meanings(digits: str, unit: str) -> list[tuple[str, float]]:
     """
     number = digits.replace("\N{MINUS SIGN}", "-").replace(POWER, "e")
     bare, size = coherent(unit)
-    told = [(unit, float(number))]
-    return told if size == 1 else [*told, (bare, float(Decimal(number) / size))]
+    stated = [(unit, float(number))]
+    return stated if size == 1 else [*stated, (bare, float(Decimal(number) / size))]
 
 
 MAX_UNKNOWNS = 2  # unknown numbers in a text: the one it asks for, and one whose limiting value it gives
@@ -241,8 +241,10 @@ def build_scene(state: ParseState, rng: np.random.Generator, share: float = 0.5)
     state = _guessed(state, share)
     entities = [Named(name=name, entity=_model(state, name, state.kind(name, Entity), rng)) for name in state.entities]
     connections = tuple(_connection(state, joined, rng) for joined in state.joined)
-    told = {path.removeprefix("world."): value for path, value in state.values.items() if path.startswith("world.")}
-    return Scene(entities=tuple(entities), connections=connections, world=World.model_validate(told))
+    world_values = {
+        path.removeprefix("world."): value for path, value in state.values.items() if path.startswith("world.")
+    }
+    return Scene(entities=tuple(entities), connections=connections, world=World.model_validate(world_values))
 
 
 def unstated_error(symbols: Iterable[str]) -> TextError:
@@ -258,64 +260,72 @@ def _guessed(state: ParseState, share: float) -> ParseState:
     values = dict(state.values)
     for path, symbol in unknowns.items():
         owner, _, name = path.rpartition(".")
-        held = next(field_types(kind)[name] for kind in declared_type(state, owner).models if name in field_types(kind))
-        if held.drawn is None:
+        field_type = next(
+            field_types(kind)[name] for kind in declared_type(state, owner).models if name in field_types(kind)
+        )
+        if field_type.drawn is None:
             raise TextError("text", f"it does not tell {symbol}", "say it")
-        values[path] = held.drawn.low + share * (held.drawn.high - held.drawn.low)
+        values[path] = field_type.drawn.low + share * (field_type.drawn.high - field_type.drawn.low)
     return state._replace(values=values)
 
 
 def _connection(state: ParseState, joined: ParsedConnection, rng: np.random.Generator) -> Connection:
-    own = {name: held for name, held in field_types(joined.kind).items() if held.measure is not None or held.words}
-    told = {name: _field(state, f"{joined.name}.{name}", joined.kind, held, rng) for name, held in own.items()}
-    return joined.kind(links=joined.links, **told)
+    own = {
+        name: field_type
+        for name, field_type in field_types(joined.kind).items()
+        if field_type.measure is not None or field_type.words
+    }
+    values = {
+        name: _field(state, f"{joined.name}.{name}", joined.kind, field_type, rng) for name, field_type in own.items()
+    }
+    return joined.kind(links=joined.links, **values)
 
 
 def _model(state: ParseState, address: str, kind: type[M], rng: np.random.Generator) -> M:
     fields: dict[str, Any] = {}
-    for name, held in field_types(kind).items():
-        fields[name] = _field(state, f"{address}.{name}", kind, held, rng)
+    for name, field_type in field_types(kind).items():
+        fields[name] = _field(state, f"{address}.{name}", kind, field_type, rng)
     try:
         return kind(**fields)
     except ValidationError as error:
         raise explain_error(kind, error, address) from None
 
 
-def _field(state: ParseState, address: str, kind: type[Model], held: FieldType, rng: np.random.Generator) -> Any:
-    if held.hidden:
-        return _drawn(held, rng)
+def _field(state: ParseState, address: str, kind: type[Model], field_type: FieldType, rng: np.random.Generator) -> Any:
+    if field_type.hidden:
+        return _drawn(field_type, rng)
     if address in state.values:
-        told = state.values[address]
-        return told if held.measure is not None or held.words else _index(told)
-    if held.count is not None:
-        return _several(state, address, held, rng)
-    if held.models and not (held.optional and _is_silent(state, address)):
-        return _model(state, address, state.kinds.get(address, held.models[0]), rng)
-    if held.optional:
+        value = state.values[address]
+        return value if field_type.measure is not None or field_type.words else _index(value)
+    if field_type.count is not None:
+        return _several(state, address, field_type, rng)
+    if field_type.models and not (field_type.optional and _is_silent(state, address)):
+        return _model(state, address, state.kinds.get(address, field_type.models[0]), rng)
+    if field_type.optional:
         return None
     usual: Any = kind.model_fields[address.rpartition(".")[2]].default
-    if (held.words or held.member) and isinstance(usual, str | int):
+    if (field_type.words or field_type.member) and isinstance(usual, str | int):
         return usual
-    what = held.measure.name if held.measure is not None else address.rpartition(".")[2]
+    what = field_type.measure.name if field_type.measure is not None else address.rpartition(".")[2]
     raise TextError("text", f"the {what} of a {kind.__name__} is not told", "say it")
 
 
-def _drawn(held: FieldType, rng: np.random.Generator) -> float:
-    if held.measure is None or held.drawn is None:
+def _drawn(field_type: FieldType, rng: np.random.Generator) -> float:
+    if field_type.measure is None or field_type.drawn is None:
         raise TypeError("a hidden number needs a range to be drawn from")
-    return held.measure.draw(rng, held.drawn.low, held.drawn.high)
+    return field_type.measure.draw(rng, field_type.drawn.low, field_type.drawn.high)
 
 
 def _index(value: StatedValue) -> int | None:
     return None if value is None else int(value)
 
 
-def _several(state: ParseState, address: str, held: FieldType, rng: np.random.Generator) -> tuple[Model, ...]:
+def _several(state: ParseState, address: str, field_type: FieldType, rng: np.random.Generator) -> tuple[Model, ...]:
     low, high = state.size_range(address)
     if low != high:
         raise TextError("text", f"it is not told how many {address.rpartition('.')[2]} there are", "name them all")
     members = [f"{address}.{index}" for index in range(high)]
-    return tuple(_model(state, member, state.kinds.get(member, held.models[0]), rng) for member in members)
+    return tuple(_model(state, member, state.kinds.get(member, field_type.models[0]), rng) for member in members)
 
 
 def _is_silent(state: ParseState, address: str) -> bool:

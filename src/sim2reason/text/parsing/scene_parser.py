@@ -95,20 +95,22 @@ def parse_scene(
         {'the plane': 'e1.plane', 'the block': 'e1.blocks.0'}
     """
     rng = rng if rng is not None else np.random.default_rng(0)
-    said = pieces(text)
-    readings = _readings(said, rng, given, startless=startless)
+    sentences = pieces(text)
+    readings = _readings(sentences, rng, given, startless=startless)
     if len(readings.found) == 1:
         return readings.found[0]
     plain = readings.stuck is not None and not startless and not given
-    told = _in_ordinary_english(said, rng) if plain else None
-    if told is not None:
-        return told
+    parsed = _in_ordinary_english(sentences, rng) if plain else None
+    if parsed is not None:
+        return parsed
     translations = library_texts(text) if plain else []
-    whole = [each for found in translations if not found.missing for each in _parsed(found, rng)]
-    if len(whole) == 1:
-        return whole[0]
-    stuck = superfluous(said) or readings.stuck or 0
-    raise _sent_on(text, _with_missing(_with_nearest(stuck, said), translations) if plain else readings.error())
+    parsed_scenes = [
+        each for translation in translations if not translation.missing for each in _parsed(translation, rng)
+    ]
+    if len(parsed_scenes) == 1:
+        return parsed_scenes[0]
+    stuck = superfluous(sentences) or readings.stuck or 0
+    raise _sent_on(text, _with_missing(_with_nearest(stuck, sentences), translations) if plain else readings.error())
 
 
 @dataclass(frozen=True)
@@ -142,16 +144,16 @@ class _Parses:
         return _unread(self.stuck, self.matcher.pieces[self.stuck])
 
 
-def _in_ordinary_english(said: tuple[str, ...], rng: np.random.Generator) -> ParsedScene | None:
+def _in_ordinary_english(sentences: tuple[str, ...], rng: np.random.Generator) -> ParsedScene | None:
     """Return the scene of a text in ordinary English via the library's sentences; None if that fails."""
-    for first in recast(said):
+    for first in recast(sentences):
         waiting = [first]
-        for told in waiting:  # grows as it is walked through
-            readings = _readings(told.said, rng, NONE_GIVEN)
-            if len(readings.found) == 1 and told.is_complete:
+        for rewritten in waiting:  # grows as it is walked through
+            readings = _readings(rewritten.said, rng, NONE_GIVEN)
+            if len(readings.found) == 1 and rewritten.is_complete:
                 return readings.found[0]
-            if len(told.added) < PRESUMED_AT_MOST:
-                more = (told.adding(name) for name in readings.unsaid)
+            if len(rewritten.added) < PRESUMED_AT_MOST:
+                more = (rewritten.adding(name) for name in readings.unsaid)
                 waiting.extend(text for text in more if text is not None and text not in waiting)
     return None
 
@@ -162,11 +164,11 @@ def _parsed(translation: LibraryText, rng: np.random.Generator) -> list[ParsedSc
 
 
 def _readings(
-    said: tuple[str, ...], rng: np.random.Generator, given: Mapping[str, str], *, startless: bool = False
+    sentences: tuple[str, ...], rng: np.random.Generator, given: Mapping[str, str], *, startless: bool = False
 ) -> _Parses:
     """Return all parses of a text in the library's own sentences."""
-    matcher = Matcher(said, given)
-    found: dict[Signature, ParsedScene] = {}
+    matcher = Matcher(sentences, given)
+    parsed_scenes: dict[Signature, ParsedScene] = {}
     refused: list[tuple[int, TextError]] = []
     states = _Grammar(matcher).scenes(0, ParseState({"world": World}))
     for count, state in enumerate(state for state in states if startless or "start" not in state.without):
@@ -177,14 +179,14 @@ def _readings(
             try:
                 scene = build_scene(state, rng, share)
                 lacking = len(missing_closings(scene, state))
-                prove(scene, state, said, given)
-                found.setdefault(*_read(scene, state))
+                prove(scene, state, sentences, given)
+                parsed_scenes.setdefault(*_read(scene, state))
                 break
             except TextError as error:
                 refused.append((lacking, error))
             except (SceneError, UnsupportedError, ValueError) as error:
                 refused.append((lacking, TextError("text", "it tells a scene that can not be", str(error))))
-    return _Parses(list(found.values()), refused, matcher)
+    return _Parses(list(parsed_scenes.values()), refused, matcher)
 
 
 def _read(scene: Scene, state: ParseState) -> tuple[Signature, ParsedScene]:
@@ -205,22 +207,22 @@ def _unread(index: int, sentence: str, near: str | None = None) -> TextError:
     return TextError(f"sentence {index + 1}", f"{shown(sentence)} is not understood", remedy)
 
 
-def _with_nearest(stuck: int, said: tuple[str, ...]) -> TextError:
+def _with_nearest(stuck: int, sentences: tuple[str, ...]) -> TextError:
     """Return the error for an unparsable text; it quotes the first unknown sentence from index `stuck` on."""
-    unlike = first_unknown_sentence(said[stuck:])
-    told = next(recast(said), None) if unlike is None else None
-    if told is not None:
-        words = f"in the library's words: {' '.join(told.said)}"
+    unlike = first_unknown_sentence(sentences[stuck:])
+    rewritten = next(recast(sentences), None) if unlike is None else None
+    if rewritten is not None:
+        words = f"in the library's words: {' '.join(rewritten.said)}"
         return TextError("text", "its sentences make no scene together", words)
     index = stuck + (unlike or 0)
-    return _unread(index, said[index], nearest(said[index]))
+    return _unread(index, sentences[index], nearest(sentences[index]))
 
 
 def _with_missing(error: TextError, translations: list[LibraryText]) -> TextError:
     """Return the error for an unparsable text; if only facts are missing, such as a mass, it names these facts."""
-    if not translations or not all(found.missing for found in translations):
+    if not translations or not all(translation.missing for translation in translations):
         return error
-    lacks = ", ".join(min((found.missing for found in translations), key=len))
+    lacks = ", ".join(min((translation.missing for translation in translations), key=len))
     return TextError(error.place, f"the text does not state {lacks}; {error.problem}", error.remedy)
 
 
@@ -264,8 +266,8 @@ class _Grammar:
     def _strings(self, place: int, state: ParseState) -> Iterator[ParseState]:
         for kind in CONNECTIONS.values():
             name = f"{kind.key}_{len(state.joined) + 1}"
-            for told in kind.parse(name, place, state, self._matcher, self):
-                then = _joined_on(name, kind, told)
+            for parsed in kind.parse(name, place, state, self._matcher, self):
+                then = _joined_on(name, kind, parsed)
                 if then is not None:
                     yield from self.scenes(place + 1, then)
 
@@ -294,20 +296,20 @@ class _Grammar:
                 yield from free_legs(kind, then, address, first=not links)
 
 
-def _joined_on(name: str, kind: type[Connection], told: ParsedSentence[ParseState]) -> ParseState | None:
+def _joined_on(name: str, kind: type[Connection], parsed: ParsedSentence[ParseState]) -> ParseState | None:
     """Return the state with a connection added; None if the order of sentences contradicts its direction.
 
     The Writer renders the sentences of entities in the order of the links, but a string from the end that gives the
     better sentence; if the sentences are in the opposite order, the links are reversed.
     """
-    state, links = told.state, told.links
+    state, links = parsed.state, parsed.links
     on = [link.entity for link in links if link.entity in state.waiting]
     if sorted(on) != sorted(state.waiting):
         return None
     if list(state.waiting) != on:
         if list(state.waiting) != on[::-1]:
             return None
-        state = state.renamed(told.owned, told.owned[::-1])
+        state = state.renamed(parsed.owned, parsed.owned[::-1])
         links = tuple(_turned(state, link) for link in reversed(links))
     return state._replace(waiting=(), joined=(*state.joined, ParsedConnection(name, kind, links)))
 

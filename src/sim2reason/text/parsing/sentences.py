@@ -33,23 +33,23 @@ def pieces(text: str) -> tuple[str, ...]:
     """Return the sentences, and tables with rows joined by line breaks; TextError if empty or too long."""
     if len(text) > MAX_CHARACTERS:
         raise TextError("text", f"it has {len(text)} characters", f"give at most {MAX_CHARACTERS}")
-    found: list[str] = []
+    parts: list[str] = []
     prose: list[str] = []
     rows: list[str] = []
     for line in [*text.splitlines(), ""]:
         if line.startswith("|"):
-            found.extend(_sentences(prose))
+            parts.extend(_sentences(prose))
             prose = []
             rows.append(line.strip())
             continue
         if rows:
-            found.append("\n".join(rows))
+            parts.append("\n".join(rows))
             rows = []
         prose.append(line)
-    found.extend(_sentences(prose))
-    if not 1 <= len(found) <= MAX_PIECES:
-        raise TextError("text", f"it has {len(found)} sentences", f"give 1 to {MAX_PIECES}")
-    return tuple(found)
+    parts.extend(_sentences(prose))
+    if not 1 <= len(parts) <= MAX_PIECES:
+        raise TextError("text", f"it has {len(parts)} sentences", f"give 1 to {MAX_PIECES}")
+    return tuple(parts)
 
 
 def _sentences(lines: list[str]) -> list[str]:
@@ -73,27 +73,27 @@ class _Grid:
 
 
 def parse_table(
-    matcher: Matcher, leads: tuple[str, ...], field: str, kind: type[Body], place: int, state: ParseState
+    matcher: Matcher, leads: tuple[str, ...], field: str, kind: type[Body], position: int, state: ParseState
 ) -> Iterator[tuple[int, ParseState]]:
     """Yield the states after parsing a table of bodies: lead-in, sentences on columns with equal numbers, and rows."""
-    at = next((i for i in range(place, len(matcher.pieces)) if matcher.pieces[i].startswith("|")), place)
-    grid = _grid(matcher.pieces[at]) if at > place else None
+    at = next((i for i in range(position, len(matcher.pieces)) if matcher.pieces[i].startswith("|")), position)
+    grid = _grid(matcher.pieces[at]) if at > position else None
     if grid is None or grid.noun not in kind.nouns or state.nouns.get(kind, grid.noun) != grid.noun:
         return
     members = [f"{field}.{index}" for index in range(len(grid.letters))]
     then = state.with_noun(kind, grid.noun).with_count(field, len(members), len(members))
     then = _listed(then, kind, members, grid) if then is not None else None
     then = _filled(matcher, then, kind, members, grid) if then is not None else None
-    for piece in matcher.pieces[place + 1 : at]:
+    for piece in matcher.pieces[position + 1 : at]:
         then = _agreed(matcher, piece, kind, members, then) if then is not None else None
     if then is None:
         return
     shown = [name for name, heading in headings(kind).items() if heading in grid.headings]
     for number, lead in enumerate(leads or LEAD_INS):
         template = introduced(lead, grid.noun, kind, shown)
-        for told in matcher.sentence(place, template, field.rpartition(".")[0], then.with_choice(number)):
+        for next_state in matcher.sentence(position, template, field.rpartition(".")[0], then.with_choice(number)):
             matcher.reach = max(matcher.reach, at + 1)
-            yield at + 1, told
+            yield at + 1, next_state
 
 
 def _grid(piece: str) -> _Grid | None:
@@ -121,13 +121,13 @@ def _filled(
 ) -> ParseState | None:
     """Return the state with the numbers of all table cells; None if a cell is invalid or contradicts the state."""
     columns = {heading: name for name, heading in headings(kind).items()}
-    found: ParseState | None = state
+    filled: ParseState | None = state
     for address, row in zip(members, grid.cells, strict=True):
         for heading, cell in zip(grid.headings, row, strict=True):
             name = columns.get(heading, "")
             value = _cell_value(matcher, cell, field_types(kind)[name].measure) if name else None
-            found = found.with_value(f"{address}.{name}", value) if found is not None and value is not None else None
-    return found
+            filled = filled.with_value(f"{address}.{name}", value) if filled is not None and value is not None else None
+    return filled
 
 
 def _cell_value(matcher: Matcher, cell: str, measure: Measure | None) -> float | str | None:
@@ -206,11 +206,11 @@ class ScriptedWriter(Writer):
         if isinstance(saying, PartLines):
             return super()._say(saying, part, address)
         if isinstance(saying, Each):
-            said = bool(getattr(part, saying.field))
+            is_stated = bool(getattr(part, saying.field))
         else:
-            told = topic_of(saying) not in self._without
-            said = told and self.says_line(saying, sentence_templates(saying, part)[0], part)
-        return super()._say(saying, part, address) if said else []
+            included = topic_of(saying) not in self._without
+            is_stated = included and self.says_line(saying, sentence_templates(saying, part)[0], part)
+        return super()._say(saying, part, address) if is_stated else []
 
 
 def _voice(given: Mapping[str, str], unknown: Collection[str]) -> Voice:
@@ -262,10 +262,10 @@ def prove(scene: Scene, state: ParseState, text: tuple[str, ...], given: Mapping
         first.sentences()
         order = tuple(first.told)
     echo = ScriptedWriter(scene, state, given, order, without)
-    told = Description(scene, tuple(echo.sentences()), state.names, {})
+    description = Description(scene, tuple(echo.sentences()), state.names, {})
     if spare := given.keys() - {echo.symbols.get(path) for path in echo.told}:
         raise TextError("text", f"it gives ${min(spare)}$, of which it does not speak", "leave it out")
-    again = pieces(told.text)
+    again = pieces(description.text)
     for number, (mine, theirs) in enumerate(zip(again, text, strict=False), start=1):
         if mine != theirs and _plain(mine) != _plain(theirs):
             raise TextError(f"sentence {number}", f"{shown(theirs)} does not fit", f"say {shown(mine)}")

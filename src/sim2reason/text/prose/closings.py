@@ -184,8 +184,10 @@ def _pulleys(several: bool, massive: bool, edges: bool) -> Closing:  # noqa: FBT
         return count > 0 and (count > 1, _has_massive_pulley(scene), _has_edges(scene)) == (several, massive, edges)
 
     pulleys = "massive " * massive + ("pulleys" if several else "pulley")
-    told = tuple(f"{turning}, and {room}." for turning in TURNING[several, massive] for room in ROOM[several, edges])
-    return Closing(f"{pulleys} and room{' on faces' * edges}", needed, told)
+    wordings = tuple(
+        f"{turning}, and {room}." for turning in TURNING[several, massive] for room in ROOM[several, edges]
+    )
+    return Closing(f"{pulleys} and room{' on faces' * edges}", needed, wordings)
 
 
 def _touches(scene: Scene) -> bool:
@@ -201,8 +203,8 @@ def _touches(scene: Scene) -> bool:
 def _gap(frames: Frames, meeting: CollisionPair) -> float:
     """Return the initial gap between two bodies, or a body and a surface, m."""
     other = frames.center(meeting.b).place
-    apart = other if meeting.a is None else minus(other, frames.center(meeting.a).place)
-    return float(hypot(*apart) if meeting.normal is None else dot(meeting.normal, apart)) - meeting.distance
+    separation = other if meeting.a is None else minus(other, frames.center(meeting.a).place)
+    return float(hypot(*separation) if meeting.normal is None else dot(meeting.normal, separation)) - meeting.distance
 
 
 CLOSINGS: tuple[Closing, ...] = (
@@ -270,6 +272,6 @@ def is_assumption(sentence: str) -> bool:
 
 @cache
 def _assumptions() -> re.Pattern[str]:
-    told = [wording for closing in CLOSINGS if closing.role == "assumption" for wording in closing.all_wordings]
-    shown = (re.escape(wording[:1].upper() + wording[1:]) for wording in told)
+    wordings = [wording for closing in CLOSINGS if closing.role == "assumption" for wording in closing.all_wordings]
+    shown = (re.escape(wording[:1].upper() + wording[1:]) for wording in wordings)
     return re.compile("|".join(re.sub(r"\\\{.*?\\\}", r"\\S.{0,30}", wording) for wording in shown))

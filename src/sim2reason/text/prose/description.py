@@ -64,8 +64,8 @@ class Description:
     def symbolic(self) -> tuple[str, ...]:
         """Return the addresses of the numbers that appear only as symbols, in order."""
         own = {p.path: p for p in self.scene.parameters}
-        said = [(own[path], self.symbols[path]) for path in self.told if path in own and path in self.symbols]
-        return tuple(p.path for p, symbol in said if self.voice(p, symbol) != numeric(p, symbol))
+        stated = [(own[path], self.symbols[path]) for path in self.told if path in own and path in self.symbols]
+        return tuple(p.path for p, symbol in stated if self.voice(p, symbol) != numeric(p, symbol))
 
     def __repr__(self) -> str:
         """Return the name of the scene and the beginning of the text."""
@@ -142,9 +142,9 @@ def written(dry: Writer, seed: int = 0, voice: Voice = numeric, without: Collect
     scene = dry.scene
     names = Names(letters(dry.introduced, scene.bodies), dry.names.nouns)
     final = Writer(scene, names, np.random.default_rng([seed, 2]), voice, tuple(dry.told), without)
-    said, order, left_out = tuple(final.sentences()), tuple(final.told), frozenset(without)
+    sentences, order, left_out = tuple(final.sentences()), tuple(final.told), frozenset(without)
     topics = frozenset(final.topics)
-    return Description(scene, said, names, final.symbols, final.roles, order, seed, voice, left_out, topics, dry)
+    return Description(scene, sentences, names, final.symbols, final.roles, order, seed, voice, left_out, topics, dry)
 
 
 def draft(scene: Scene, seed: int = 0) -> tuple[list[str], Writer]:
@@ -156,11 +156,11 @@ def draft(scene: Scene, seed: int = 0) -> tuple[list[str], Writer]:
 
 def _nouns(scene: Scene, rng: np.random.Generator) -> dict[type[Body], str]:
     """Draw a noun for each class of bodies; the first noun has twice the weight of any other."""
-    classes = sorted({type(body) for body in scene.bodies.values()}, key=lambda held: held.__name__)
-    drawn = {held: held.nouns[max(0, int(rng.integers(-1, len(held.nouns))))] for held in classes}
+    classes = sorted({type(body) for body in scene.bodies.values()}, key=lambda cls: cls.__name__)
+    drawn = {cls: cls.nouns[max(0, int(rng.integers(-1, len(cls.nouns))))] for cls in classes}
     bodies = scene.bodies
     misnamed = {type(body) for body in bodies.values() if not body.suits(drawn[type(body)], bodies)}
-    return {held: held.nouns[0] if held in misnamed else noun for held, noun in drawn.items()}
+    return {cls: cls.nouns[0] if cls in misnamed else noun for cls, noun in drawn.items()}
 
 
 DIGITS = 12  # significant digits of a converted number
@@ -216,8 +216,8 @@ def with_names(marked: Description) -> Description:
     }
 
     def named(sentence: str) -> str:
-        for alone, told in names.items():
-            sentence = sentence.replace(alone, told)
+        for alone, replacement in names.items():
+            sentence = sentence.replace(alone, replacement)
         return sentence if sentence.lstrip().startswith("|") else _with_nouns(sentence, units)
 
     roles = {named(sentence): role for sentence, role in marked.roles.items()}
@@ -236,7 +236,7 @@ def _with_nouns(sentence: str, units: Mapping[str, str]) -> str:
         for symbol, of in units.items():
             if parse_unit(of).dimension == parse_unit(unit).dimension:
                 sentence = re.sub(
-                    rf"({before})(?=\${re.escape(symbol)}\${after})", lambda found, n=noun: f"{found[1]}{n}", sentence
+                    rf"({before})(?=\${re.escape(symbol)}\${after})", lambda match, n=noun: f"{match[1]}{n}", sentence
                 )
     return sentence
 
@@ -244,6 +244,6 @@ def _with_nouns(sentence: str, units: Mapping[str, str]) -> str:
 @cache
 def _named() -> re.Pattern[str]:
     """Return the pattern of a symbol in brackets after the name of a quantity."""
-    held = (kind for body in BODIES.values() for kind in field_types(body).values())
-    names = {kind.measure.name for kind in held if kind.measure is not None}
+    kinds = (kind for body in BODIES.values() for kind in field_types(body).values())
+    names = {kind.measure.name for kind in kinds if kind.measure is not None}
     return re.compile(rf"\((?:{'|'.join(map(re.escape, sorted(names)))}) (\$[^$]+\$)\)")

@@ -62,17 +62,17 @@ def sentence_templates(saying: Saying, part: Any) -> tuple[str, ...]:
 
 def referenced_object(part: Any, path: str) -> Any:
     """Return the value at a slot's path from a part, or the body whose word the slot names; None if absent."""
-    held: Any = part
+    value: Any = part
     for step in path.split("."):
-        if held is None:
+        if value is None:
             return None
-        if isinstance(held, tuple):
-            held = cast("tuple[Any, ...]", held)[_ENDS[step] if step in _ENDS else int(step)]
-        elif isinstance(held, Body) and step in held.words:
-            return held
+        if isinstance(value, tuple):
+            value = cast("tuple[Any, ...]", value)[_ENDS[step] if step in _ENDS else int(step)]
+        elif isinstance(value, Body) and step in value.words:
+            return value
         else:
-            held = getattr(held, step)
-    return held
+            value = getattr(value, step)
+    return value
 
 
 @dataclass(frozen=True)
@@ -113,17 +113,17 @@ def letters(order: Iterable[str], bodies: Mapping[str, Body]) -> dict[str, str]:
     for address in order:
         if bodies[address].letters:
             series.setdefault(bodies[address].letters, []).append(address)
-    found: dict[str, str] = {}
+    letters_by_address: dict[str, str] = {}
     for alphabet, members in series.items():
         if len(members) > 1:
-            found.update({address: letter_at(alphabet, index) for index, address in enumerate(members)})
-    return found
+            letters_by_address.update({address: letter_at(alphabet, index) for index, address in enumerate(members)})
+    return letters_by_address
 
 
 def letter_at(alphabet: str, index: int) -> str:
     """Return the letter at an index of a series; after the last letter a digit is added."""
-    turn, place = divmod(index, len(alphabet))
-    return alphabet[place] + (str(turn + 1) if turn else "")
+    turn, position = divmod(index, len(alphabet))
+    return alphabet[position] + (str(turn + 1) if turn else "")
 
 
 def symbols(parameters: Iterable[Parameter], bodies: Mapping[str, Body], names: Names) -> dict[str, str]:
@@ -135,11 +135,11 @@ def symbols(parameters: Iterable[Parameter], bodies: Mapping[str, Body], names: 
         base = (body.symbols.get(name) if body else None) or parameter.measure.symbol
         letter = names.letters.get(owner, "")
         wanted.setdefault(_subscript(base, letter), []).append(parameter.path)
-    found: dict[str, str] = {}
+    symbols_by_path: dict[str, str] = {}
     for symbol, paths in wanted.items():
         for number, path in enumerate(paths, start=1):
-            found[path] = symbol if len(paths) == 1 else _subscript(symbol, str(number))
-    return found
+            symbols_by_path[path] = symbol if len(paths) == 1 else _subscript(symbol, str(number))
+    return symbols_by_path
 
 
 def _subscript(base: str, mark: str) -> str:
@@ -183,13 +183,13 @@ class RowWriter(Protocol):
 
 def headings(kind: type[Body]) -> dict[str, str]:
     """Return the headings of all columns, by field: symbol and unit."""
-    found: dict[str, str] = {}
-    for name, held in field_types(kind).items():
-        if held.measure is not None and not held.hidden:
-            symbol = kind.symbols.get(name, held.measure.symbol)
-            unit = show_unit(held.measure.unit)
-            found[name] = f"${symbol}$" + (f" ({unit})" if unit else "")
-    return found
+    headings_by_field: dict[str, str] = {}
+    for name, field_type in field_types(kind).items():
+        if field_type.measure is not None and not field_type.hidden:
+            symbol = kind.symbols.get(name, field_type.measure.symbol)
+            unit = show_unit(field_type.measure.unit)
+            headings_by_field[name] = f"${symbol}$" + (f" ({unit})" if unit else "")
+    return headings_by_field
 
 
 def table(writer: RowWriter, leads: tuple[str, ...], where: list[str], members: tuple[Body, ...]) -> list[str]:
@@ -200,20 +200,20 @@ def table(writer: RowWriter, leads: tuple[str, ...], where: list[str], members: 
     shown = [name for name in columns if name not in shared]
     owner = where[0].rpartition(".")[0].rpartition(".")[0]
     lead = writer.finish(writer.render(introduced(writer.choose(leads or LEAD_INS), noun, kind, shown), owner))
-    said = [f"{shared_start(kind, name)}{writer.at(f'{where[0]}.{name}')}." for name in shared]
+    sentences = [f"{shared_start(kind, name)}{writer.at(f'{where[0]}.{name}')}." for name in shared]
     rows: list[tuple[str, ...]] = [(noun, *(columns[name] for name in shown))]
     rows.append(tuple("---" for _ in rows[0]))
     for address in where:
         cells = [_cell(writer.at(f"{address}.{name}")) for name in shown]
         rows.append((writer.names.letters.get(address, ""), *cells))
     drawn = "\n".join("| " + " | ".join(row) + " |" for row in rows)
-    return [lead, *said, f"\n\n{drawn}\n\n"]
+    return [lead, *sentences, f"\n\n{drawn}\n\n"]
 
 
 def _agrees(writer: RowWriter, name: str, where: list[str], members: tuple[Body, ...]) -> bool:
     """Return whether all rows have the same number in a column (an unknown in all of them counts as the same)."""
-    said = {writer.at(f"{address}.{name}") for address in where}
-    return len({getattr(member, name) for member in members}) == 1 and len(said) in (1, len(where))
+    texts = {writer.at(f"{address}.{name}") for address in where}
+    return len({getattr(member, name) for member in members}) == 1 and len(texts) in (1, len(where))
 
 
 def introduced(lead: str, noun: str, kind: type[Body], shown: list[str]) -> str:

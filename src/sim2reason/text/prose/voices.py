@@ -83,22 +83,22 @@ class Terms(ABC):
     @cached_property
     def parameters(self) -> dict[str, Parameter]:
         """Return all declared numbers by address, including those of bodies on strings."""
-        found = {parameter.path: parameter for parameter in self.scene.parameters}
+        parameters_by_path = {parameter.path: parameter for parameter in self.scene.parameters}
         for address, body in self.scene.bodies.items():
-            found.update({parameter.path: parameter for parameter in parameters(body, address)})
-        return found
+            parameters_by_path.update({parameter.path: parameter for parameter in parameters(body, address)})
+        return parameters_by_path
 
     @cached_property
     def symbols(self) -> dict[str, str]:
         """Return the symbols by address of all numbers that the text states, or only those of the hidden numbers."""
         first = [self.parameters[path] for path in self._order]
         every = {p.path: p for p in (*first, *self.parameters.values())}.values()
-        said = [p for p in every if not p.hidden and p.value is not None and not self._by_word(p.path)]
+        stated = [p for p in every if not p.hidden and p.value is not None and not self._by_word(p.path)]
         if isinstance(self._voice, Hiding):
-            said = [p for p in said if p.path in self._voice.paths]
+            stated = [p for p in stated if p.path in self._voice.paths]
         if self._voice is not symbolic:  # else zeros are told by their symbols
-            said = _zeros_last(said)
-        return symbols(said, self.scene.bodies, self.names)
+            stated = _zeros_last(stated)
+        return symbols(stated, self.scene.bodies, self.names)
 
     def word(self, word: Word, value: Any, render: Callable[[str], str]) -> str:
         """Return the word that a text uses for a value, such as *smooth* for zero friction."""
@@ -115,7 +115,7 @@ class Terms(ABC):
             return self.word(word, getattr(body, word.parameter), lambda inner: self._of_body(inner, owner))
         if address in self.scene.bodies:
             return self.introduce(address, start=start)
-        members = [found for found in self.scene.bodies if found.rpartition(".")[0] == address]
+        members = [body_address for body_address in self.scene.bodies if body_address.rpartition(".")[0] == address]
         return self._list(members, start=start)
 
     def number(self, address: str) -> str:

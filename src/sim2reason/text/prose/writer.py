@@ -71,18 +71,18 @@ class Writer(Terms):
 
     def sentences(self) -> list[str]:
         """Return all sentences: for each string its new entities and the string itself, then the closing sentences."""
-        told: list[str] = []
+        lines: list[str] = []
         done: set[str] = set()
         for name in self._string_order():
             joint = self.scene.joints[name]
             for entity in dict.fromkeys(stop.owner.split(".")[0] for stop in joint.stops):
-                told.extend(self._lines(entity, done))
+                lines.extend(self._lines(entity, done))
             if name.split(".")[0] not in done:  # connections inside entities are told with their lines
-                told.append(self.finish(joint.describe(self)))
+                lines.append(self.finish(joint.describe(self)))
         for named in self.scene.entities:
-            told.extend(self._lines(named.name, done))
-        told.extend(self._closings())
-        return told
+            lines.extend(self._lines(named.name, done))
+        lines.extend(self._closings())
+        return lines
 
     def _string_order(self) -> list[str]:
         """Return the names of the connections, each after one that shares an entity with it where possible."""
@@ -104,17 +104,17 @@ class Writer(Terms):
             return []
         done.add(name)
         entity = self.scene.entity(name)
-        told = self._part_lines(entity, name)
+        lines = self._part_lines(entity, name)
         for joint in self.scene.joints.values():
             if joint.name.startswith(f"{name}."):
-                told.append(self.finish(joint.describe(self)))
-        return told
+                lines.append(self.finish(joint.describe(self)))
+        return lines
 
     def _part_lines(self, part: Part, address: str) -> list[str]:
         placed = {saying.field for saying in part.says if isinstance(saying, PartLines)}
         first = [PartLines(field) for field in type(part).model_fields if field not in placed]
-        said = (saying for saying in (*first, *part.says) if not self._passes_over(saying, part))
-        return [line for saying in said for line in self._say(saying, part, address)]
+        sayings = (saying for saying in (*first, *part.says) if not self._passes_over(saying, part))
+        return [line for saying in sayings for line in self._say(saying, part, address)]
 
     def _passes_over(self, saying: Saying, part: Part) -> bool:
         """Return whether to omit an inapplicable sentence that scenes rarely need, without drawing a wording for it."""
@@ -124,7 +124,7 @@ class Writer(Terms):
     def _say(self, saying: Saying, part: Part, address: str) -> list[str]:
         if isinstance(saying, PartLines):
             inner = parts_at(part, saying.field).items()
-            return [line for path, held in inner for line in self._part_lines(held, f"{address}.{path}")]
+            return [line for path, inner_part in inner for line in self._part_lines(inner_part, f"{address}.{path}")]
         template = self.choose(sentence_templates(saying, part))
         if not isinstance(saying, Each):
             topic = topic_of(saying)
@@ -152,13 +152,13 @@ class Writer(Terms):
             if slot.kind != "path" or "*" in slot.path:
                 continue
             word = type(part).words.get(slot.path)
-            held = referenced_object(part, word.parameter if word is not None else slot.path)
-            if held is None:
+            value = referenced_object(part, word.parameter if word is not None else slot.path)
+            if value is None:
                 return False
             if word is not None:
                 continue
             owner, _, name = slot.path.rpartition(".")
-            if not owner and type(part).is_stated_by_word(name, held):
+            if not owner and type(part).is_stated_by_word(name, value):
                 return False
             body = referenced_object(part, owner) if owner else part
             if isinstance(body, Body) and name in field_types(type(body)) and body.is_stated_by_word(name):
@@ -167,15 +167,15 @@ class Writer(Terms):
 
     def _closings(self) -> list[str]:
         """Return the closing sentences; where g is a symbol, one names it instead of *g = g*."""
-        told: list[str] = []
-        for found in closings(self.scene):
-            if self.leaves_out(found):
-                self.pass_over(found.wordings)
+        lines: list[str] = []
+        for closing in closings(self.scene):
+            if self.leaves_out(closing):
+                self.pass_over(closing.wordings)
                 continue
-            sentence = self.render(self.choose(found.wordings), "")
-            said = self.render(found.of_symbol, "") if "g = $g$" in sentence else sentence
-            told.append(self._as(found.role, self.finish(said), found.topic))
-        return told
+            sentence = self.render(self.choose(closing.wordings), "")
+            text = self.render(closing.of_symbol, "") if "g = $g$" in sentence else sentence
+            lines.append(self._as(closing.role, self.finish(text), closing.topic))
+        return lines
 
     def leaves_out(self, closing: Closing) -> bool:
         """Return whether to omit a closing sentence, because its topic or the description of the start is omitted."""

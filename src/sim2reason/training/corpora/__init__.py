@@ -62,11 +62,11 @@ class Corpus(BaseModel, ABC):
 CORPORA: Registry[type[Corpus]] = Registry("training.corpora")
 
 
-def corpus_from(settings: Mapping[str, object], place: str = "corpus") -> Corpus:
+def corpus_from(settings: Mapping[str, object], location: str = "corpus") -> Corpus:
     """Return the corpus described by settings; `kind` is its registered name.
 
     Raises:
         TrainingError: a setting that is unknown, missing or makes no sense.
         UnknownNameError: no such kind.
     """
-    return build_member(CORPORA, settings, place, TrainingError)
+    return build_member(CORPORA, settings, location, TrainingError)

@@ -32,9 +32,9 @@ Changes = Callable[[Expression], Iterator[Expression]]
 """All ways in which a formula, apart from its parts, is changed by one slip."""
 
 
-def _function(held: Expression) -> Iterator[Expression]:
+def _function(expression: Expression) -> Iterator[Expression]:
     """Yield the expression with sine and cosine exchanged."""
-    match held:
+    match expression:
         case Call("sin", angle):
             yield Call("cos", angle)
         case Call("cos", angle):
@@ -43,31 +43,31 @@ def _function(held: Expression) -> Iterator[Expression]:
             pass
 
 
-def _factor(held: Expression) -> Iterator[Expression]:
+def _factor(expression: Expression) -> Iterator[Expression]:
     """Yield the expression without its numeric factor, such as one half."""
-    match held:
+    match expression:
         case Product((Number(x), *rest)) if abs(x) != 1.0:
-            yield Number(1.0 if x > 0.0 else -1.0) * held.built_of(rest)
+            yield Number(1.0 if x > 0.0 else -1.0) * expression.built_of(rest)
         case _:
             pass
 
 
-def _sign(held: Expression) -> Iterator[Expression]:
+def _sign(expression: Expression) -> Iterator[Expression]:
     """Yield the expression with the sign of one term changed."""
-    match held:
+    match expression:
         case Sum(terms):
-            for place in range(1, len(terms)):
-                yield held.built_of([-term if n == place else term for n, term in enumerate(terms)])
+            for index in range(1, len(terms)):
+                yield expression.built_of([-term if n == index else term for n, term in enumerate(terms)])
         case _:
             pass
 
 
-def _term(held: Expression) -> Iterator[Expression]:
+def _term(expression: Expression) -> Iterator[Expression]:
     """Yield the expression without one term."""
-    match held:
+    match expression:
         case Sum(terms):
-            for place in range(len(terms)):
-                yield held.built_of([term for n, term in enumerate(terms) if n != place])
+            for index in range(len(terms)):
+                yield expression.built_of([term for n, term in enumerate(terms) if n != index])
         case _:
             pass
 
@@ -76,23 +76,23 @@ SLIPS: Final[Mapping[str, Changes]] = {"factor": _factor, "function": _function,
 """The kinds of slips by name."""
 
 
-def slipped(held: Definitions, shares: Mapping[str, float], rng: np.random.Generator) -> Definitions:
+def slipped(formulas: Definitions, shares: Mapping[str, float], rng: np.random.Generator) -> Definitions:
     """Return the formulas of a solution with random errors, each kind of error with its own probability."""
     for kind, share in sorted(shares.items()):
         wrong = rng.random() < share
-        ways = [(name, way) for name, formula in held.items() for way in _anywhere(formula, SLIPS[kind])]
+        ways = [(name, variant) for name, formula in formulas.items() for variant in _anywhere(formula, SLIPS[kind])]
         if wrong and ways:
-            name, way = ways[int(rng.integers(len(ways)))]
-            held = {**held, name: way}
-    return held
+            name, variant = ways[int(rng.integers(len(ways)))]
+            formulas = {**formulas, name: variant}
+    return formulas
 
 
-def _anywhere(held: Expression, changes: Changes) -> Iterator[Expression]:
+def _anywhere(expression: Expression, changes: Changes) -> Iterator[Expression]:
     """Yield the variants of a formula with one error, in itself or in one of its parts."""
-    yield from changes(held)
-    for place, part in enumerate(held.parts):
+    yield from changes(expression)
+    for index, part in enumerate(expression.parts):
         for changed in _anywhere(part, changes):
-            yield held.built_of([changed if n == place else other for n, other in enumerate(held.parts)])
+            yield expression.built_of([changed if n == index else other for n, other in enumerate(expression.parts)])
 
 
 WIDEST: Final = log(2.5)  # logarithm of the largest factor on a number
@@ -121,17 +121,17 @@ def renumbered(prompt: str, solution: Solution, rng: np.random.Generator) -> tup
 
 def _changed(prompt: str, solution: Solution, rng: np.random.Generator) -> tuple[str, dict[str, float]]:
     """Return the prompt with other numbers, and the new given values."""
-    places = [(found.span(), found.group()) for found in _NUMBER.finditer(prompt)]
+    places = [(matches.span(), matches.group()) for matches in _NUMBER.finditer(prompt)]
     numbers, changes = dict(given(solution)), list[Place]()
     for name, value in numbers.items():
-        said, found = abs(value), _positions(places, abs(value))
-        if angle := not found:
-            said = degrees(said)
-            found = _positions(places, said)
-        if name in CONSTANTS or len(found) != 1 or not value:
+        magnitude, matches = abs(value), _positions(places, abs(value))
+        if angle := not matches:
+            magnitude = degrees(magnitude)
+            matches = _positions(places, magnitude)
+        if name in CONSTANTS or len(matches) != 1 or not value:
             continue
-        span, text = found[0]
-        new = _like(text, said * float(np.exp(rng.uniform(-WIDEST, WIDEST))))
+        span, text = matches[0]
+        new = _like(text, magnitude * float(np.exp(rng.uniform(-WIDEST, WIDEST))))
         if float(new) == 0.0 or (angle and float(new) > STEEPEST):
             continue
         changes.append((span, new))
@@ -159,12 +159,12 @@ def _values(solution: Solution, numbers: Mapping[str, float]) -> dict[str, float
     values = dict(numbers)
     for name, formula in definitions(solution).items():
         try:
-            found = formula.value(values)
+            value = formula.value(values)
         except (ArithmeticError, ValueError):
             return None
-        if isinstance(found, complex) or not isfinite(found) or found * solution.values[name] <= 0.0:
+        if isinstance(value, complex) or not isfinite(value) or value * solution.values[name] <= 0.0:
             return None
-        values[name] = found
+        values[name] = value
     return values if solution.goal in values else None
 
 
@@ -211,10 +211,10 @@ class Arithmetic(Corpus):
         rows = list[Row]()
         for number in range(self.rows_each):
             rng = generator("corpus", request.id, number)
-            prompt, held = (number and renumbered(item.prompt, solution, rng)) or (item.prompt, solution)
-            right, text = arithmetic(held), arithmetic(held, self._slips(rng))
+            prompt, variant = (number and renumbered(item.prompt, solution, rng)) or (item.prompt, solution)
+            right, text = arithmetic(variant), arithmetic(variant, self._slips(rng))
             if text:
-                known = fingerprint(item) if held is solution else ""
+                known = fingerprint(item) if variant is solution else ""
                 rows.append(Row(prompt, text, _answer(text) == _answer(right), known))
         return rows
 

@@ -46,7 +46,7 @@ class UnwrittenError(Exception):
 def definitions(solution: Solution) -> Definitions:
     """Return the formulas that lead from the given numbers to the answer, in order; empty if there are none."""
     known = given(solution)
-    found: dict[str, Expression] = {}
+    formulas: dict[str, Expression] = {}
     for relation in solution.relations:
         name = relation.left.latex()
         if (
@@ -54,17 +54,17 @@ def definitions(solution: Solution) -> Definitions:
             and relation.role not in ("given", *CHECKS)
             and name not in known
             and name in solution.values
-            and all(symbol in known or symbol in found for symbol in relation.right.symbols())
+            and all(symbol in known or symbol in formulas for symbol in relation.right.symbols())
         ):
-            found.setdefault(name, relation.right)
+            formulas.setdefault(name, relation.right)
     needed = set[str]()
-    for name in reversed([*found]):
+    for name in reversed([*formulas]):
         if name == solution.goal or name in needed:
-            needed.update((name, *found[name].symbols()))
-    return {name: formula for name, formula in found.items() if name in needed} if solution.goal in found else {}
+            needed.update((name, *formulas[name].symbols()))
+    return {name: formula for name, formula in formulas.items() if name in needed} if solution.goal in formulas else {}
 
 
-def arithmetic(solution: Solution, slip: Callable[[Definitions], Definitions] = lambda held: held) -> str:
+def arithmetic(solution: Solution, slip: Callable[[Definitions], Definitions] = lambda mapping: mapping) -> str:
     """Return a solution as arithmetic operations with the boxed answer; empty if a formula has no such form.
 
     `slip` may replace formulas by wrong ones, whose consequences are computed consistently.
@@ -133,13 +133,13 @@ class _Written:
     def define(self, name: str, formula: Expression) -> None:
         """Write the operations that evaluate a formula; the last operation gives the result its name."""
         before = len(self.steps)
-        found = self._operand(formula)
+        operand = self._operand(formula)
         plain = UNWRITTEN.sub("", name)
         if len(self.steps) == before:
-            self.steps.append(f"{plain}={found.text}")
+            self.steps.append(f"{plain}={operand.text}")
         else:
             self.steps[-1] = f"{plain}={self.steps[-1]}"
-        self.values[name] = found
+        self.values[name] = operand
 
     def _operand(self, held: Expression) -> _Operand:
         match held:
@@ -220,22 +220,26 @@ class _Written:
                 under = self._operand(inside)
                 return self._step(f"sqrt{under.text}", under.value**0.5)
             case Absolute(inside):
-                found = self._operand(inside)
-                return _Operand(found.text.removeprefix("-"), abs(found.value))
+                operand = self._operand(inside)
+                return _Operand(operand.text.removeprefix("-"), abs(operand.value))
             case Call():
-                found = self._called(held)
-                return self._step(found.text, found.value)
+                operand = self._called(held)
+                return self._step(operand.text, operand.value)
             case _:
                 raise UnwrittenError
 
 
-def _repeated(held: Expression) -> Iterator[Expression]:
+def _repeated(expression: Expression) -> Iterator[Expression]:
     """Yield the factors of a power, one by one."""
-    if isinstance(held, Power) and 0 < held.exponent <= LONGEST_POWER and not isinstance(held.base, Call):
-        yield from (held.base for _ in range(held.exponent))
+    if (
+        isinstance(expression, Power)
+        and 0 < expression.exponent <= LONGEST_POWER
+        and not isinstance(expression.base, Call)
+    ):
+        yield from (expression.base for _ in range(expression.exponent))
     else:
-        yield held
+        yield expression
 
 
-def _values(held: Mapping[str, _Operand]) -> dict[str, float]:
-    return {name: each.value for name, each in held.items()}
+def _values(operands: Mapping[str, _Operand]) -> dict[str, float]:
+    return {name: each.value for name, each in operands.items()}

@@ -58,27 +58,29 @@ def rows_in(path: Path, prompt: str = "prompt", completion: str = "completion") 
             if len(line) > LONGEST:
                 raise TrainingError(f"{path}:{count}: more than {LONGEST} bytes; a line is one row")
             if line.strip():
-                place = f"{path}:{count}"
-                held = _object(line, place)
-                yield Row(_text(held, prompt, place), _text(held, completion, place))
+                location = f"{path}:{count}"
+                record = _object(line, location)
+                yield Row(_text(record, prompt, location), _text(record, completion, location))
 
 
-def _object(line: bytes, place: str) -> dict[str, object]:
+def _object(line: bytes, location: str) -> dict[str, object]:
     try:
-        found = json.loads(line)
+        record = json.loads(line)
     except (ValueError, RecursionError) as error:
-        raise TrainingError(f"{place}: no JSON: {' '.join(str(error).split())[:120]}; a line is one object") from None
-    if not isinstance(found, dict):
-        raise TrainingError(f"{place}: no object; a line is one, with a prompt and a completion")
-    return cast("dict[str, object]", found)
+        raise TrainingError(
+            f"{location}: no JSON: {' '.join(str(error).split())[:120]}; a line is one object"
+        ) from None
+    if not isinstance(record, dict):
+        raise TrainingError(f"{location}: no object; a line is one, with a prompt and a completion")
+    return cast("dict[str, object]", record)
 
 
-def _text(held: dict[str, object], name: str, place: str) -> str:
+def _text(record: dict[str, object], name: str, location: str) -> str:
     """Return a nonempty text field, with unpaired surrogates replaced."""
-    found = held.get(name)
-    if not isinstance(found, str) or not found.strip():
-        raise TrainingError(f"{place}: its field {name[:80]!r} is no text; name the fields of the file")
-    return found.encode(errors="replace").decode()
+    value = record.get(name)
+    if not isinstance(value, str) or not value.strip():
+        raise TrainingError(f"{location}: its field {name[:80]!r} is no text; name the fields of the file")
+    return value.encode(errors="replace").decode()
 
 
 PROBLEMS_PER_TASK = 16  # problems that a process makes per task, at most
@@ -94,33 +96,33 @@ def drawn_rows(
 
     There are fewer rows if problems are too rare. Problems without rows are counted under `reason`.
     """
-    found, size = 0, min(PROBLEMS_PER_TASK, items)
+    completed, size = 0, min(PROBLEMS_PER_TASK, items)
     with ProcessPoolExecutor(workers, mp_context=ALONE, initializer=begin_worker) as pool:
         ahead = [pool.submit(_stretch, problems, rows_of, number, size) for number in range(2 * workers)]
         for number in count(len(ahead)):
             for rows in ahead.pop(0).result():
-                if rows and found < items:
-                    found += 1
+                if rows and completed < items:
+                    completed += 1
                     yield from rows
                 elif not rows:
                     left_out[reason] += 1
-            if found >= items or number > EMPTY * ceil(items / size):
+            if completed >= items or number > EMPTY * ceil(items / size):
                 break
             ahead.append(pool.submit(_stretch, problems, rows_of, number, size))
         pool.shutdown(wait=True, cancel_futures=True)
-    if found < items:
-        left_out["given up"] += items - found
+    if completed < items:
+        left_out["given up"] += items - completed
 
 
 def _stretch(problems: Fresh, rows_of: RowsOf, number: int, size: int) -> list[list[Row]]:
     """Return the rows (prompts with completions) of each problem in an interval of indices."""
-    cells, found = problems.cells, list[list[Row]]()
-    for place in range(number * size, (number + 1) * size):
-        index, cell = divmod(place, len(cells))
+    cells, results = problems.cells, list[list[Row]]()
+    for position in range(number * size, (number + 1) * size):
+        index, cell = divmod(position, len(cells))
         rows = rows_of(problems.request(cells[cell], index))
         if rows is not None:
-            found.append(rows)
-    return found
+            results.append(rows)
+    return results
 
 
 IGNORED = -100  # label of a token that is excluded from the loss, as in torch
@@ -185,15 +187,15 @@ def _batches(slices: Iterator[list[EncodedRow]], limits: Limits, left_out: Count
     for rows in slices:
         excess = [row.excess(limits) for row in rows]
         left_out.update(why for why in excess if why)
-        held = [row for row, why in zip(rows, excess, strict=True) if not why]
-        tokens, labels = _lists([row.tokens for row in held]), _lists([row.labels for row in held])
+        kept = [row for row, why in zip(rows, excess, strict=True) if not why]
+        tokens, labels = _lists([row.tokens for row in kept]), _lists([row.labels for row in kept])
         yield pa.record_batch({"input_ids": tokens, "labels": labels, "length": tokens.value_lengths()})
 
 
-def _lists(held: Sequence[Sequence[int]]) -> pa.ListArray:
+def _lists(lists: Sequence[Sequence[int]]) -> pa.ListArray:
     """Return lists as one array, which is much faster than type inference by pyarrow."""
-    ends = np.cumsum([0, *map(len, held)], dtype=np.int32)
-    values = np.fromiter(chain.from_iterable(held), np.int32, count=int(ends[-1]))
+    ends = np.cumsum([0, *map(len, lists)], dtype=np.int32)
+    values = np.fromiter(chain.from_iterable(lists), np.int32, count=int(ends[-1]))
     return pa.ListArray.from_arrays(ends, values)
 
 
@@ -211,12 +213,12 @@ def templated(row: Row, tokenizer: External) -> tuple[str, str]:
 
     If a template changes earlier turns, the completion is used without the template.
     """
-    asked = [{"role": "user", "content": row.prompt}]
-    said = [*asked, {"role": "assistant", "content": row.completion}]
-    prompt = tokenizer.apply_chat_template(asked, tokenize=False, add_generation_prompt=True)
-    whole = tokenizer.apply_chat_template(said, tokenize=False)
-    rest = whole.removeprefix(prompt).rstrip()
-    if not whole.startswith(prompt) or row.completion.strip() not in rest:
+    prompt_messages = [{"role": "user", "content": row.prompt}]
+    all_messages = [*prompt_messages, {"role": "assistant", "content": row.completion}]
+    prompt = tokenizer.apply_chat_template(prompt_messages, tokenize=False, add_generation_prompt=True)
+    rendered = tokenizer.apply_chat_template(all_messages, tokenize=False)
+    rest = rendered.removeprefix(prompt).rstrip()
+    if not rendered.startswith(prompt) or row.completion.strip() not in rest:
         return prompt, row.completion
     return prompt, rest
 
@@ -264,22 +266,22 @@ def mixed(corpora: Sequence[Corpus], seed: int, avoid: frozenset[str] = frozense
     rows, counts = list[Row](), list[Counted]()
     for number, corpus in enumerate(corpora):
         left_out = Counter[str]()
-        found = list(islice(corpus.rows(left_out), min(corpus.limit or MOST_ROWS, MOST_ROWS)))
-        held = [row for row in found if not {row.prompt, row.fingerprint} & avoid]
-        if len(held) < len(found):
-            left_out["held out"] += len(found) - len(held)
+        candidates = list(islice(corpus.rows(left_out), min(corpus.limit or MOST_ROWS, MOST_ROWS)))
+        kept = [row for row in candidates if not {row.prompt, row.fingerprint} & avoid]
+        if len(kept) < len(candidates):
+            left_out["held out"] += len(candidates) - len(kept)
         kind = CORPORA.name_of(corpus)
-        if not held:
+        if not kept:
             why = f"left out: {counted(left_out)}" if left_out else "it is empty"
             raise TrainingError(f"corpora[{number}]: no row to learn from in this {kind}; {why}")
-        chosen = _weighted(held, corpus.weight, generator("corpus", seed, number))
+        chosen = _weighted(kept, corpus.weight, generator("corpus", seed, number))
         rows += chosen
         if len(rows) > MOST_ROWS:
             raise TrainingError(f"corpora[{number}].weight: more than {MOST_ROWS} rows in all; give a smaller one")
-        wrong = sum(row.right is False for row in held)
-        counts.append(Counted(kind, len(held), len(chosen), wrong, dict(sorted(left_out.items()))))
+        wrong = sum(row.right is False for row in kept)
+        counts.append(Counted(kind, len(kept), len(chosen), wrong, dict(sorted(left_out.items()))))
     order = generator("mix", seed).permutation(len(rows))
-    return Mix([rows[place] for place in order], counts)
+    return Mix([rows[index] for index in order], counts)
 
 
 def counted(reasons: Mapping[str, int]) -> str:
@@ -291,4 +293,4 @@ def _weighted(rows: list[Row], weight: float, rng: np.random.Generator) -> list[
     """Return the rows repeated as often as the weight says, with a random part for its fraction; at least one row."""
     times, part = divmod(weight, 1.0)
     more = rng.permutation(len(rows))[: round(part * len(rows))]
-    return rows * int(times) + [rows[place] for place in sorted(more)] or [rows[0]]
+    return rows * int(times) + [rows[index] for index in sorted(more)] or [rows[0]]

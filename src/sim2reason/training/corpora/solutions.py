@@ -137,7 +137,7 @@ def _finished(items: list[Item], out: Path, plan: PolicyPass, splits: tuple[str,
     left_out = Counter[str]()
     rows = list(_kept(items, out / SAMPLES, k, keep, left_out))
     _put_rows(out, rows)
-    found = Sampled(
+    record = Sampled(
         plan=plan,
         splits=splits,
         tries=k,
@@ -150,8 +150,8 @@ def _finished(items: list[Item], out: Path, plan: PolicyPass, splits: tuple[str,
         solutions=checksum(out / SOLUTIONS),
         versions={"sim2reason": version("sim2reason")},
     )
-    put_text(out / RESULT, canonical(found.model_dump(mode="json")), out)
-    return found
+    put_text(out / RESULT, canonical(record.model_dump(mode="json")), out)
+    return record
 
 
 def _put_rows(out: Path, rows: list[dict[str, str | int]]) -> None:
@@ -167,41 +167,41 @@ def _kept(
 ) -> Iterator[dict[str, str | int]]:
     """Yield the solutions in the order of the items and of their tries, whatever the order of responses."""
     by_id = {item.id: list[FinishedSample]() for item in items}
-    for found in finished(journal):
-        if found.sample < k and found.id in by_id:
-            by_id[found.id].append(found)
+    for sample in finished(journal):
+        if sample.sample < k and sample.id in by_id:
+            by_id[sample.id].append(sample)
     for item in items:
         seen = set[str]()
-        for found in sorted(by_id[item.id], key=lambda each: each.sample):
-            why = _why_not(item, found.completion, seen, keep)
+        for sample in sorted(by_id[item.id], key=lambda each: each.sample):
+            why = _why_not(item, sample.completion, seen, keep)
             if why:
                 left_out[why] += 1
                 continue
-            seen.add(_told(found.completion))
+            seen.add(_told(sample.completion))
             yield {
                 "id": item.id,
                 "prompt": item.prompt,
-                "completion": found.completion.whole,
-                "sample": found.sample,
+                "completion": sample.completion.whole,
+                "sample": sample.sample,
             }
 
 
-def _why_not(item: Item, said: Completion, seen: set[str], keep: int) -> str:
+def _why_not(item: Item, completion: Completion, seen: set[str], keep: int) -> str:
     """Return the reason why a response is not kept as a solution; empty if it is kept."""
     asked_for = benchmark_item(item)
-    ending = ending_of(said, SCORINGS[asked_for.scoring].award(said.whole, asked_for.reference))
+    ending = ending_of(completion, SCORINGS[asked_for.scoring].award(completion.whole, asked_for.reference))
     if ending is not Ending.CORRECT:
         return str(ending)
-    if said.finish not in ("stop", "unknown"):  # a right answer, and then no end, or a filter
-        return str(Ending.TRUNCATED if said.finish == "length" else Ending.REFUSED)
-    if _told(said) in seen:
+    if completion.finish not in ("stop", "unknown"):  # a right answer, and then no end, or a filter
+        return str(Ending.TRUNCATED if completion.finish == "length" else Ending.REFUSED)
+    if _told(completion) in seen:
         return DUPLICATE
     return BEYOND if len(seen) >= keep else ""
 
 
-def _told(said: Completion) -> str:
+def _told(completion: Completion) -> str:
     """Return a response with all white space reduced to single spaces."""
-    return " ".join(said.whole.split())
+    return " ".join(completion.whole.split())
 
 
 @CORPORA.register("jsonl")
@@ -235,14 +235,14 @@ class SampledSolutions(Corpus):
         """Yield the prompts with correct responses in the folder of solutions, after checking its hash."""
         del left_out
         try:
-            found = Sampled.model_validate_json((self.folder / RESULT).read_bytes())
+            record = Sampled.model_validate_json((self.folder / RESULT).read_bytes())
         except FileNotFoundError:
             raise TrainingError(
                 f"{self.folder}: no {RESULT} here; give a folder that sim2reason sample-solutions has finished"
             ) from None
         except ValidationError:
             raise TrainingError(f"{self.folder / RESULT}: damaged; give the same sample-solutions again") from None
-        if checksum(self.folder / SOLUTIONS) != found.solutions:
+        if checksum(self.folder / SOLUTIONS) != record.solutions:
             raise TrainingError(f"{self.folder / SOLUTIONS}: changed or missing; give the same sample-solutions again")
         return rows_in(self.folder / SOLUTIONS)
 

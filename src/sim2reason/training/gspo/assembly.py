@@ -119,15 +119,15 @@ def _updates(settings: GSPOSettings, micro: int, accumulation: int) -> dict[str,
 
 def _rollouts(settings: GSPOSettings) -> dict[str, Any]:
     """Return TRL's options for the generation of completions."""
-    found: dict[str, Any] = {
+    options: dict[str, Any] = {
         "num_generations": settings.generations,
         "max_completion_length": settings.max_completion_tokens,
         "temperature": settings.temperature,
     }
     vllm: VllmSettings | None = settings.vllm
     if vllm is None:
-        return found
-    return found | {
+        return options
+    return options | {
         "use_vllm": True,
         "vllm_mode": vllm.mode,
         "vllm_gpu_memory_utilization": vllm.memory,

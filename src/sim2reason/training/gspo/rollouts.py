@@ -45,8 +45,10 @@ def cut(output: dict[str, Tensor], number: int, generations: int) -> Group:
     completion = max(int(output["completion_mask"][rows].sum(dim=1).max()), 1)
     group: Group = {}
     for name in sorted(output.keys() - BATCH):
-        held = output[name][rows]
-        group[name] = held[:, -prompt:] if name in PROMPT else held[:, :completion] if name in COMPLETION else held
+        tensor = output[name][rows]
+        group[name] = (
+            tensor[:, -prompt:] if name in PROMPT else tensor[:, :completion] if name in COMPLETION else tensor
+        )
     return group
 
 
@@ -55,10 +57,10 @@ def filler(size: int, token: int, device: object) -> Group:
     torch = library("torch")
     ids = torch.full((size, 1), token, device=device)
     nothing = torch.zeros(size, 1, device=device)
-    found: Group = dict.fromkeys(COMPLETION, nothing)
-    found |= {"prompt_ids": ids, "prompt_mask": torch.ones_like(ids)}
-    found |= {"completion_ids": ids, "completion_mask": torch.zeros_like(ids)}
-    return found | {"advantages": nothing[:, 0], "importance_sampling_ratio": torch.ones_like(nothing)}
+    group: Group = dict.fromkeys(COMPLETION, nothing)
+    group |= {"prompt_ids": ids, "prompt_mask": torch.ones_like(ids)}
+    group |= {"completion_ids": ids, "completion_mask": torch.zeros_like(ids)}
+    return group | {"advantages": nothing[:, 0], "importance_sampling_ratio": torch.ones_like(nothing)}
 
 
 def join(groups: Sequence[Group], token: int) -> dict[str, Tensor]:
@@ -82,7 +84,7 @@ def _padded(part: Tensor, width: int, fill: int, *, left: bool) -> Tensor:
 
 def moved(group: Group, device: object) -> Group:
     """Return a group of completions on another device."""
-    return {name: held.to(device) for name, held in group.items()}
+    return {name: tensor.to(device) for name, tensor in group.items()}
 
 
 def score(trainer: Any, batch: dict[str, Tensor]) -> None:  # noqa: ANN401 - ours, which imports this module
@@ -140,8 +142,8 @@ class Rollouts:
         mask = [[0] * (width - len(prompt)) + [1] * len(prompt) for prompt in prompts]
         ids, mask = (torch.tensor(each, device=trainer.accelerator.device) for each in (rows, mask))
         ends = frozenset(trainer.eos_token_ids)
-        found = self._decoder(ids, mask, trainer.max_completion_length, self._sampled, ends).tolist()
-        return [_cut(tokens, ends) for tokens in found]
+        completions = self._decoder(ids, mask, trainer.max_completion_length, self._sampled, ends).tolist()
+        return [_cut(tokens, ends) for tokens in completions]
 
     def _refresh(self) -> None:
         """Copy the trained weights to the model that generates completions."""
@@ -159,5 +161,5 @@ class Rollouts:
 
 def _cut(tokens: list[int], ends: frozenset[int]) -> list[int]:
     """Return the tokens of a completion up to its first end token, inclusive."""
-    end = next((place for place, token in enumerate(tokens) if token in ends), len(tokens))
+    end = next((position for position, token in enumerate(tokens) if token in ends), len(tokens))
     return tokens[: end + 1]

@@ -74,7 +74,7 @@ class Filled:
         return sum(self.sizes)
 
 
-def fill(sampler: Sampler, place: Place, wanted: int, rounds: int, first: int = 0) -> Filled:
+def fill(sampler: Sampler, process: Place, wanted: int, rounds: int, first: int = 0) -> Filled:
     """Answer prompts in rounds until enough groups have unequal rewards, or the rounds or prompts are used up.
 
     The first round answers `first` prompts, at least as many as groups are wanted.
@@ -86,11 +86,11 @@ def fill(sampler: Sampler, place: Place, wanted: int, rounds: int, first: int = 
     """
     filled = Filled()
     while len(filled.owners) < wanted and len(filled.sizes) < rounds and not filled.exhausted:
-        drawn = sampler.draw(round_size(wanted, filled, place.world, first))
+        drawn = sampler.draw(round_size(wanted, filled, process.world, first))
         filled.read += drawn.read
         filled.exhausted = drawn.exhausted
         if drawn.rows:
-            _add_round(filled, sampler, place, drawn.rows, wanted)
+            _add_round(filled, sampler, process, drawn.rows, wanted)
     return filled
 
 
@@ -103,14 +103,14 @@ def round_size(wanted: int, filled: Filled, world: int, first: int = 0) -> int:
     return ceil(min(likely, wanted) / world) * world
 
 
-def _add_round(filled: Filled, sampler: Sampler, place: Place, rows: list[Row], wanted: int) -> None:
+def _add_round(filled: Filled, sampler: Sampler, process: Place, rows: list[Row], wanted: int) -> None:
     """Answer prompts, and keep the groups of completions with unequal rewards while there is room.
 
     At the end of a stream some prompts are answered twice so that no process waits; only the first time counts.
     """
-    each = ceil(len(rows) / place.world)
-    even = [rows[number % len(rows)] for number in range(each * place.world)]
-    first = place.rank * each
+    each = ceil(len(rows) / process.world)
+    even = [rows[number % len(rows)] for number in range(each * process.world)]
+    first = process.rank * each
     answered = sampler.answer(even[first : first + each])
     filled.sizes.append(len(rows))
     for number, rewards in enumerate(answered.rewards[: len(rows)]):
@@ -121,7 +121,7 @@ def _add_round(filled: Filled, sampler: Sampler, place: Place, rows: list[Row], 
             continue
         filled.good += 1
         if len(filled.owners) < wanted:
-            if number // each == place.rank:
+            if number // each == process.rank:
                 filled.own[len(filled.owners)] = answered.cut(number - first)
             filled.owners.append(number // each)
 
@@ -198,17 +198,17 @@ class Meter:
     def flat(self) -> dict[str, float]:
         """Return the metrics of the step that are added to TRL's own log."""
         filled, rewards = self.filled, self.filled.rewards
-        found: dict[str, float] = {
+        metrics: dict[str, float] = {
             "rounds": len(filled.sizes),
             "prompts": filled.answered,
             "groups": len(filled.owners),
             "zero_variance": 1.0 - filled.good / max(filled.answered, 1),
         }
         if rewards:
-            found |= {"pass_rate": _mean([reward >= 1.0 - REWARD_TOLERANCE for reward in rewards])}
+            metrics |= {"pass_rate": _mean([reward >= 1.0 - REWARD_TOLERANCE for reward in rewards])}
         if self.grad_norms:
-            found |= {"grad_norm": _mean(self.grad_norms)}
-        return found | {f"seconds/{name}": value for name, value in self._seconds().model_dump().items()}
+            metrics |= {"grad_norm": _mean(self.grad_norms)}
+        return metrics | {f"seconds/{name}": value for name, value in self._seconds().model_dump().items()}
 
     def _seconds(self) -> StepSeconds:
         now, parts = perf_counter(), self.parts
@@ -254,12 +254,12 @@ def collapse(metrics: MutableMapping[str, list[float]], before: Mapping[str, int
     `sizes` are the prompts of each round; `before` is the number of earlier entries of each metric. TRL would weight
     rounds equally.
     """
-    for name, held in metrics.items():
+    for name, entries in metrics.items():
         start = before.get(name, 0)
-        found = [(value, size) for value, size in zip(held[start:], sizes, strict=False) if not isnan(value)]
-        if len(held) - start != len(sizes) or not found:
+        pairs = [(value, size) for value, size in zip(entries[start:], sizes, strict=False) if not isnan(value)]
+        if len(entries) - start != len(sizes) or not pairs:
             continue
         kind = name.rpartition("/")[2].partition("_")[0]
-        values = [value for value, _ in found]
-        weighed = sum(value * size for value, size in found) / sum(size for _, size in found)
-        held[start:] = [min(values) if kind == "min" else max(values) if kind == "max" else weighed]
+        values = [value for value, _ in pairs]
+        weighed = sum(value * size for value, size in pairs) / sum(size for _, size in pairs)
+        entries[start:] = [min(values) if kind == "min" else max(values) if kind == "max" else weighed]

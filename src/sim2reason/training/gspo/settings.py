@@ -185,12 +185,12 @@ def draw(stream: PromptStream, count: int, fits: Callable[[Row], bool]) -> Drawn
     drawn = Drawn()
     while len(drawn.rows) < count and not drawn.exhausted:
         wanted = count - len(drawn.rows)
-        found = [dict(row) for row in stream.next_prompts(wanted)]
-        if len(found) > wanted:
-            raise TrainingError(f"a stream of prompts gave {len(found)} rows where {wanted} were asked for")
-        drawn.exhausted = len(found) < wanted
-        drawn.read += len(found)
-        drawn.rows += [row for row in found if _checked(row) and fits(row)]
+        batch = [dict(row) for row in stream.next_prompts(wanted)]
+        if len(batch) > wanted:
+            raise TrainingError(f"a stream of prompts gave {len(batch)} rows where {wanted} were asked for")
+        drawn.exhausted = len(batch) < wanted
+        drawn.read += len(batch)
+        drawn.rows += [row for row in batch if _checked(row) and fits(row)]
         if drawn.read - len(drawn.rows) > OVERLONG * count:
             raise TrainingError(
                 f"only {len(drawn.rows)} of {drawn.read} prompts are short enough; raise max_prompt_tokens"

@@ -98,7 +98,7 @@ class GSPOTrainer(trl.GRPOTrainer):
             return super()._generate_and_score_completions(inputs)
         self._meter.begin()
         metrics = self._metrics["train"]
-        before = {name: len(held) for name, held in metrics.items()}
+        before = {name: len(entries) for name, entries in metrics.items()}
         first = ceil(self.settings.first_round * self.settings.prompts)
         filled = fill(self, self.place, self.settings.prompts, self.settings.rounds, first)
         self.prompts_consumed += filled.read
@@ -123,13 +123,13 @@ class GSPOTrainer(trl.GRPOTrainer):
                     drawn = draw(self.stream, count, self._fits)
                 except Exception as error:  # noqa: BLE001 - whatever it is, the others must not wait for ever
                     fault = error
-            said: list[Any] = [drawn, None if fault is None else f"{type(fault).__name__}: {fault}"[:1000]]
-            accelerate_utils.broadcast_object_list(said, from_process=0)
+            payload: list[Any] = [drawn, None if fault is None else f"{type(fault).__name__}: {fault}"[:1000]]
+            accelerate_utils.broadcast_object_list(payload, from_process=0)
         if fault is not None:
             raise fault
-        if said[1] is not None:
-            raise TrainingError(f"the first process could draw no prompts: {said[1]}")
-        return said[0]
+        if payload[1] is not None:
+            raise TrainingError(f"the first process could draw no prompts: {payload[1]}")
+        return payload[0]
 
     def observe(self, row: Row, rewards: Sequence[float]) -> None:
         """Report rewards to the stream, in the first process only."""
@@ -162,9 +162,9 @@ class GSPOTrainer(trl.GRPOTrainer):
         the real ones; all minibatches have the same fraction of placeholders.
         """
         token = self._tokenizer.pad_token_id
-        wanted, found = self.settings.prompts, len(filled.owners)
+        wanted, selected = self.settings.prompts, len(filled.owners)
         groups = self._exchanged(filled)
-        self.short, self.exhausted = found < wanted, filled.exhausted
+        self.short, self.exhausted = selected < wanted, filled.exhausted
         if self.short:
             self._warn_short(filled)
             empty = filler(self.settings.generations, token, self.accelerator.device)
@@ -173,7 +173,7 @@ class GSPOTrainer(trl.GRPOTrainer):
         if self._defers:
             score(self, batch)
         batch["num_items_in_batch"] = self.accelerator.gather(batch["completion_mask"].sum()).sum()
-        batch["loss_scale"] = torch.tensor(wanted / max(found, 1), device=self.accelerator.device)
+        batch["loss_scale"] = torch.tensor(wanted / max(selected, 1), device=self.accelerator.device)
         return batch
 
     def _exchanged(self, filled: Filled) -> list[Group]:
@@ -191,10 +191,10 @@ class GSPOTrainer(trl.GRPOTrainer):
         """Warn of a step with fewer groups of unequal rewards than wanted."""
         if self.accelerator.is_main_process:
             why = "the stream of prompts has ended" if filled.exhausted else f"{len(filled.sizes)} rounds are used up"
-            found = len(filled.owners)
-            then = "" if found else "; the weights stay as they are"
-            said = "step %d learns from %d of %d groups: %s, and all rewards of each other group were equal%s"
-            logger.warning(said, self._step_now + 1, found, self.settings.prompts, why, then)
+            selected = len(filled.owners)
+            then = "" if selected else "; the weights stay as they are"
+            message = "step %d learns from %d of %d groups: %s, and all rewards of each other group were equal%s"
+            logger.warning(message, self._step_now + 1, selected, self.settings.prompts, why, then)
 
     @property
     def _step_now(self) -> int:
@@ -250,10 +250,10 @@ class GSPOTrainer(trl.GRPOTrainer):
         return loss * inputs["loss_scale"]
 
     def _get_grad_norm(self, model: object, grad_norm: Any = None) -> Any:  # noqa: ANN401 - transformers' own
-        found = super()._get_grad_norm(model, grad_norm=grad_norm)
-        if found is not None:
-            self._meter.grad_norms.append(float(found))
-        return found
+        norm = super()._get_grad_norm(model, grad_norm=grad_norm)
+        if norm is not None:
+            self._meter.grad_norms.append(float(norm))
+        return norm
 
     # logs and checkpoints
 

@@ -57,14 +57,14 @@ def model_given(given: object) -> object:
     return model_from(cast("Mapping[str, object]", given)) if isinstance(given, Mapping) else given
 
 
-def model_from(settings: Mapping[str, object], place: str = "model") -> ModelSettings:
+def model_from(settings: Mapping[str, object], location: str = "model") -> ModelSettings:
     """Return the model described by settings; `kind` is its registered name.
 
     Raises:
         TrainingError: a setting that is unknown, missing or makes no sense.
         UnknownNameError: no such kind.
     """
-    return build_member(MODELS, settings, place, TrainingError)
+    return build_member(MODELS, settings, location, TrainingError)
 
 
 def uses_chat_template(tokenizer: External, path: str, *, chat: bool | Literal["auto"]) -> bool:

@@ -48,12 +48,12 @@ class Checkpoint:
     def tokenizer(self, **settings: object) -> External:
         """Return the tokenizer; without a padding token, the end token is used for padding."""
         with self._explained():
-            found = library("transformers").AutoTokenizer.from_pretrained(self.path, **self._source, **settings)
-        if found.eos_token_id is None:
+            loaded = library("transformers").AutoTokenizer.from_pretrained(self.path, **self._source, **settings)
+        if loaded.eos_token_id is None:
             raise TrainingError(f"the tokenizer of {self.path!r} has no token that ends a text; set its eos_token")
-        if found.pad_token_id is None:
-            found.pad_token = found.eos_token
-        return found
+        if loaded.pad_token_id is None:
+            loaded.pad_token = loaded.eos_token
+        return loaded
 
     @property
     def context(self) -> int:

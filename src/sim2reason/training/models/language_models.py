@@ -39,23 +39,23 @@ def train_tokenizer(texts: Iterable[str], vocabulary: int, alone: str = ALONE) -
     The result depends on the set of texts with multiplicity, not on their order or the number of threads.
     """
     tokenizers, transformers = library("tokenizers"), library("transformers")
-    found = tokenizers.Tokenizer(tokenizers.models.BPE())
+    tokenizer = tokenizers.Tokenizer(tokenizers.models.BPE())
     steps = tokenizers.pre_tokenizers
     parts = [steps.ByteLevel(add_prefix_space=False, use_regex=False)]
     if alone:
         one = tokenizers.Regex("|".join(re.escape(sign) for sign in sorted(set(alone))))
         parts.insert(0, steps.Split(one, behavior="isolated"))
-    found.pre_tokenizer = steps.Sequence(parts)
-    found.decoder = tokenizers.decoders.ByteLevel()
+    tokenizer.pre_tokenizer = steps.Sequence(parts)
+    tokenizer.decoder = tokenizers.decoders.ByteLevel()
     learner = tokenizers.trainers.BpeTrainer(
         vocab_size=vocabulary,
         special_tokens=[PAD, END],
         initial_alphabet=sorted(steps.ByteLevel.alphabet()),
         show_progress=False,
     )
-    found.train_from_iterator(texts, learner)
+    tokenizer.train_from_iterator(texts, learner)
     return transformers.PreTrainedTokenizerFast(
-        tokenizer_object=found, pad_token=PAD, eos_token=END, clean_up_tokenization_spaces=False
+        tokenizer_object=tokenizer, pad_token=PAD, eos_token=END, clean_up_tokenization_spaces=False
     )
 
 
@@ -130,10 +130,10 @@ class Scratch(ModelSettings):
         if not out.is_dir() or not any(out.iterdir()):
             return False
         try:
-            found = _Record.model_validate_json((out / RECORD).read_bytes())
+            record = _Record.model_validate_json((out / RECORD).read_bytes())
         except (FileNotFoundError, ValidationError):
             raise TrainingError(f"{out}: holds something, but no model that was made here; remove that") from None
-        if found.settings != self:
+        if record.settings != self:
             raise TrainingError(f"{out}: holds a model of other settings; remove it, or choose a new folder")
         return True
 
@@ -191,6 +191,6 @@ class _Record(BaseModel):
 def _counted(texts: Iterable[str], digest: External) -> Iterator[str]:
     """Yield the texts while adding them to a hash."""
     for text in texts:
-        held = text.encode(errors="replace")
-        digest.update(len(held).to_bytes(8, "big") + held)
-        yield held.decode()
+        encoded = text.encode(errors="replace")
+        digest.update(len(encoded).to_bytes(8, "big") + encoded)
+        yield encoded.decode()

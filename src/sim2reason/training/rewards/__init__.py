@@ -53,12 +53,12 @@ def reward_function(reward: Reward) -> Callable[..., list[float | None]]:
     ) -> list[float | None]:
         del prompts, columns
         seen: dict[str, tuple[Problem, int]] = {}
-        found = list[float | None]()
+        rewards = list[float | None]()
         for text, completion in zip(problem, completions, strict=True):
-            held, number = seen.get(text) or (Problem.model_validate_json(text), 0)
-            seen[text] = held, number + 1
-            found.append(reward.earned(held, _said(completion), number))
-        return found
+            parsed_problem, number = seen.get(text) or (Problem.model_validate_json(text), 0)
+            seen[text] = parsed_problem, number + 1
+            rewards.append(reward.earned(parsed_problem, _said(completion), number))
+        return rewards
 
     return earned
 

@@ -158,20 +158,20 @@ class ReinforcementLearning(_Settings):
     @property
     def decisive(self) -> dict[str, Any]:
         """Return the settings that affect the weights."""
-        held = self.model_dump(
+        settings = self.model_dump(
             mode="json",
             exclude={"out": True, "prefetch": True, "answers_together": True, "held_out": {"__all__": {"samples"}}},
         )
-        held["reward"]["kind"] = REWARDS.name_of(self.reward)
-        pairs = zip(self.problems, held["problems"], strict=True)
-        held["problems"] = [{"kind": SOURCES.name_of(source), **each} for source, each in pairs]
+        settings["reward"]["kind"] = REWARDS.name_of(self.reward)
+        pairs = zip(self.problems, settings["problems"], strict=True)
+        settings["problems"] = [{"kind": SOURCES.name_of(source), **each} for source, each in pairs]
         if self.model is not None:
-            held["model"]["kind"] = MODELS.name_of(self.model)
+            settings["model"]["kind"] = MODELS.name_of(self.model)
         if self.warm_start is not None:
-            held["warm_start"] = self.warm_start.decisive
+            settings["warm_start"] = self.warm_start.decisive
         operational = "save_every", "keep", "microbatch", "report_to"
-        held["gspo"] = {name: value for name, value in held["gspo"].items() if name not in operational}
-        return held
+        settings["gspo"] = {name: value for name, value in settings["gspo"].items() if name not in operational}
+        return settings
 
 
 def reinforcement_learning_from(
@@ -250,10 +250,10 @@ class TrainingFolder:
         if not keys.is_file():
             self.held_out.mkdir(exist_ok=True)
             drawn = [_drawn(wanted, workers) for wanted in sets]
-            for wanted, found in zip(sets, drawn, strict=True):
-                text = "".join(f"{problem.item.model_dump_json()}\n" for problem in found)
+            for wanted, problems in zip(sets, drawn, strict=True):
+                text = "".join(f"{problem.item.model_dump_json()}\n" for problem in problems)
                 put_text(self.problems(wanted.problems.name), text, self.held_out)
-            avoided = [key for found in drawn for each in found for key in (each.item.prompt, each.fingerprint)]
+            avoided = [key for problems in drawn for each in problems for key in (each.item.prompt, each.fingerprint)]
             put_text(keys, canonical(avoided), self.held_out)
         return frozenset(json.loads(keys.read_text("utf-8")))
 
@@ -285,8 +285,10 @@ class TrainingFolder:
 def _drawn(wanted: HeldOut, workers: int) -> list[Problem]:
     """Return the first problems of a source, without repeated numbers."""
     with prefetching(workers, 4 * max(workers, 1)) as store:
-        stream, found = ProblemStream((wanted.problems,), store), dict[str, Problem]()
-        while len(found) < wanted.items:
-            found |= {problem.fingerprint: problem for problem in stream.problems(wanted.items - len(found))}
-            stream.avoid = frozenset(found)
-    return list(found.values())
+        stream, by_fingerprint = ProblemStream((wanted.problems,), store), dict[str, Problem]()
+        while len(by_fingerprint) < wanted.items:
+            by_fingerprint |= {
+                problem.fingerprint: problem for problem in stream.problems(wanted.items - len(by_fingerprint))
+            }
+            stream.avoid = frozenset(by_fingerprint)
+    return list(by_fingerprint.values())

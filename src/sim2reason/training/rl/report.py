@@ -90,8 +90,8 @@ def _asked(
         temperature = RESPONSES[name]
         policies = tuple(_policy(config, each, *model, temperature) for each, model in models.items())
         once = tuple(each.model_copy(update={"samples": 1}) for each in benchmarks)
-        asked = Evaluation(out=out, policies=policies, benchmarks=benchmarks if temperature else once)
-        evaluate(asked, begun=lambda total, name=name: begun(f"answers, {name}", total), advance=advance)
+        evaluation = Evaluation(out=out, policies=policies, benchmarks=benchmarks if temperature else once)
+        evaluate(evaluation, begun=lambda total, name=name: begun(f"answers, {name}", total), advance=advance)
     return benchmarks
 
 
@@ -109,7 +109,7 @@ def cells(name: str, items: Sequence[BenchmarkItem], runs: Mapping[str, Path]) -
     means = [scores_of(f"{run}:{who}").means(name) for run in runs.values() for who in (BEFORE, AFTER)]
     rows = list[list[object]]()
     for cell, group in [*sorted(groups.items()), ("all", list(items))]:
-        shown = [_share([held[item.id] for item in group if item.id in held]) for held in means]
+        shown = [_share([run_means[item.id] for item in group if item.id in run_means]) for run_means in means]
         rows.append([cell, len(group), *shown, best_constant(group).shown])
     return rows
 
@@ -126,8 +126,8 @@ def best_constant(items: Sequence[BenchmarkItem]) -> Estimate:
     """
     best = 0
     for number in _promising(items):
-        said = f"\\boxed{{{number:.6g}}}"
-        best = max(best, sum(SCORINGS[item.scoring].award(said, item.reference).points == 1.0 for item in items))
+        response = f"\\boxed{{{number:.6g}}}"
+        best = max(best, sum(SCORINGS[item.scoring].award(response, item.reference).points == 1.0 for item in items))
     return wilson(best, len(items))
 
 
@@ -203,12 +203,12 @@ def report_training(
     out = folder.report.parent
     out.mkdir(exist_ok=True)
     steps = StepLog(folder.train).read()
-    found = _found(config, sets, steps, out)
+    report = _found(config, sets, steps, out)
     series = {title: {config.out.name: [getattr(step, name) for step in steps]} for name, title in PANELS.items()}
     curves(out / "steps.png", series)
-    put_text(out / "report.md", "\n".join(_page(config, folder, found, steps)) + "\n", out)
-    put_text(folder.report, canonical(_as_json(found)), out)  # the last: with it the run is whole
-    return found
+    put_text(out / "report.md", "\n".join(_page(config, folder, report, steps)) + "\n", out)
+    put_text(folder.report, canonical(_as_json(report)), out)  # the last: with it the run is whole
+    return report
 
 
 def _found(
@@ -229,38 +229,38 @@ def _found(
     )
 
 
-def _as_json(found: TrainingReport) -> dict[str, JsonValue]:
+def _as_json(report: TrainingReport) -> dict[str, JsonValue]:
     differences = {
-        name: [{**each._asdict(), "difference": each.difference._asdict()} for each in held]
-        for name, held in found.differences.items()
+        name: [{**each._asdict(), "difference": each.difference._asdict()} for each in paired]
+        for name, paired in report.differences.items()
     }
-    constants = {name: each._asdict() for name, each in found.constants.items()}
-    told = {"differences": differences, "cells": found.cells, "constants": constants}
-    cost = {"overhead": found.overhead, "problems": found.problems, "seconds": found.seconds}
-    return json.loads(json.dumps({**told, **cost}))
+    constants = {name: each._asdict() for name, each in report.constants.items()}
+    results = {"differences": differences, "cells": report.cells, "constants": constants}
+    cost = {"overhead": report.overhead, "problems": report.problems, "seconds": report.seconds}
+    return json.loads(json.dumps({**results, **cost}))
 
 
 def _page(
-    config: ReinforcementLearning, folder: TrainingFolder, found: TrainingReport, steps: Sequence[StepRecord]
+    config: ReinforcementLearning, folder: TrainingFolder, report: TrainingReport, steps: Sequence[StepRecord]
 ) -> list[str]:
     cost = (
-        f"{len(steps)} steps of {found.seconds:.1f} s; for {100 * found.overhead:.1f} % of that they waited for "
-        f"problems and rewards. Making problems took other processes {found.problems:.1f} s of CPU time a step."
+        f"{len(steps)} steps of {report.seconds:.1f} s; for {100 * report.overhead:.1f} % of that they waited for "
+        f"problems and rewards. Making problems took other processes {report.problems:.1f} s of CPU time a step."
     )
     learned = ["What the warm start learned from:", "", *corpora_of(folder), ""] if folder.learned.is_file() else []
-    return [f"# {config.out.name}", "", *(_accuracies(found) if found.cells else []), cost, "", *learned, PLOT]
+    return [f"# {config.out.name}", "", *(_accuracies(report) if report.cells else []), cost, "", *learned, PLOT]
 
 
-def _accuracies(found: TrainingReport) -> list[str]:
+def _accuracies(report: TrainingReport) -> list[str]:
     """Return the lines on accuracy on held-out problems."""
     lines = ["Held-out accuracy in per cent, with 95 % intervals."]
     head = [CELL, "problems", *(f"{name}, {who}" for name in RESPONSES for who in (BEFORE, AFTER)), "best constant"]
-    for name, rows in found.cells.items():
+    for name, rows in report.cells.items():
         lines += ["", f"Problems *{name}*:", "", *table(head, rows)]
     rows = [
         [name, each.benchmark, f"{100 * each.first:.1f}", f"{100 * each.second:.1f}", each.difference.shown]
-        for name, held in found.differences.items()
-        for each in held
+        for name, paired in report.differences.items()
+        for each in paired
     ]
     lines += ["", *table(["responses", "problems", "before", "after", "paired difference"], rows), ""]
     return [*lines, "The best constant is the one that suits these very problems best.", ""]
@@ -269,8 +269,8 @@ def _accuracies(found: TrainingReport) -> list[str]:
 def corpora_of(folder: TrainingFolder) -> list[str]:
     """Return a table of the warm start's corpora with their fractions of wrong solutions."""
     try:
-        held = json.loads(folder.learned.read_text("utf-8"))
-        rows = [[each["kind"], each["rows"], f"{100 * each['wrong'] / each['rows']:.1f}"] for each in held]
+        records = json.loads(folder.learned.read_text("utf-8"))
+        rows = [[each["kind"], each["rows"], f"{100 * each['wrong'] / each['rows']:.1f}"] for each in records]
     except (ValueError, KeyError, TypeError, ValidationError):
         raise TrainingError(f"{folder.learned}: damaged") from None
     return list(table(["corpus", "rows", "wrong (%)"], rows))

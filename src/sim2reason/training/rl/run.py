@@ -49,9 +49,9 @@ def train_rl(
     """
     settings = reinforcement_learning_from(config, out)
     _in_all_processes(_train, settings, begun, advance)
-    found = TrainingFolder(settings.out).result()
-    assert found is not None
-    return found
+    result = TrainingFolder(settings.out).result()
+    assert result is not None
+    return result
 
 
 def prepare_rl(

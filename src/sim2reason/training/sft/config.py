@@ -119,13 +119,13 @@ class FineTuning(BaseModel):
     @property
     def decisive(self) -> dict[str, Any]:
         """Return the settings that affect the weights, with the kinds of model and corpora."""
-        held = self.model_dump(mode="json", exclude=set(self.operational))
-        held["model"] = {"kind": MODELS.name_of(self.model), **held["model"]}
-        held["corpora"] = [
+        settings = self.model_dump(mode="json", exclude=set(self.operational))
+        settings["model"] = {"kind": MODELS.name_of(self.model), **settings["model"]}
+        settings["corpora"] = [
             {"kind": CORPORA.name_of(corpus), **corpus.model_dump(mode="json", exclude=set(corpus.operational))}
             for corpus in self.corpora
         ]
-        return held
+        return settings
 
     def steps_of(self, rows: int) -> int:
         """Return the number of training steps: the configured one, or that of the epochs over so many rows."""
@@ -233,11 +233,11 @@ class SftFolder:
 
     def checkpoint(self) -> Path | None:
         """Return the last complete checkpoint; None before the first."""
-        found = {
+        by_step = {
             int(path.parent.name.removeprefix(CHECKPOINT)): path.parent
             for path in self.checkpoints.glob(f"{CHECKPOINT}[0-9]*/{WHOLE}")
         }
-        return found[max(found)] if found else None
+        return by_step[max(by_step)] if by_step else None
 
     def rewind(self) -> int:
         """Remove everything later than the last complete checkpoint; return its step, zero without one."""

@@ -107,22 +107,22 @@ def _trained(
     rows = folder.rows()
     loaded = config.model.load(_texts(rows), folder.initial)
     chat = uses_chat_template(loaded.tokenizer, loaded.path, chat=config.chat)
-    held, left_out = encoded_table(rows, loaded.tokenizer, _limits(config, loaded), chat=chat)
-    if not len(held):
+    encoded, left_out = encoded_table(rows, loaded.tokenizer, _limits(config, loaded), chat=chat)
+    if not len(encoded):
         raise TrainingError(f"corpora: no row is within the limits of tokens; left out: {counted(left_out)}")
-    steps = config.steps_of(len(held))
+    steps = config.steps_of(len(encoded))
     last = folder.checkpoint()
     if state.is_main_process:
         begun("fine-tuning", steps)
         advance(int(last.name.partition("-")[2]) if last else 0)
     settings = arguments(config, folder.checkpoints, steps, state.num_processes)
-    run = trainer(config, settings, loaded, library("datasets").Dataset(held), folder, advance)
+    run = trainer(config, settings, loaded, library("datasets").Dataset(encoded), folder, advance)
     run.train(resume_from_checkpoint=str(last) if last else None)
     parameters = _saved(run, loaded, folder, config)
     result = FineTuned(
         model=folder.model.name,
         parameters=parameters,
-        rows=len(held),
+        rows=len(encoded),
         left_out=dict(sorted(left_out.items())),
         steps=steps,
         loss=_last_loss(run),

@@ -28,13 +28,13 @@ AMONG = 50  # batches sorted together: more of them mean less padding and a less
 
 def batches_by_length(lengths: Sequence[int], batch: int, seed: int, epoch: int) -> list[int]:
     """Return the indices of all rows in batches of similar length; the order is random, an incomplete batch last."""
-    rng, held = generator("length", seed, epoch), np.asarray(lengths)
-    order = rng.permutation(len(held))
+    rng, sizes = generator("length", seed, epoch), np.asarray(lengths)
+    order = rng.permutation(len(sizes))
     stretches = np.split(order, range(AMONG * batch, len(order), AMONG * batch))
-    near = np.concatenate([each[np.argsort(held[each], kind="stable")] for each in stretches])
-    whole = len(near) - len(near) % batch
-    shuffled = rng.permutation(near[:whole].reshape(-1, batch))
-    return [*shuffled.ravel().tolist(), *near[whole:].tolist()]
+    near = np.concatenate([each[np.argsort(sizes[each], kind="stable")] for each in stretches])
+    complete = len(near) - len(near) % batch
+    shuffled = rng.permutation(near[:complete].reshape(-1, batch))
+    return [*shuffled.ravel().tolist(), *near[complete:].tolist()]
 
 
 def sampler_by_length(lengths: Sequence[int], batch: int, seed: int) -> External:
@@ -190,13 +190,13 @@ def _scale(trainer: External) -> int:
 def _loss(model: External, inputs: External, tokens: External, scale: int) -> External:
     """Return the cross-entropy of completions, nats: over all `tokens` of a step, or the mean of a batch."""
     labels = inputs["labels"][:, 1:]
-    held = {name: inputs[name] for name in ("input_ids", "attention_mask")}
-    logits = model(**held, use_cache=False).logits[:, :-1]
-    said = labels != IGNORED
+    model_inputs = {name: inputs[name] for name in ("input_ids", "attention_mask")}
+    logits = model(**model_inputs, use_cache=False).logits[:, :-1]
+    mask = labels != IGNORED
     torch = library("torch")
-    total = torch.nn.functional.cross_entropy(logits[said].float(), labels[said], reduction="sum")
+    total = torch.nn.functional.cross_entropy(logits[mask].float(), labels[mask], reduction="sum")
     if tokens is None:
-        return total / said.sum().clamp(min=1)
+        return total / mask.sum().clamp(min=1)
     return total * scale / torch.as_tensor(tokens).clamp(min=1)
 
 

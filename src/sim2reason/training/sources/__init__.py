@@ -60,11 +60,11 @@ class ProblemSource(BaseModel, ABC):
 SOURCES: Registry[type[ProblemSource]] = Registry("training.sources")
 
 
-def source_from(settings: Mapping[str, object], place: str) -> ProblemSource:
+def source_from(settings: Mapping[str, object], location: str) -> ProblemSource:
     """Return the source described by settings; `kind` is its registered name.
 
     Raises:
         TrainingError: a setting that is unknown, missing or makes no sense.
         UnknownNameError: no such kind.
     """
-    return build_member(SOURCES, settings, place, TrainingError)
+    return build_member(SOURCES, settings, location, TrainingError)

@@ -112,8 +112,8 @@ class Fresh(Chosen, ProblemSource):
 
 def fingerprint(item: Item) -> str:
     """Return a hash that is equal for items with the same problem and numbers in any wording."""
-    found = variant(item)
-    text = f"{found.problem}\n{[round(each, ROUNDED) for each in found.logarithms]}"
+    problem_variant = variant(item)
+    text = f"{problem_variant.problem}\n{[round(each, ROUNDED) for each in problem_variant.logarithms]}"
     return blake2b(text.encode(), digest_size=8).hexdigest()
 
 
@@ -144,13 +144,13 @@ class BenchmarkSource(ProblemSource):
 
     @cached_property
     def _held(self) -> dict[str, list[BenchmarkItem]]:
-        found: dict[str, list[BenchmarkItem]] = {}
+        by_cell: dict[str, list[BenchmarkItem]] = {}
         items = items_of(self._benchmark)
         for rule in {item.scoring for item in items}:
             SCORINGS[rule].check()
         for item in items:
-            found.setdefault(next(iter(item.tags.get(BY, ())), self.name), []).append(item)
-        return found
+            by_cell.setdefault(next(iter(item.tags.get(BY, ())), self.name), []).append(item)
+        return by_cell
 
     @property
     def cells(self) -> tuple[str, ...]:
@@ -159,13 +159,13 @@ class BenchmarkSource(ProblemSource):
 
     def at(self, cell: str, index: int) -> Problem | None:
         """Return the `index`-th problem of a cell, whose problems repeat in a new random order."""
-        held = self._held[cell]
-        turn, place = divmod(index, len(held))
-        order = generator("order", self.seed, self.name, cell, turn).permutation(len(held))
-        item = held[int(order[place])]
+        problems = self._held[cell]
+        turn, position = divmod(index, len(problems))
+        order = generator("order", self.seed, self.name, cell, turn).permutation(len(problems))
+        item = problems[int(order[position])]
         return Problem(item=item, source=self.name, cell=cell)
 
     def items(self) -> Iterator[BenchmarkItem]:
         """Yield all problems of the benchmark."""
-        for held in self._held.values():
-            yield from held
+        for problems in self._held.values():
+            yield from problems

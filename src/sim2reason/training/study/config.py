@@ -66,9 +66,9 @@ class TrainingStudy(BaseModel):
                 raise ValueError(f"arms.{name}: a seed stands twice")
         if len(self.runs) > MOST_RUNS:
             raise ValueError(f"arms: {len(self.runs)} runs, and at most {MOST_RUNS} are possible")
-        held = {name: self.first(name).decisive["held_out"] for name in self.arms}
-        first = next(iter(held))
-        if differs := [name for name in held if held[name] != held[first]]:
+        held_out_by_arm = {name: self.first(name).decisive["held_out"] for name in self.arms}
+        first = next(iter(held_out_by_arm))
+        if differs := [name for name in held_out_by_arm if held_out_by_arm[name] != held_out_by_arm[first]]:
             raise ValueError(f"arms.{differs[0]}: other held-out problems than {first}; runs could not be compared")
         return self
 
@@ -94,14 +94,14 @@ class TrainingStudy(BaseModel):
     @cached_property
     def configs(self) -> dict[Arm, ReinforcementLearning]:
         """Return, for each run of the study, its configuration parsed from its settings."""
-        found: dict[Arm, ReinforcementLearning] = {}
+        by_arm: dict[Arm, ReinforcementLearning] = {}
         for arm, settings in self.settings.items():
             try:
-                found[arm] = reinforcement_learning_from(settings)
+                by_arm[arm] = reinforcement_learning_from(settings)
             except Sim2ReasonError as error:
                 error.args = (f"arms.{arm.name}: {error}", *error.args[1:])
                 raise
-        return found
+        return by_arm
 
     def _settings(self, arm: Arm) -> Settings:
         change = {name: value for name, value in self.arms[arm.name].items() if name != "seeds"}
@@ -118,12 +118,12 @@ class TrainingStudy(BaseModel):
 
 def _merged(base: Mapping[str, Any], change: Mapping[str, Any]) -> Settings:
     """Return settings with changes merged into them."""
-    found = dict(base)
+    merged = dict(base)
     for name, value in change.items():
-        held = found.get(name)
-        both = isinstance(held, Mapping) and isinstance(value, Mapping) and "kind" not in value
-        found[name] = _merged(cast("Settings", held), cast("Settings", value)) if both else value
-    return found
+        current = merged.get(name)
+        both = isinstance(current, Mapping) and isinstance(value, Mapping) and "kind" not in value
+        merged[name] = _merged(cast("Settings", current), cast("Settings", value)) if both else value
+    return merged
 
 
 def _drawn_anew(given: object, seed: int) -> object:

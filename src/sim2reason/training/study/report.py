@@ -87,12 +87,12 @@ def report_study(study: TrainingStudy) -> StudyReport:
     for name in (each.problems.name for each in first.held_out):
         constants[name] = best_constant(_problems(name, TrainingFolder(first.out)))
         for responses in RESPONSES:
-            held = {arm: _points(study, arm, responses, name) for arm in study.runs}
-            runs += [_run(name, responses, arm, *points) for arm, points in held.items()]
-            arms += _arms(study, name, responses, held)
-    found = StudyReport(runs, arms, constants, study.out / "report")
-    _write(study, found)
-    return found
+            means_by_arm = {arm: _points(study, arm, responses, name) for arm in study.runs}
+            runs += [_run(name, responses, arm, *points) for arm, points in means_by_arm.items()]
+            arms += _arms(study, name, responses, means_by_arm)
+    report = StudyReport(runs, arms, constants, study.out / "report")
+    _write(study, report)
+    return report
 
 
 def _problems(name: str, folder: TrainingFolder) -> Sequence[BenchmarkItem]:
@@ -107,27 +107,31 @@ def _points(study: TrainingStudy, arm: Arm, responses: str, name: str) -> tuple[
 
 
 def _run(name: str, responses: str, arm: Arm, before: Means, after: Means) -> RunAccuracy:
-    first, last = ([held[item] for item in sorted(held)] for held in (before, after))
-    shares = [mean_of_items([[each] for each in held]) for held in (first, last)]
+    first, last = ([points[item] for item in sorted(points)] for points in (before, after))
+    shares = [mean_of_items([[each] for each in points]) for points in (first, last)]
     return RunAccuracy(name, responses, arm.name, arm.seed, shares[0], shares[1], difference(first, last))
 
 
-def _arms(study: TrainingStudy, name: str, responses: str, held: Mapping[Arm, tuple[Means, Means]]) -> list[ArmGain]:
-    found, reference = list[ArmGain](), None
+def _arms(
+    study: TrainingStudy, name: str, responses: str, means_by_arm: Mapping[Arm, tuple[Means, Means]]
+) -> list[ArmGain]:
+    arm_gains, reference = list[ArmGain](), None
     for arm in study.arms:
-        runs = [held[Arm(arm, seed)] for seed in study.seeds_of(arm)]
+        runs = [means_by_arm[Arm(arm, seed)] for seed in study.seeds_of(arm)]
         before, after = (_over_seeds([run[which] for run in runs]) for which in (0, 1))
         gains = [float(np.mean(_values(run[1])) - np.mean(_values(run[0]))) for run in runs]
         against = None if reference is None else difference(reference, after)
         reference = after if reference is None else reference
         means = float(np.mean(before)), float(np.mean(after))
-        found.append(ArmGain(name, responses, arm, *means, difference(before, after), min(gains), max(gains), against))
-    return found
+        arm_gains.append(
+            ArmGain(name, responses, arm, *means, difference(before, after), min(gains), max(gains), against)
+        )
+    return arm_gains
 
 
-def _values(held: Means) -> list[float]:
+def _values(means: Means) -> list[float]:
     """Return the points of all problems, ordered by the problems' names."""
-    return [held[item] for item in sorted(held)]
+    return [means[item] for item in sorted(means)]
 
 
 def _over_seeds(runs: Sequence[Means]) -> list[float]:
@@ -135,43 +139,43 @@ def _over_seeds(runs: Sequence[Means]) -> list[float]:
     return [float(mean) for mean in np.mean([_values(run) for run in runs], axis=0)]
 
 
-def _write(study: TrainingStudy, found: StudyReport) -> None:
-    out = found.folder
+def _write(study: TrainingStudy, report: StudyReport) -> None:
+    out = report.folder
     out.mkdir(exist_ok=True)
     curves(out / "steps.png", {title: _series(study, name) for name, title in PANELS.items()})
-    put_text(out / "report.json", canonical(_as_json(found)), out)
-    put_text(out / "report.md", "\n".join(_page(study, found)) + "\n", out)
+    put_text(out / "report.json", canonical(_as_json(report)), out)
+    put_text(out / "report.md", "\n".join(_page(study, report)) + "\n", out)
 
 
 def _series(study: TrainingStudy, name: str) -> dict[str, list[float | None]]:
     """Return, by arm of a study, the values of a logged quantity at each step: means over the arm's seeds."""
-    found: dict[str, list[float | None]] = {}
+    series: dict[str, list[float | None]] = {}
     for arm in study.arms:
         logs = [StepLog(TrainingFolder(study.configs[Arm(arm, seed)].out).train).read() for seed in study.seeds_of(arm)]
         columns = [[getattr(step, name) for step in log] for log in logs]
-        found[arm] = [_mean([each for each in row if each is not None]) for row in zip(*columns, strict=False)]
-    return found
+        series[arm] = [_mean([each for each in row if each is not None]) for row in zip(*columns, strict=False)]
+    return series
 
 
 def _mean(values: Sequence[float]) -> float | None:
     return sum(values) / len(values) if values else None
 
 
-def _as_json(found: StudyReport) -> dict[str, JsonValue]:
+def _as_json(report: StudyReport) -> dict[str, JsonValue]:
     def told(row: NamedTuple) -> dict[str, object]:
-        held = row._asdict()
-        return {name: value._asdict() if isinstance(value, Estimate) else value for name, value in held.items()}
+        entries = row._asdict()
+        return {name: value._asdict() if isinstance(value, Estimate) else value for name, value in entries.items()}
 
-    constants = {name: each._asdict() for name, each in found.constants.items()}
-    rows = {"runs": [told(row) for row in found.runs], "arms": [told(row) for row in found.arms]}
+    constants = {name: each._asdict() for name, each in report.constants.items()}
+    rows = {"runs": [told(row) for row in report.runs], "arms": [told(row) for row in report.arms]}
     return json.loads(json.dumps({**rows, "constants": constants}))
 
 
-def _page(study: TrainingStudy, found: StudyReport) -> list[str]:
+def _page(study: TrainingStudy, report: StudyReport) -> list[str]:
     lines = [f"# {study.out.name}", "", "Held-out accuracy in per cent, with 95 % intervals over the problems."]
     head = ["arm", "responses", "before", "after", "gain", "gains of single seeds", "more than the first arm"]
     seeds = ["arm", "seed", "responses", "before", "after", "gain"]
-    for name, constant in found.constants.items():
+    for name, constant in report.constants.items():
         rows = [
             [
                 each.arm,
@@ -182,14 +186,14 @@ def _page(study: TrainingStudy, found: StudyReport) -> list[str]:
                 f"{100 * each.lowest:.1f} to {100 * each.highest:.1f}",
                 "" if each.against is None else each.against.shown,
             ]
-            for each in found.arms
+            for each in report.arms
             if each.problems == name
         ]
-        told = f"Problems *{name}*; the constant that suits them best has {constant.shown}. Means over the seeds:"
-        lines += ["", told, "", *table(head, rows), "", "Each run:", ""]
+        caption = f"Problems *{name}*; the constant that suits them best has {constant.shown}. Means over the seeds:"
+        lines += ["", caption, "", *table(head, rows), "", "Each run:", ""]
         single = [
             [each.arm, each.seed, each.responses, each.before.shown, each.after.shown, each.gain.shown]
-            for each in found.runs
+            for each in report.runs
             if each.problems == name
         ]
         lines += table(seeds, single)
@@ -203,4 +207,8 @@ def _corpora(study: TrainingStudy) -> list[str]:
         folder = TrainingFolder(study.first(arm).out)
         if folder.learned.is_file():
             arms.setdefault("\n".join(corpora_of(folder)), []).append(arm)
-    return [line for told, names in arms.items() for line in (f"Warm start of {', '.join(names)}:", "", told, "")]
+    return [
+        line
+        for corpora_text, names in arms.items()
+        for line in (f"Warm start of {', '.join(names)}:", "", corpora_text, "")
+    ]

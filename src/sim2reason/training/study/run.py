@@ -53,7 +53,7 @@ def train_study(
         advance(len(study.runs) - len(todo) - len(failed))
         failed |= _made(study, todo, advance=advance)
     _all_made(failed, len(study.runs))
-    return {arm.run: found for arm in study.runs if (found := _folder(study, arm).result())}
+    return {arm.run: result for arm in study.runs if (result := _folder(study, arm).result())}
 
 
 def prepare_study(
@@ -91,8 +91,8 @@ def _checked(config: Path | str | Mapping[str, object] | TrainingStudy, out: Pat
 def _all_made(failed: Mapping[str, str], runs: int) -> None:
     """Raise TrainingError if some runs failed."""
     if failed:
-        told = "; ".join(f"{run}: {why}" for run, why in failed.items())
-        raise TrainingError(f"{len(failed)} of {runs} runs failed, the others are finished; {told}")
+        reasons = "; ".join(f"{run}: {why}" for run, why in failed.items())
+        raise TrainingError(f"{len(failed)} of {runs} runs failed, the others are finished; {reasons}")
 
 
 def _folder(study: TrainingStudy, arm: Arm) -> TrainingFolder:
@@ -159,8 +159,8 @@ def _made(
             made = {pool.submit(_make, study, arm, until, running): arm for arm in arms}
             for future in as_completed(made):
                 advance(1)
-                if said := future.result():
-                    failed[made[future].run] = said
+                if output := future.result():
+                    failed[made[future].run] = output
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             for process in list(running.values()):
@@ -201,10 +201,10 @@ def _make(study: TrainingStudy, arm: Arm, until: Stage | None, running: dict[Arm
     """Execute or prepare one run; return its last output if it failed, else an empty text."""
     folder = _folder(study, arm).path
     log = folder.with_name(f"{arm.run}.log")
-    with log.open("ab") as said:
+    with log.open("ab") as output:
         command = [sys.executable, "-m", "sim2reason", "train", "rl", str(folder.with_name(f"{arm.run}.yaml"))]
         command += [] if until is None else ["--until", until]
-        running[arm] = Popen(command, stdout=said, stderr=STDOUT)  # noqa: S603 - our own command, in a list
+        running[arm] = Popen(command, stdout=output, stderr=STDOUT)  # noqa: S603 - our own command, in a list
         code = running[arm].wait()
         del running[arm]
     if code == 0:

@@ -65,8 +65,8 @@ class Evaluation:
     def __post_init__(self) -> None:
         """Raise EvaluationError if two policies or two benchmarks have the same name."""
         for what, names in (("policies", self.policies), ("benchmarks", self.benchmarks)):
-            held = [each.name for each in names]
-            if twice := sorted({name for name in held if held.count(name) > 1}):
+            used_names = [each.name for each in names]
+            if twice := sorted({name for name in used_names if used_names.count(name) > 1}):
                 raise EvaluationError(f"{what}: the name {twice[0]!r} stands twice; give each its own")
 
     def check(self) -> None:
@@ -104,12 +104,12 @@ def _evaluation(file: _File) -> Evaluation:
     )
 
 
-def _policy(settings: Settings, place: str, sampling: Settings) -> Policy:
+def _policy(settings: Settings, location: str, sampling: Settings) -> Policy:
     """Return a policy, whose own sampling settings override the common ones."""
     own = settings.get("sampling", {})
     if not isinstance(own, dict):
-        raise EvaluationError(f"{place}.sampling: give settings, such as temperature: 1.0")
-    return policy_from({**settings, "sampling": {**sampling, **cast("Settings", own)}}, place)
+        raise EvaluationError(f"{location}.sampling: give settings, such as temperature: 1.0")
+    return policy_from({**settings, "sampling": {**sampling, **cast("Settings", own)}}, location)
 
 
 RUN, PROBLEMS, SAMPLES, JUDGED, REPORT = "run.json", "problems", "samples", "judged", "report"
@@ -129,8 +129,8 @@ class PolicyPlan(_Record):
     @property
     def step(self) -> int | None:
         """Return the number of training steps of the evaluated checkpoint; None if its settings state none."""
-        found = self.settings.get("step")
-        return found if isinstance(found, int) else None
+        value = self.settings.get("step")
+        return value if isinstance(value, int) else None
 
 
 class BenchmarkPlan(_Record):
@@ -225,7 +225,7 @@ class RunFolder:
         if before is None:
             evaluation.check()  # before problems are drawn, which may take minutes
         items = {each.name: _drawn_before(out, each) or items_of(each) for each in evaluation.benchmarks}
-        for rule in sorted({item.scoring for held in items.values() for item in held}):
+        for rule in sorted({item.scoring for problems in items.values() for item in problems}):
             SCORINGS[rule].check()
         record = _record(evaluation, items)
         why = "" if before is None else before.difference(record)
@@ -235,9 +235,9 @@ class RunFolder:
             evaluation.check()
         elif before is not None:
             record = before.joined(record)
-        for name, held in items.items():
+        for name, problems in items.items():
             (out / PROBLEMS).mkdir(exist_ok=True)
-            lines = "".join(f"{item.model_dump_json()}\n" for item in held)
+            lines = "".join(f"{item.model_dump_json()}\n" for item in problems)
             put_text(out / PROBLEMS / f"{name}.jsonl", lines, out)
         put_text(out / RUN, canonical(record.model_dump(mode="json")), out)
         return cls(out)
@@ -247,12 +247,12 @@ class RunFolder:
         path = self.path / PROBLEMS / f"{benchmark}.jsonl"
         try:
             with path.open("rb") as lines:
-                found = [BenchmarkItem.model_validate_json(line) for line in lines]
+                problems = [BenchmarkItem.model_validate_json(line) for line in lines]
         except (FileNotFoundError, ValidationError):
             raise EvaluationError(f"{path}: missing or damaged; give the same sim2reason eval again") from None
-        if data_hash(found) != self.record.benchmarks[benchmark].data:
+        if data_hash(problems) != self.record.benchmarks[benchmark].data:
             raise EvaluationError(f"{path}: changed since the run was begun; give the same sim2reason eval again")
-        return found
+        return problems
 
     def samples(self, policy: str, benchmark: str) -> Path:
         """Return the path of the journal of a policy's answers to a benchmark."""
@@ -325,8 +325,8 @@ def copy_answers(run: Path, out: Path, model: str, copied: str) -> None:
 
     Without such answers no run is started. EvaluationError if `run` contains none.
     """
-    found = RunFolder(run)
-    policies = {name: plan for name, plan in found.record.policies.items() if plan.decisive.get("model") == model}
+    source_run = RunFolder(run)
+    policies = {name: plan for name, plan in source_run.record.policies.items() if plan.decisive.get("model") == model}
     if not policies:
         return
     partial = out.with_name(out.name + PARTIAL)
@@ -336,12 +336,12 @@ def copy_answers(run: Path, out: Path, model: str, copied: str) -> None:
         if (run / SAMPLES / name).is_dir():
             shutil.copytree(run / SAMPLES / name, partial / SAMPLES / name)
     plans = {name: _of(plan, copied) for name, plan in policies.items()}
-    record = found.record.model_copy(update={"policies": plans, "judge": None})
+    record = source_run.record.model_copy(update={"policies": plans, "judge": None})
     put_text(partial / RUN, canonical(record.model_dump(mode="json")), partial)
     partial.rename(out)
 
 
 def _of(plan: PolicyPlan, model: str) -> PolicyPlan:
     """Return the policy with the path of its model replaced."""
-    settings, decisive = ({**held, "model": model} for held in (plan.settings, plan.decisive))
+    settings, decisive = ({**fields, "model": model} for fields in (plan.settings, plan.decisive))
     return plan.model_copy(update={"settings": settings, "decisive": decisive})

@@ -67,14 +67,14 @@ def _asked(policy: Policy, wanted: list[tuple[Path, list[SampleRequest]]], advan
 
     PolicyError if no request was answered, however few there were.
     """
-    budget, found = Budget(policy), list[Asked]()
+    budget, results = Budget(policy), list[Asked]()
     for path, requests in wanted:
         budget.charge_finished(path, requests)
     for path, requests in wanted:
         with SampleJournal(path) as journal:
-            found.append(ask(policy, requests, journal, budget=budget, advance=advance))
-    left = [why for each in found for why in each.open]
-    if left and not any(each.finished_now for each in found):
+            results.append(ask(policy, requests, journal, budget=budget, advance=advance))
+    left = [why for each in results for why in each.open]
+    if left and not any(each.finished_now for each in results):
         raise PolicyError(f"{left[-1]}; not one request was answered; try again later")
     return left
 
@@ -97,15 +97,15 @@ def _judge(evaluation: Evaluation, folder: RunFolder, judge: Policy) -> list[str
 
 def _questions(evaluation: Evaluation, folder: RunFolder, policy: str, benchmark: str) -> Iterator[SampleRequest]:
     items: dict[str, BenchmarkItem] = {item.id: item for item in folder.items(benchmark)}
-    for found in finished(folder.samples(policy, benchmark)):
-        item = items.get(found.id)
+    for finished_sample in finished(folder.samples(policy, benchmark)):
+        item = items.get(finished_sample.id)
         if item is None:
             continue
-        rule, response = SCORINGS[item.scoring], found.completion.whole
-        asked = rule.question(response, item.reference, item.prompt)
-        if asked is not None and rule.award(response, item.reference).points < 1.0:
-            name = judged_id(found.id, found.sample)
-            yield SampleRequest(name, 0, asked, sample_seed(evaluation.seed, name, 0))
+        rule, response = SCORINGS[item.scoring], finished_sample.completion.whole
+        question = rule.question(response, item.reference, item.prompt)
+        if question is not None and rule.award(response, item.reference).points < 1.0:
+            name = judged_id(finished_sample.id, finished_sample.sample)
+            yield SampleRequest(name, 0, question, sample_seed(evaluation.seed, name, 0))
 
 
 class Ending(StrEnum):
@@ -157,31 +157,33 @@ def ending_of(completion: Completion, award: Award) -> Ending:
 def outcomes(folder: RunFolder, policy: str, benchmark: str) -> Iterator[SampleOutcome]:
     """Yield each finished sample of a policy on a benchmark with its score, up to the planned number of samples."""
     items = {item.id: item for item in folder.items(benchmark)}
-    rulings = {found.id: found.completion for found in finished(folder.judged(policy, benchmark))}
-    for found in finished(folder.samples(policy, benchmark)):
-        if found.id in items and found.sample < folder.record.benchmarks[benchmark].samples:
-            ruling = rulings.get(judged_id(found.id, found.sample))
-            yield _outcome(policy, benchmark, items[found.id], found, ruling)
+    rulings = {
+        finished_sample.id: finished_sample.completion for finished_sample in finished(folder.judged(policy, benchmark))
+    }
+    for finished_sample in finished(folder.samples(policy, benchmark)):
+        if finished_sample.id in items and finished_sample.sample < folder.record.benchmarks[benchmark].samples:
+            ruling = rulings.get(judged_id(finished_sample.id, finished_sample.sample))
+            yield _outcome(policy, benchmark, items[finished_sample.id], finished_sample, ruling)
 
 
 def _outcome(
-    policy: str, benchmark: str, item: BenchmarkItem, found: FinishedSample, ruling: Completion | None
+    policy: str, benchmark: str, item: BenchmarkItem, finished_sample: FinishedSample, ruling: Completion | None
 ) -> SampleOutcome:
-    rule, said = SCORINGS[item.scoring], found.completion
-    award = rule.award(said.whole, item.reference)
+    rule, completion = SCORINGS[item.scoring], finished_sample.completion
+    award = rule.award(completion.whole, item.reference)
     judged = ruling is not None and award.points < 1.0
     if judged and ruling is not None:
         award = rule.ruling(ruling.text)
     return SampleOutcome(
         policy=policy,
         benchmark=benchmark,
-        id=found.id,
-        sample=found.sample,
+        id=finished_sample.id,
+        sample=finished_sample.sample,
         points=award.points,
-        ending=ending_of(said, award),
+        ending=ending_of(completion, award),
         parsed=award.parsed[:500],
         why=award.why[:500],
-        tokens=said.completion_tokens,
-        characters=len(said.whole),
+        tokens=completion.completion_tokens,
+        characters=len(completion.whole),
         judged=judged,
     )

@@ -58,8 +58,8 @@ def boxes(response: str) -> list[str]:
         while spans and spans[-1][0] > begin:  # boxes within this one
             spans.pop()
         spans.append((begin, end))
-    found = (content(text, span) for span in spans[-MAX_BOXES:] if not fault_of_box(text, *span))
-    return [answer for answer in found if answer.strip() and len(answer) <= MAX_ANSWER]
+    contents = (content(text, span) for span in spans[-MAX_BOXES:] if not fault_of_box(text, *span))
+    return [answer for answer in contents if answer.strip() and len(answer) <= MAX_ANSWER]
 
 
 def in_box(answer: str) -> str:
@@ -74,14 +74,14 @@ def parts(answer: str, *, thousands: bool = True) -> list[str]:
     """
     text = _AND.sub(",", _BLANK.sub(" ", answer))
     text = _THOUSANDS.sub("", text) if thousands else text
-    found, depth, start = list[str](), 0, 0
-    for place, sign in enumerate(text):
+    pieces, depth, start = list[str](), 0, 0
+    for position, sign in enumerate(text):
         depth += (sign in OPENS) - (sign in CLOSES)
         if sign in ",;" and depth <= 0:
-            found.append(text[start:place])
-            start = place + 1
-    found.append(text[start:])
-    return [part.strip().rstrip(".") for part in found if part.strip(" .")]
+            pieces.append(text[start:position])
+            start = position + 1
+    pieces.append(text[start:])
+    return [part.strip().rstrip(".") for part in pieces if part.strip(" .")]
 
 
 LAST: Final = 1000  # characters at the end that are searched for an answer without a box
@@ -128,20 +128,20 @@ def read(content: str, unit: str | Unit | None = None, *, expected: float = 1.0)
 
     `expected`, a reference value, determines the sign of a direction without one.
     """
-    found = number(in_box(content), expected, unit)
+    score = number(in_box(content), expected, unit)
     return (
-        found.parsed if found.outcome in {Outcome.CORRECT, Outcome.WRONG} and isinstance(found.parsed, float) else None
+        score.parsed if score.outcome in {Outcome.CORRECT, Outcome.WRONG} and isinstance(score.parsed, float) else None
     )
 
 
-def agrees(right: str, said: str, tolerance: float) -> bool | None:
+def agrees(right: str, submitted: str, tolerance: float) -> bool | None:
     """Return whether two answers give the same number, within a tolerance relative to the right answer.
 
     None if the correct answer is not a number. Its unit applies to both; without a unit, the other's is ignored.
     """
     stated = unit_stated(right)
     unit = stated if stated is not None and any(stated.dimension) else None
-    value, other = read(right, unit), read(said, unit)
+    value, other = read(right, unit), read(submitted, unit)
     if value is None:
         return None
     return other is not None and abs(other - value) <= tolerance * abs(value)
@@ -188,12 +188,12 @@ def is_equation(text: str) -> bool:
     return "=" in text and not name_of(text)
 
 
-def equal_expressions(right: str, said: str) -> bool | None:
+def equal_expressions(right: str, submitted: str) -> bool | None:
     """Return whether two expressions have equal values at all test points; None if one does not parse."""
-    if same_text(right, said):
+    if same_text(right, submitted):
         return True
     try:
-        score = formula(in_box(said), right.replace("$", ""))
+        score = formula(in_box(submitted), right.replace("$", ""))
     except FormulaError:
         return None
     if score.outcome in {Outcome.UNREADABLE, Outcome.NO_ANSWER, Outcome.TOO_LONG}:
@@ -201,15 +201,15 @@ def equal_expressions(right: str, said: str) -> bool | None:
     return score.outcome is Outcome.CORRECT
 
 
-def equivalent_equations(right: str, said: str) -> bool | None:
+def equivalent_equations(right: str, submitted: str) -> bool | None:
     """Return whether two equations are equivalent: left minus right sides in constant ratio; None if unparsable."""
-    if same_text(right, said):
+    if same_text(right, submitted):
         return True
-    held = _difference(right, None)
-    if held is None:
+    difference = _difference(right, None)
+    if difference is None:
         return None
-    node, symbols = held
-    other = _difference(said, symbols)
+    node, symbols = difference
+    other = _difference(submitted, symbols)
     points = list(draw_points(node, symbols, [], {}, right))
     if other is None or not points:
         return None
@@ -230,8 +230,8 @@ def _difference(equation: str, symbols: frozenset[str] | None) -> tuple[Node, fr
         nodes = [_whole(side) for side in sides]
     except (Refused, ValueError):
         return None
-    found = frozenset(token.text for side in sides for token in side if token.kind == "symbol")
-    return arithmetic.total([(nodes[0], False), (nodes[1], True)]), found
+    used_symbols = frozenset(token.text for side in sides for token in side if token.kind == "symbol")
+    return arithmetic.total([(nodes[0], False), (nodes[1], True)]), used_symbols
 
 
 def _whole(tokens: Sequence[Token]) -> Node:
@@ -244,11 +244,11 @@ def _whole(tokens: Sequence[Token]) -> Node:
 T = TypeVar("T")
 
 
-def paired(right: Sequence[T], said: Sequence[str], fits: Callable[[T, str], bool]) -> bool:
-    """Return whether `right` and `said` can be matched one to one by `fits` (Kuhn's algorithm)."""
-    if len(right) != len(said):
+def paired(right: Sequence[T], submitted: Sequence[str], fits: Callable[[T, str], bool]) -> bool:
+    """Return whether `right` and `submitted` can be matched one to one by `fits` (Kuhn's algorithm)."""
+    if len(right) != len(submitted):
         return False
-    good = [[place for place, answer in enumerate(said) if fits(each, answer)] for each in right]
+    good = [[place for place, answer in enumerate(submitted) if fits(each, answer)] for each in right]
     taken: dict[int, int] = {}
 
     def place(number: int, tried: set[int]) -> bool:

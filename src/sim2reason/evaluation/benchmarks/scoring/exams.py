@@ -36,27 +36,27 @@ class HiPhO(Scoring):
     def award(self, response: str, reference: Reference) -> Award:
         """Return the award from the reference's `parts`, each with `answer`, `unit` and `points`."""
         wanted = cast("list[Mapping[str, JsonValue]]", reference["parts"])
-        found = boxes(response)[-len(wanted) :]
-        if not found:
+        contents = boxes(response)[-len(wanted) :]
+        if not contents:
             return Award.unreadable("there is no box")
-        if len(found) < len(wanted):
-            return Award(0.0, parsed=", ".join(found), why=f"{len(found)} boxes where {len(wanted)} are asked")
+        if len(contents) < len(wanted):
+            return Award(0.0, parsed=", ".join(contents), why=f"{len(contents)} boxes where {len(wanted)} are asked")
         worth = [float(cast("float", part["points"])) for part in wanted]
-        good = [_right(part, said) for part, said in zip(wanted, found, strict=True)]
+        good = [_right(part, submitted) for part, submitted in zip(wanted, contents, strict=True)]
         earned = sum(points for points, right in zip(worth, good, strict=True) if right) / sum(worth)
-        return Award(earned, parsed=", ".join(found), why=f"right: {sum(good)} of {len(good)}")
+        return Award(earned, parsed=", ".join(contents), why=f"right: {sum(good)} of {len(good)}")
 
 
-def _right(part: Mapping[str, JsonValue], said: str) -> bool:
+def _right(part: Mapping[str, JsonValue], submitted: str) -> bool:
     answer, unit = str(part["answer"]), unit_or_none(part.get("unit"))
-    if same_text(answer, said):
+    if same_text(answer, submitted):
         return True
     if is_equation(answer):
-        return bool(equivalent_equations(answer, said))
+        return bool(equivalent_equations(answer, submitted))
     value = read(answer, unit)
     if value is not None:
-        return number(in_box(said), value, unit, tolerance=TOLERANCE).reward == 1.0
-    return bool(equal_expressions(answer, said))
+        return number(in_box(submitted), value, unit, tolerance=TOLERANCE).reward == 1.0
+    return bool(equal_expressions(answer, submitted))
 
 
 SCORINGS.add("hipho", HiPhO())
@@ -81,26 +81,28 @@ class JEEBench(Scoring):
 
 
 def _options(response: str, right: frozenset[str], *, partial: bool) -> Award:
-    found = boxes(response)
-    said = chosen(found[-1]) if found else unboxed_options(response)
-    if said is None:
-        return Award.unreadable("no options in the box" if found else "no box and no answer in words")
-    named = "".join(sorted(said))
-    if said == right:
+    contents = boxes(response)
+    submitted = chosen(contents[-1]) if contents else unboxed_options(response)
+    if submitted is None:
+        return Award.unreadable("no options in the box" if contents else "no box and no answer in words")
+    named = "".join(sorted(submitted))
+    if submitted == right:
         return Award(1.0, parsed=named)
-    if partial and said <= right:
-        return Award(QUARTER * len(said), parsed=named, why=f"{len(said)} of {len(right)} right options, none wrong")
+    if partial and submitted <= right:
+        return Award(
+            QUARTER * len(submitted), parsed=named, why=f"{len(submitted)} of {len(right)} right options, none wrong"
+        )
     return Award(0.0, parsed=named, why=f"the right options are {''.join(sorted(right))}")
 
 
 def _number(response: str, answer: str, *, exact: bool) -> Award:
-    found = boxes(response)
-    score = number(in_box(found[-1]) if found else response, float(answer), lenient=True)
+    contents = boxes(response)
+    score = number(in_box(contents[-1]) if contents else response, float(answer), lenient=True)
     if not isinstance(score.parsed, float):
         return Award.unreadable(score.why)
     # Decimals as they are written: in floats 0.76 is farther than 0.01 from 0.75.
-    said, right = Fraction(repr(score.parsed)), Fraction(answer)
-    good = abs(said - right) <= (JEEBENCH_ROUNDING * max(1, abs(right)) if exact else WITHIN + JEEBENCH_ROUNDING)
+    submitted, right = Fraction(repr(score.parsed)), Fraction(answer)
+    good = abs(submitted - right) <= (JEEBENCH_ROUNDING * max(1, abs(right)) if exact else WITHIN + JEEBENCH_ROUNDING)
     return Award.all_or_nothing(good, f"{score.parsed:g}", "" if good else f"the right number is {answer}")
 
 
@@ -137,14 +139,14 @@ class OlympiadBench(Scoring):
     def award(self, response: str, reference: Reference) -> Award:
         """Return the award from the reference's `answer`, `unit` and `error`, as texts of the file."""
         right = expected_parts(reference)
-        found = boxes(response)
-        if not found:
+        contents = boxes(response)
+        if not contents:
             return Award.unreadable("there is no box")
-        said = _said(found, len(right))
-        shown = ", ".join(said)
-        if len(said) != len(right):
-            return Award(0.0, parsed=shown, why=f"{len(said)} answers where {len(right)} are asked")
-        good = paired(right, said, _fits)
+        submitted = _said(contents, len(right))
+        shown = ", ".join(submitted)
+        if len(submitted) != len(right):
+            return Award(0.0, parsed=shown, why=f"{len(submitted)} answers where {len(right)} are asked")
+        good = paired(right, submitted, _fits)
         return Award.all_or_nothing(good, shown, "" if good else f"the answer is {reference['answer']}")
 
 
@@ -167,16 +169,16 @@ def expected_parts(reference: Reference) -> list[_Expected]:
 
 def _spread(text: object, count: int) -> list[str]:
     """Return one entry of a comma-separated text per answer; a single entry is repeated for all answers."""
-    held = [part.strip() for part in text.split(",")] if isinstance(text, str) else [""]
-    return held if len(held) == count else held[:1] * count
+    entries = [part.strip() for part in text.split(",")] if isinstance(text, str) else [""]
+    return entries if len(entries) == count else entries[:1] * count
 
 
-def _said(found: list[str], count: int) -> list[str]:
+def _said(contents: list[str], count: int) -> list[str]:
     """Return the answers in the last box, or in as many last boxes as there are correct answers."""
-    last = _signs(parts(found[-1]))
-    apart = _signs(parts(found[-1], thousands=False))
-    several = _signs([part for content in found[-count:] for part in parts(content)])
-    return next((said for said in (last, apart, several) if len(said) == count), last[: MAX_ANSWERS + 1])
+    last = _signs(parts(contents[-1]))
+    separated = _signs(parts(contents[-1], thousands=False))
+    several = _signs([part for content in contents[-count:] for part in parts(content)])
+    return next((answers for answers in (last, separated, several) if len(answers) == count), last[: MAX_ANSWERS + 1])
 
 
 def _signs(answers: list[str]) -> list[str]:
@@ -189,31 +191,33 @@ def _two(answer: str) -> tuple[str, ...]:
     return (text.replace(r"\pm", "+"), text.replace(r"\pm", "-")) if r"\pm" in text else (answer,)
 
 
-def _fits(right: _Expected, said: str) -> bool:
-    if same_text(right.text, said):
+def _fits(right: _Expected, submitted: str) -> bool:
+    if same_text(right.text, submitted):
         return True
-    ours, theirs = name_of(right.text), name_of(said)
+    ours, theirs = name_of(right.text), name_of(submitted)
     if ours and theirs and not right.alone and not same_text(ours, theirs):
         return False
-    one, other = (_CALLED.sub("", _SIZE.sub("", text)).strip() for text in (right.text, said))
+    one, other = (_CALLED.sub("", _SIZE.sub("", text)).strip() for text in (right.text, submitted))
     if _is_list(one):
         return _is_list(other) and _intervals(one, other, right)
     if is_equation(right.text):
-        return bool(equivalent_equations(right.text, said))
+        return bool(equivalent_equations(right.text, submitted))
     value = read(right.text, right.unit)
-    return _near(right, value, said) if value is not None else bool(equal_expressions(right.text, said))
+    return _near(right, value, submitted) if value is not None else bool(equal_expressions(right.text, submitted))
 
 
-def _near(right: _Expected, value: float, said: str) -> bool:
+def _near(right: _Expected, value: float, submitted: str) -> bool:
     """Return whether a value is within the error; a fraction may replace a percentage."""
-    found = read(said, right.unit, expected=value)
-    if found is None:
+    submitted_value = read(submitted, right.unit, expected=value)
+    if submitted_value is None:
         return False
     if "%" in right.text:
         value *= 100.0  # it was read as a share, and its error is in per cent
     error = min(ERROR, SMALL * abs(value)) if right.error is None and value else right.error or 0.0
     scales = (1.0, 100.0) if right.percent else (1.0,)
-    return any(abs(found * scale - value) <= LEEWAY * error + OLYMPIADBENCH_ROUNDING * abs(value) for scale in scales)
+    return any(
+        abs(submitted_value * scale - value) <= LEEWAY * error + OLYMPIADBENCH_ROUNDING * abs(value) for scale in scales
+    )
 
 
 def _is_list(text: str) -> bool:

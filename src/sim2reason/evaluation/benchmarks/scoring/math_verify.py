@@ -81,10 +81,10 @@ def _serve(pipe: "Connection[object, tuple[str, ...]]", function: Callable[..., 
         pipe.send(answer)
 
 
-def verified(answer: str, said: str) -> tuple[bool, bool, str]:
-    """Return whether `said` parses, whether it equals `answer`, and its parsed form; both contain a box."""
+def verified(answer: str, submitted: str) -> tuple[bool, bool, str]:
+    """Return whether `submitted` parses, whether it equals `answer`, and its parsed form; both contain a box."""
     library: Any = import_module("math_verify")
     logging.getLogger("math_verify").setLevel(logging.ERROR)  # it warns of the missing limits at each call
     limit = {"parsing_timeout": None}  # its own limits use signals; this process is killed instead
-    right, found = library.parse(answer, **limit), library.parse(said, **limit)
-    return bool(found), bool(found and library.verify(right, found, timeout_seconds=None)), str(found[:1])[:200]
+    right, parsed = library.parse(answer, **limit), library.parse(submitted, **limit)
+    return bool(parsed), bool(parsed and library.verify(right, parsed, timeout_seconds=None)), str(parsed[:1])[:200]

@@ -43,29 +43,29 @@ class MathVerify(Scoring):
     def award(self, response: str, reference: Reference) -> Award:
         """Return the award from the reference's `answer`, a text in LaTeX."""
         self.check()
-        found = boxes(response)
-        if not found:
+        contents = boxes(response)
+        if not contents:
             return Award.unreadable("there is no box")
         answer = str(reference["answer"])
-        ours = _equal(answer, found[-1])
+        ours = _equal(answer, contents[-1])
         if ours is not None:
-            return Award.all_or_nothing(ours, found[-1], "" if ours else f"the answer is {answer}")
-        result = self._verified(in_box(answer), in_box(found[-1]))
+            return Award.all_or_nothing(ours, contents[-1], "" if ours else f"the answer is {answer}")
+        result = self._verified(in_box(answer), in_box(contents[-1]))
         if result is None:
             return Award.unreadable(f"math-verify gave no answer within {PATIENCE:g} s")
         readable, equal, _ = result
-        return Award(float(equal), readable, found[-1], "" if equal else f"the answer is {answer}")
+        return Award(float(equal), readable, contents[-1], "" if equal else f"the answer is {answer}")
 
 
-def _equal(answer: str, said: str) -> bool | None:
+def _equal(answer: str, submitted: str) -> bool | None:
     """Return whether two answers are equal by the project's own grammar; None if the grammar cannot tell."""
-    if "%" in answer + said or _NAMED.search(_COMMAND.sub(" ", answer)):
+    if "%" in answer + submitted or _NAMED.search(_COMMAND.sub(" ", answer)):
         return None
     if read(answer) is None or _LETTER.fullmatch(answer):
-        return None if is_equation(answer) else equal_expressions(answer, said)
-    if read(said) is not None:
-        return agrees(answer, said, EQUAL)
-    return False if _UNSOLVED.match(said) else None
+        return None if is_equation(answer) else equal_expressions(answer, submitted)
+    if read(submitted) is not None:
+        return agrees(answer, submitted, EQUAL)
+    return False if _UNSOLVED.match(submitted) else None
 
 
 SCORINGS.add("math", MathVerify())
@@ -115,20 +115,20 @@ class Physics(Scoring):
     def award(self, response: str, reference: Reference) -> Award:
         """Return the award from the reference's `answers`, in any order."""
         right = [str(answer) for answer in cast("list[object]", reference["answers"])]
-        found = boxes(response)[-len(right) :]
-        if not found:
+        contents = boxes(response)[-len(right) :]
+        if not contents:
             return Award.unreadable("there is no box")
-        good = paired(right, found, _same)
-        return Award.all_or_nothing(good, ", ".join(found), "" if good else "not equal by the rule")
+        good = paired(right, contents, _same)
+        return Award.all_or_nothing(good, ", ".join(contents), "" if good else "not equal by the rule")
 
     def question(self, response: str, reference: Reference, prompt: str) -> str | None:
         """Return the boxes and the correct answers as a prompt; None without a box."""
         right = [str(answer) for answer in cast("list[object]", reference["answers"])]
-        found = boxes(response)[-len(right) :]
-        if not found:
+        contents = boxes(response)[-len(right) :]
+        if not contents:
             return None
-        said = "\n".join(answer.replace("<", "< ") for answer in found)
-        return JUDGED.format(prompt=prompt, right="\n".join(right), said=said)
+        submitted = "\n".join(answer.replace("<", "< ") for answer in contents)
+        return JUDGED.format(prompt=prompt, right="\n".join(right), said=submitted)
 
     def ruling(self, said: str) -> Award:
         """Return one point for yes, zero for no; anything else is unreadable."""
@@ -139,13 +139,13 @@ class Physics(Scoring):
         return Award.unreadable("the judge says neither yes nor no")
 
 
-def _same(right: str, said: str) -> bool:
-    if same_text(right, said):
+def _same(right: str, submitted: str) -> bool:
+    if same_text(right, submitted):
         return True
     if is_equation(right):
-        return bool(equivalent_equations(right, said))
-    number = agrees(right, said, PHYSICS_TOLERANCE)
-    return number if number is not None else bool(equal_expressions(right, said))
+        return bool(equivalent_equations(right, submitted))
+    number = agrees(right, submitted, PHYSICS_TOLERANCE)
+    return number if number is not None else bool(equal_expressions(right, submitted))
 
 
 SCORINGS.add("physics", Physics())

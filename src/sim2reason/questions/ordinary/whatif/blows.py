@@ -37,18 +37,20 @@ BLOW_PATTERNS = (
 )
 
 
-def of_blow(heard: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
+def of_blow(sentence: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
     """Return the question for the impulse that sets a body at rest in motion, which is its initial momentum."""
-    found = next(filter(None, (re.fullmatch(told, heard.text) for told in BLOW_PATTERNS)), None)
-    if found is None or words.released:
+    match = next(filter(None, (re.fullmatch(regex, sentence.text) for regex in BLOW_PATTERNS)), None)
+    if match is None or words.released:
         return None
-    groups = found.groupdict()
+    groups = match.groupdict()
     tokens = {token for name in "stuv" if (token := groups.get(name) or "").startswith("@")}
-    bodies = {said: name for name, said in words.called(Bodies()).items()}
-    said = heard.subject(next(iter(tokens))) if len(tokens) == 1 else next(iter(bodies)) if len(bodies) == 1 else ""
-    if said not in bodies or len(tokens) > 1:
+    bodies = {phrase: name for name, phrase in words.called(Bodies()).items()}
+    phrase = (
+        sentence.subject(next(iter(tokens))) if len(tokens) == 1 else next(iter(bodies)) if len(bodies) == 1 else ""
+    )
+    if phrase not in bodies or len(tokens) > 1:
         return None
-    return reader.first_of([Reading(StructuredQuestion("momentum", bodies[said], START))], motion, words)
+    return reader.first_of([Reading(StructuredQuestion("momentum", bodies[phrase], START))], motion, words)
 
 
 _MEASURE = "(?P<q>period|frequency|angular frequency)"
@@ -129,26 +131,26 @@ SMALL = 20.0  # degrees: largest amplitude of a small oscillation
 
 def _is_small(motion: FollowedMotion, words: Words, reader: Reader) -> bool:
     """Return whether a body swings, and only through small angles."""
-    asked = Reading(StructuredQuestion("greatest deflection"))
-    meant = reader.first_of([asked], motion, words)
-    return meant is not None and (meant.followed.answer or SMALL) < SMALL and "deg" in meant.posed.unit(words)
+    reading = Reading(StructuredQuestion("greatest deflection"))
+    meaning = reader.first_of([reading], motion, words)
+    return meaning is not None and (meaning.followed.answer or SMALL) < SMALL and "deg" in meaning.posed.unit(words)
 
 
 def of_small_oscillations(
-    heard: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
+    sentence: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
 ) -> Understood | None:
     """Return the question for the period or a frequency of small oscillations; None if there are several modes."""
-    if any(re.fullmatch(told, heard.text) for told in PENDULUMS):
+    if any(re.fullmatch(regex, sentence.text) for regex in PENDULUMS):
         return _in_one_mode(PENDULUM, motion, words, reader)
-    for number, told in enumerate((*OSCILLATION_PATTERNS, *OF_MOTION)):
-        found = re.fullmatch(told, heard.text)
-        if found is not None and (number < len(OSCILLATION_PATTERNS) or _is_small(motion, words, reader)):
-            return _in_one_mode(found["q"], motion, words, reader)
+    for number, regex in enumerate((*OSCILLATION_PATTERNS, *OF_MOTION)):
+        match = re.fullmatch(regex, sentence.text)
+        if match is not None and (number < len(OSCILLATION_PATTERNS) or _is_small(motion, words, reader)):
+            return _in_one_mode(match["q"], motion, words, reader)
     return None
 
 
 def _in_one_mode(measure: str, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
     """Return the question for a measure of small oscillations if there is only one mode of them; else None."""
-    meant = reader.first_of([Reading(StructuredQuestion(measure, "", EQUILIBRIUM))], motion, words)
-    query = meant.posed.query if meant is not None else None
-    return meant if isinstance(query, PeriodQuery) and query.modes == 1 else None
+    meaning = reader.first_of([Reading(StructuredQuestion(measure, "", EQUILIBRIUM))], motion, words)
+    query = meaning.posed.query if meaning is not None else None
+    return meaning if isinstance(query, PeriodQuery) and query.modes == 1 else None

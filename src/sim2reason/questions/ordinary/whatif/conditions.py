@@ -159,26 +159,26 @@ _MULTIPLES = (
 """Statements that a quantity is to change by a factor, such as *doubles its speed* or *its speed be halved*."""
 
 
-def _factor(found: re.Match[str]) -> float:
-    groups = found.groupdict()
+def _factor(match: re.Match[str]) -> float:
+    groups = match.groupdict()
     if groups.get("verb"):
         return _STEMS[groups["verb"]]
-    return next(value for told, value in MULTIPLES.items() if re.fullmatch(told, groups["mult"]))
+    return next(value for regex, value in MULTIPLES.items() if re.fullmatch(regex, groups["mult"]))
 
 
-def conditions(text: str, subject: str, heard: TokenizedSentence) -> Iterator[StatedCondition]:
+def conditions(text: str, subject: str, sentence: TokenizedSentence) -> Iterator[StatedCondition]:
     """Yield the conditions that a clause may state, as an outcome or as results; nothing if a word is left over."""
-    said = _statement(text, subject)
-    outcome = _outcome(said, heard)
+    statement = _statement(text, subject)
+    outcome = _outcome(statement, sentence)
     if outcome is not None:
         yield outcome
         return
-    for told in _MULTIPLES:
-        found = re.fullmatch(told, said)
-        if found is not None:
-            yield StatedCondition(question=f"what is {found['what']}", factor=_factor(found))
+    for regex in _MULTIPLES:
+        match = re.fullmatch(regex, statement)
+        if match is not None:
+            yield StatedCondition(question=f"what is {match['what']}", factor=_factor(match))
             return
-    for question, stated in asked_by(said, heard):
+    for question, stated in asked_by(statement, sentence):
         yield StatedCondition(question=question, stated=stated)
 
 
@@ -192,52 +192,55 @@ _EMPTY = re.compile(
 
 def _statement(text: str, subject: str) -> str:
     """Return a clause such as *for A to slip* as a statement that begins with its subject, *A slip*."""
-    said = re.sub(r"^(?:for|that|so that|suppose|to) ", "", text)
-    said = plainer_condition(said)
-    said = re.sub(r"\b(?:would|could|should|might|must) have (?=\w+(?:ed|t|n|ne)\b)", "", said)
+    statement = re.sub(r"^(?:for|that|so that|suppose|to) ", "", text)
+    statement = plainer_condition(statement)
+    statement = re.sub(r"\b(?:would|could|should|might|must) have (?=\w+(?:ed|t|n|ne)\b)", "", statement)
     if subject:
-        said = re.sub(r"^(its|their) (?:own )?(?=[a-z])", f"{subject} 's ", said)
-    said = _EMPTY.sub("", said)
-    gets = re.match(r"(?:ensures? that|prevents?) (?P<rest>.+)", said)
-    if gets is not None and said.startswith("prevent"):
-        said = re.sub(rf"^prevents? ({_S}) from (\w+)", r"\1 not \2", said)
+        statement = re.sub(r"^(its|their) (?:own )?(?=[a-z])", f"{subject} 's ", statement)
+    statement = _EMPTY.sub("", statement)
+    gets = re.match(r"(?:ensures? that|prevents?) (?P<rest>.+)", statement)
+    if gets is not None and statement.startswith("prevent"):
+        statement = re.sub(rf"^prevents? ({_S}) from (\w+)", r"\1 not \2", statement)
     elif gets is not None:
-        said = gets["rest"]
-    said = re.sub(rf"^(?:(?:would|will|to) )?(?:give|gives|given) ({_S}|it) ", r"\1 have ", said)
-    said = re.sub(
+        statement = gets["rest"]
+    statement = re.sub(rf"^(?:(?:would|will|to) )?(?:give|gives|given) ({_S}|it) ", r"\1 have ", statement)
+    statement = re.sub(
         rf"^(?:will |would |to )?{_CAUSING} (?=(?:{_S}(?= |$)|(?:(?:greatest|least|maximum|minimum|final|initial)"
         rf" )*(?:its|it|system|everything|period|both|all|{pattern('QUANTITY').pattern})\b))",
         "",
-        said,
+        statement,
     )
-    said = re.sub(rf"^(?:does|do|did|will|would|should|must|can|could|is|are) (?={_S})", "", said)
-    said = re.sub(
-        r"\b(?:is|are|was|were|has|have) (?:not )?to (?=\w)", lambda f: "not " if " not " in f[0] else "", said, count=1
+    statement = re.sub(rf"^(?:does|do|did|will|would|should|must|can|could|is|are) (?={_S})", "", statement)
+    statement = re.sub(
+        r"\b(?:is|are|was|were|has|have) (?:not )?to (?=\w)",
+        lambda f: "not " if " not " in f[0] else "",
+        statement,
+        count=1,
     )
-    said = re.sub(
+    statement = re.sub(
         rf"^((?:{_S}|{_NO_VERB}\w+)(?: and {_S})?) (?:should|would|must|will|can|could|to|does|do|shall|may)(?:"
         rf" (not))? ",
         lambda f: f"{f[1]} {'not ' if f[2] else ''}",
-        said,
+        statement,
     )
-    said = re.sub(rf"^((?:{_S}|it|\w+)) not to ", r"\1 not ", said)
+    statement = re.sub(rf"^((?:{_S}|it|\w+)) not to ", r"\1 not ", statement)
     if (
         subject
-        and not re.match(rf"(?:{_S}|it\b)", said)
-        and not re.match(r"(?:\w+ ){0,3}(?:of|in) @", said)
-        and "'s" not in said[:8]
+        and not re.match(rf"(?:{_S}|it\b)", statement)
+        and not re.match(r"(?:\w+ ){0,3}(?:of|in) @", statement)
+        and "'s" not in statement[:8]
     ):
-        said = f"{subject} {said}" if _is_predicate(said) else said
-    return " ".join(re.sub(r"^it\b", subject or "it", said).split())
+        statement = f"{subject} {statement}" if _is_predicate(statement) else statement
+    return " ".join(re.sub(r"^it\b", subject or "it", statement).split())
 
 
-def _is_predicate(said: str) -> bool:
+def _is_predicate(clause: str) -> bool:
     """Return whether a clause begins with a verb, so that it lacks its subject."""
-    return pattern("QUANTITY").match(said) is None and not re.match(
+    return pattern("QUANTITY").match(clause) is None and not re.match(
         r"(?:its|their|system|everything|all|both|period|it|greatest|least|maximum|minimum|final|initial|largest"
         r"|highest"
         r"|lowest|smallest|top|amplitude|frequency)\b",
-        said,
+        clause,
     )
 
 
@@ -247,38 +250,38 @@ _MEANWHILE = re.compile(
 )
 
 
-def _outcome(said: str, heard: TokenizedSentence) -> StatedCondition | None:
+def _outcome(statement: str, sentence: TokenizedSentence) -> StatedCondition | None:
     """Return the condition of a statement that names an outcome, if this accounts for every word; else None."""
-    bare = _TAUT_TOO.sub("", said)
-    taut = bare != said
+    bare = _TAUT_TOO.sub("", statement)
+    taut = bare != statement
     meanwhile = _MEANWHILE.search(bare)
     who = f"{meanwhile['who']} {meanwhile['other'] or ''}" if meanwhile is not None else ""
-    moving = tuple(map(heard.subject, re.findall(_S, who)))
+    moving = tuple(map(sentence.subject, re.findall(_S, who)))
     bare = _MEANWHILE.sub("", bare)
     while (shorter := _START.sub("", bare)) != bare:
         bare = shorter
     based_on = with_base_forms(bare)
     based_on = _TURNED.sub("", based_on)
     subjects = list(dict.fromkeys(re.findall(_S, bare)))
-    for told, outcome in PHRASES.items():
-        found = re.search(rf"(?<![\w@#])(?:{told.replace('{S}', _S)})(?![\w@#])", based_on)
-        if found is None:
+    for regex, outcome in PHRASES.items():
+        match = re.search(rf"(?<![\w@#])(?:{regex.replace('{S}', _S)})(?![\w@#])", based_on)
+        if match is None:
             continue
-        rest = re.sub(_S, " ", f"{based_on[: found.start()]} {based_on[found.end() :]}")
+        rest = re.sub(_S, " ", f"{based_on[: match.start()]} {based_on[match.end() :]}")
         loose = _LOOSE | _ROLLS if outcome == HOLDS else _LOOSE
         if set(re.sub(rf"\b(?:{GROUNDS})\b", " ", rest).replace(",", " ").split()) - loose or len(subjects) > 2:
             continue
-        before = based_on[: found.start()]
+        before = based_on[: match.start()]
         both = re.search(rf"({_S}) and ({_S})", before)
         first = re.search(_S, before)
         who = first[0] if first is not None else subjects[0] if subjects else ""
         named = (
-            f"{ALL} {heard.subject(both[1])} & {heard.subject(both[2])}"
+            f"{ALL} {sentence.subject(both[1])} & {sentence.subject(both[2])}"
             if both is not None
-            else heard.subject(who or None)
+            else sentence.subject(who or None)
         )
-        stated = re.findall(r"#\d+#", found[0])
+        stated = re.findall(r"#\d+#", match[0])
         return StatedCondition(
-            outcome, named, stated=heard.number(stated[0]) if stated else "", taut=taut, moving=moving
+            outcome, named, stated=sentence.number(stated[0]) if stated else "", taut=taut, moving=moving
         )
     return None

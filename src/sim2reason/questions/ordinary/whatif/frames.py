@@ -240,43 +240,46 @@ class WantedFrame(NamedTuple):
     grows: bool | None = None
 
 
-def framed(text: str, heard: TokenizedSentence) -> Iterator[WantedFrame]:
+def framed(text: str, sentence: TokenizedSentence) -> Iterator[WantedFrame]:
     """Yield each way to split a sentence into the number that it asks for and the condition on it."""
-    subject = {f"@{index}@": said for index, said in enumerate(heard.subjects)}
+    subject = {f"@{index}@": phrase for index, phrase in enumerate(sentence.subjects)}
     bound = _BOUNDED.fullmatch(text)
     if bound is not None:
         end = LEAST if "least" in (bound["early"] or bound["bound"]) else GREATEST
         yield from (
             frame._replace(end=end)
-            for frame in framed(f"{bound['head'] or ''}{bound['rest']}", heard)
+            for frame in framed(f"{bound['head'] or ''}{bound['rest']}", sentence)
             if frame.end in ("", end)
         )
         return
-    for told in FRAMES:
-        found = _frame(told).fullmatch(text)
-        if found is not None:
-            yield _wanted(found, named_number(found, subject))
-    for told, kind in OTHERS:
-        found = _frame(told).fullmatch(text)
-        if found is not None:
-            groups = found.groupdict()
+    for template in FRAMES:
+        match = _frame(template).fullmatch(text)
+        if match is not None:
+            yield _wanted(match, named_number(match, subject))
+    for template, kind in OTHERS:
+        match = _frame(template).fullmatch(text)
+        if match is not None:
+            groups = match.groupdict()
             owner = subject.get(groups.get("s") or "")
-            yield _wanted(found, NamedNumber(kind or _adjective(groups["adj"], owner or ""), (owner,) if owner else ()))
+            yield _wanted(match, NamedNumber(kind or _adjective(groups["adj"], owner or ""), (owner,) if owner else ()))
 
 
-def _adjective(said: str, owner: str) -> str:
-    name = next(name for told, name in ADJECTIVES.items() if re.fullmatch(told, said))
+def _adjective(adjective: str, owner: str) -> str:
+    name = next(name for regex, name in ADJECTIVES.items() if re.fullmatch(regex, adjective))
     return "mass" if name == "stiffness" and "spring" not in owner else name
 
 
-def _wanted(found: re.Match[str], number: NamedNumber) -> WantedFrame:
-    groups = found.groupdict()
-    least, greatest = (groups.get("least") or groups.get("atleast")), (groups.get("greatest") or groups.get("atmost"))
-    end = LEAST if least else GREATEST if greatest else ""
+def _wanted(match: re.Match[str], number: NamedNumber) -> WantedFrame:
+    groups = match.groupdict()
+    smallest, greatest = (
+        (groups.get("least") or groups.get("atleast")),
+        (groups.get("greatest") or groups.get("atmost")),
+    )
+    end = LEAST if smallest else GREATEST if greatest else ""
     compare = RATIO if groups.get("ratio") else DIFFERENCE if groups.get("difference") else VALUE
-    said = groups.get("s") or (groups.get("own") or groups.get("of") or "" if compare != VALUE else "")
+    subject = groups.get("s") or (groups.get("own") or groups.get("of") or "" if compare != VALUE else "")
     grows = True if groups.get("more") else False if groups.get("less") else None
-    return WantedFrame(number, end, compare, groups["c"].strip(" ,"), said, grows)
+    return WantedFrame(number, end, compare, groups["c"].strip(" ,"), subject, grows)
 
 
 @cache

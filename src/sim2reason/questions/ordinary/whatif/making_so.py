@@ -43,27 +43,27 @@ _WEIGHT = re.compile(
 _CHANGES = re.compile(r"\b(?:mass|heavy|heavier|g|gravity)\b")
 
 
-def with_weights(heard: TokenizedSentence, scene: Scene, words: Words) -> TokenizedSentence:
+def with_weights(sentence: TokenizedSentence, scene: Scene, words: Words) -> TokenizedSentence:
     """Return a sentence with a mass in place of each weight in newtons; unchanged if it asks for a mass or for g."""
-    found = _WEIGHT.search(heard.text)
-    if found is None or _CHANGES.search(heard.text) or scene.units.spell("N") != "N":
-        return heard
-    token = re.search(r"@\d+@", found["own"] or found["of"] or "")
+    match = _WEIGHT.search(sentence.text)
+    if match is None or _CHANGES.search(sentence.text) or scene.units.spell("N") != "N":
+        return sentence
+    token = re.search(r"@\d+@", match["own"] or match["of"] or "")
     bodies = words.called(Bodies())
-    said = heard.subject(token[0]) if token is not None else next(iter(bodies.values())) if len(bodies) == 1 else ""
-    name = next((name for name, phrase in bodies.items() if phrase == said), "")
+    owner = sentence.subject(token[0]) if token is not None else next(iter(bodies.values())) if len(bodies) == 1 else ""
+    name = next((name for name, phrase in bodies.items() if phrase == owner), "")
     if not name:
-        return heard
+        return sentence
     weight = words.mechanism.body[name].mass * float(np.linalg.norm(words.mechanism.gravity))
-    value = f"{_factor(found['mult'] or '', heard) * weight:.15g} N"
-    text = f"{heard.text[: found.start()]}{found['be']} #{len(heard.numbers)}#{heard.text[found.end() :]}"
-    return replace(heard, text=text, numbers=(*heard.numbers, value))
+    value = f"{_factor(match['mult'] or '', sentence) * weight:.15g} N"
+    text = f"{sentence.text[: match.start()]}{match['be']} #{len(sentence.numbers)}#{sentence.text[match.end() :]}"
+    return replace(sentence, text=text, numbers=(*sentence.numbers, value))
 
 
-def _factor(said: str, heard: TokenizedSentence) -> float:
-    if said.startswith("#"):
-        return float(heard.number(said.partition(" ")[0]).partition(" ")[0])
-    return next((value for told, value in MULTIPLES.items() if re.fullmatch(told, said)), 1.0)
+def _factor(multiple: str, sentence: TokenizedSentence) -> float:
+    if multiple.startswith("#"):
+        return float(sentence.number(multiple.partition(" ")[0]).partition(" ")[0])
+    return next((value for regex, value in MULTIPLES.items() if re.fullmatch(regex, multiple)), 1.0)
 
 
 RESULT_RTOL = 1e-6  # relative: largest difference from the stated result
@@ -74,64 +74,64 @@ _FROM_BOTTOM = re.compile(r"\b(?:at|from) (?:its |circle 's )?(?:bottom|lowest p
 
 
 def number_making_so(
-    heard: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
+    sentence: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
 ) -> Understood | None:
     """Return the meaning of a sentence that asks for a number by its effect; None if it is no such sentence.
 
     Raises:
         TextError: the sentence has readings with different answers, or the number does not lead to what is said.
     """
-    if _FROM_BOTTOM.search(heard.text) and not is_zero("swing angle", motion.study.scene):
+    if _FROM_BOTTOM.search(sentence.text) and not is_zero("swing angle", motion.study.scene):
         return None
-    heard = with_weights(heard, motion.study.scene, words)
-    direction = told_direction(heard.text)
-    told = replace(heard, text=plainer(direction.text))
-    found: list[Understood] = []
-    for frame in directed(framed(told.text, told), direction, told):
-        alone = "@0@" if len(heard.subjects) == 1 and "@" not in told.text else ""
-        for condition in conditions(frame.condition, frame.subject or alone, told):
-            meant = _meant(frame, condition, told, motion, words, reader)
-            if meant is not None and not (meant.asked.find == CIRCULAR_SPEED and "direction" in heard.text):
-                found.append(_checked(frame, meant, motion))
-        if found:
+    sentence = with_weights(sentence, motion.study.scene, words)
+    direction = told_direction(sentence.text)
+    plain_sentence = replace(sentence, text=plainer(direction.text))
+    meanings: list[Understood] = []
+    for frame in directed(framed(plain_sentence.text, plain_sentence), direction, plain_sentence):
+        alone = "@0@" if len(sentence.subjects) == 1 and "@" not in plain_sentence.text else ""
+        for condition in conditions(frame.condition, frame.subject or alone, plain_sentence):
+            meaning = _meant(frame, condition, plain_sentence, motion, words, reader)
+            if meaning is not None and not (meaning.asked.find == CIRCULAR_SPEED and "direction" in sentence.text):
+                meanings.append(_checked(frame, meaning, motion))
+        if meanings:
             break
-    answers = [each.followed.answer for each in found]
+    answers = [each.followed.answer for each in meanings]
     known = [answer for answer in answers if answer is not None]
     if any(not isclose(answer, known[0], rel_tol=RESULT_RTOL) for answer in known):
-        told_ways = dict.fromkeys(each.asked.told for each in found)
+        told_ways = dict.fromkeys(each.asked.told for each in meanings)
         raise TextError("question", "it can be read in several ways", f"did you mean: {' or: '.join(told_ways)}")
-    return next((each for each in found if each.followed.answer is not None), next(iter(found), None))
+    return next((each for each in meanings if each.followed.answer is not None), next(iter(meanings), None))
 
 
 def _meant(
     frame: WantedFrame,
     condition: StatedCondition,
-    heard: TokenizedSentence,
+    sentence: TokenizedSentence,
     motion: FollowedMotion,
     words: Words,
     reader: Reader,
 ) -> Understood | None:
     number = frame.number
     if not number.owners and number.kind in OWN and frame.subject:
-        number = number._replace(owners=(heard.subject(frame.subject),))
+        number = number._replace(owners=(sentence.subject(frame.subject),))
     paths = paths_of(number, motion.study, words)
     if not paths and not number.owners and number.kind in OWN and condition.subject:
         paths = paths_of(number._replace(owners=(condition.subject,)), motion.study, words)
     path = paths[0] if len(paths) == 1 else ""
     frame = frame._replace(number=number)
-    found = _bringing_about(frame, condition, path, heard, motion, words, reader)
-    if found is not None and frame.compare == VALUE and frame.grows is not None:
+    meaning = _bringing_about(frame, condition, path, sentence, motion, words, reader)
+    if meaning is not None and frame.compare == VALUE and frame.grows is not None:
         now = number_at(motion.study.scene, path) if path else 0.0
-        if found.followed.answer is None or (found.followed.answer > now) != frame.grows:
+        if meaning.followed.answer is None or (meaning.followed.answer > now) != frame.grows:
             raise TextError("question", "it is not so: the number changes the other way", "ask for the number itself")
-    return found
+    return meaning
 
 
 def _bringing_about(
     frame: WantedFrame,
     condition: StatedCondition,
     path: str,
-    heard: TokenizedSentence,
+    sentence: TokenizedSentence,
     motion: FollowedMotion,
     words: Words,
     reader: Reader,
@@ -139,31 +139,33 @@ def _bringing_about(
     """Return the question for the number at an address that meets a condition; None if it has no meaning."""
     if condition.outcome:
         readings = list(by_outcome(frame, condition, path, motion, words))
-        found = reader.first_of(readings, motion, words) if readings else None
-        if found is None or slips_nevertheless(found) or moves_nevertheless(found, condition, motion, words):
+        meaning = reader.first_of(readings, motion, words) if readings else None
+        if meaning is None or slips_nevertheless(meaning) or moves_nevertheless(meaning, condition, motion, words):
             return None
-        if on_the_other_side(found, frame, condition, motion, words):
+        if on_the_other_side(meaning, frame, condition, motion, words):
             raise TextError("question", "it comes about on the other side of that number", "ask for the other end")
-        return found
-    return _by_result(frame, condition, path, heard, motion, words, reader) if path else None
+        return meaning
+    return _by_result(frame, condition, path, sentence, motion, words, reader) if path else None
 
 
 def _by_result(
     frame: WantedFrame,
     condition: StatedCondition,
     path: str,
-    heard: TokenizedSentence,
+    sentence: TokenizedSentence,
     motion: FollowedMotion,
     words: Words,
     reader: Reader,
 ) -> Understood | None:
     """Return the question for the number with which a question has the stated answer."""
-    told = replace(heard, text=condition.question)
-    found: list[Understood] = []
-    for asked, unit in _askable(told, motion, words, reader):
-        stated = _stated(condition, asked, unit, motion, words)
-        given = f"{asked.find} = {stated}" + (f", {frame.end}" if frame.end else "")
-        wanted = StructuredQuestion(path, asked.of, asked.when, asked.along, given, compare=frame.compare)
+    question_sentence = replace(sentence, text=condition.question)
+    meanings: list[Understood] = []
+    for structured, unit in _askable(question_sentence, motion, words, reader):
+        stated = _stated(condition, structured, unit, motion, words)
+        given = f"{structured.find} = {stated}" + (f", {frame.end}" if frame.end else "")
+        wanted = StructuredQuestion(
+            path, structured.of, structured.when, structured.along, given, compare=frame.compare
+        )
         try:
             question = pose_question(wanted, motion, words)
         except TextError:
@@ -173,8 +175,10 @@ def _by_result(
             continue
         every = _distinct(values_giving(question.query, question.given, unknown, motion.study))
         values = _of_end(frame.end, every if frame.compare != VALUE else told_values(every, path, frame, motion))
-        meant = condition._replace(stated=stated)
-        leading = [value for value in values if _leads(value, path, told, meant, motion, words, reader)]
+        stated_condition = condition._replace(stated=stated)
+        leading = [
+            value for value in values if _leads(value, path, question_sentence, stated_condition, motion, words, reader)
+        ]
         leading = _with_taut_strings(leading, question, path, motion)
         if len(leading) > 1:
             several = ", ".join(f"{value:.6g} {unknown.unit}" for value in leading)
@@ -183,11 +187,11 @@ def _by_result(
             end = LEAST if leading[0] == every[0] else GREATEST if leading[0] == every[-1] else ""
             wanted, question = replace(wanted, given=f"{given}, {end}"), replace(question, end=end)
         if leading or not values:
-            found.append(Understood(wanted, question, question.followed(motion)))
-    answered = [each for each in found if each.followed.answer is not None]
+            meanings.append(Understood(wanted, question, question.followed(motion)))
+    answered = [each for each in meanings if each.followed.answer is not None]
     if len({f"{each.followed.answer:.6g}" for each in answered}) > 1:
         raise TextError("question", "it can be read in several ways", answered[0].asked.told)
-    return next(iter(answered or found), None)
+    return next(iter(answered or meanings), None)
 
 
 def _of_end(end: str, values: list[float]) -> list[float]:
@@ -211,20 +215,20 @@ def _with_taut_strings(values: list[float], question: PosedQuestion, path: str, 
 
 def _distinct(values: Sequence[float]) -> list[float]:
     """Return ordered values without near-duplicates, of which the least is kept."""
-    found: list[float] = []
+    distinct: list[float] = []
     for value in sorted(values):
-        if not found or not isclose(value, found[-1], rel_tol=RESULT_RTOL):
-            found.append(value)
-    return found
+        if not distinct or not isclose(value, distinct[-1], rel_tol=RESULT_RTOL):
+            distinct.append(value)
+    return distinct
 
 
 def _stated(
-    condition: StatedCondition, asked: StructuredQuestion, unit: str, motion: FollowedMotion, words: Words
+    condition: StatedCondition, structured: StructuredQuestion, unit: str, motion: FollowedMotion, words: Words
 ) -> str:
     """Return the stated answer with its unit: a number, or a multiple of the answer in the scene as it is."""
     if not condition.factor:
         return condition.stated if " " in condition.stated or not unit else f"{condition.stated} {unit}"
-    answer = pose_question(asked, motion, words).followed(motion).answer
+    answer = pose_question(structured, motion, words).followed(motion).answer
     return f"{condition.factor * abs(answer):.15g} {unit}".strip() if answer else ""
 
 
@@ -241,11 +245,11 @@ def _ever(question: PosedQuestion, motion: FollowedMotion) -> bool:
 
 
 def _askable(
-    heard: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
+    sentence: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
 ) -> Iterator[tuple[StructuredQuestion, str]]:
     """Yield the structured questions that a sentence may mean, with units; if the scene answers one, that one only."""
     try:
-        plain = of_all(reader, heard, motion, words)
+        plain = of_all(reader, sentence, motion, words)
     except TextError:
         plain = None
     if plain is not None and plain.followed.reason.endswith(FOLLOWED_NO_LONGER):
@@ -254,27 +258,27 @@ def _askable(
         if MINUS not in plain.asked.when:
             yield plain.asked, plain.posed.unit(words)
         return
-    found = [*reader.readings(heard, motion, words), *reader.readings(_of_first(heard), motion, words)]
-    seen = dict.fromkeys(reading.asked for reading in found)
-    for asked in list(seen)[:MAX_READINGS]:
+    candidates = [*reader.readings(sentence, motion, words), *reader.readings(_of_first(sentence), motion, words)]
+    seen = dict.fromkeys(reading.asked for reading in candidates)
+    for structured in list(seen)[:MAX_READINGS]:
         try:
-            question = pose_question(asked, motion, words)
+            question = pose_question(structured, motion, words)
         except TextError:
             continue
         if question.unknown is None and question.less is None:
-            yield asked, question.unit(words)
+            yield structured, question.unit(words)
 
 
-def _of_first(heard: TokenizedSentence) -> TokenizedSentence:
+def _of_first(sentence: TokenizedSentence) -> TokenizedSentence:
     """Return a question about the first of several bodies in place of all; the others are checked later."""
-    first = (said.removeprefix(f"{ALL} ").partition(" & ")[0] for said in heard.subjects)
-    return replace(heard, subjects=tuple(first))
+    first = (subject.removeprefix(f"{ALL} ").partition(" & ")[0] for subject in sentence.subjects)
+    return replace(sentence, subjects=tuple(first))
 
 
 def _leads(
     value: float,
     path: str,
-    heard: TokenizedSentence,
+    sentence: TokenizedSentence,
     condition: StatedCondition,
     motion: FollowedMotion,
     words: Words,
@@ -283,30 +287,30 @@ def _leads(
     """Return whether a question has the stated answer with a value of a number, and its presumptions hold."""
     try:
         there = with_number(motion.study.scene, path, value)
-        found = of_all(reader, heard, simulate_scene(there), words_in(there, words))
+        meaning = of_all(reader, sentence, simulate_scene(there), words_in(there, words))
     except (SceneError, SimulationError, UnsupportedError, TextError, ValueError):
         return False
-    if found is None or found.followed.answer is None:
+    if meaning is None or meaning.followed.answer is None:
         return False
-    stated = measured("question", condition.stated, found.posed.unit(words))
-    return isclose(abs(found.followed.answer), abs(stated), rel_tol=RESULT_RTOL, abs_tol=1e-9)
+    stated = measured("question", condition.stated, meaning.posed.unit(words))
+    return isclose(abs(meaning.followed.answer), abs(stated), rel_tol=RESULT_RTOL, abs_tol=1e-9)
 
 
-def _checked(frame: WantedFrame, meant: Understood, motion: FollowedMotion) -> Understood:
+def _checked(frame: WantedFrame, meaning: Understood, motion: FollowedMotion) -> Understood:
     """Return a meaning with its answer in the form asked for; TextError if the number changes the other way."""
-    answer, path = meant.followed.answer, meant.asked.find
+    answer, path = meaning.followed.answer, meaning.asked.find
     if frame.compare == VALUE or answer is None:
-        return meant
-    question = meant.posed
+        return meaning
+    question = meaning.posed
     if question.compare != frame.compare:
         question = replace(question, compare=frame.compare)
-        meant = Understood(replace(meant.asked, compare=frame.compare), question, question.followed(motion))
-        answer = meant.followed.answer
+        meaning = Understood(replace(meaning.asked, compare=frame.compare), question, question.followed(motion))
+        answer = meaning.followed.answer
     if answer is None:
-        return meant
+        return meaning
     larger = answer > (1.0 if frame.compare == RATIO else 0.0)
     if frame.compare == RATIO and frame.grows is False:
         raise TextError("question", "a factor by which a number is less may be read in two ways", "ask for the number")
     if frame.grows is not None and larger != frame.grows:
         raise TextError("question", f"it is not so: {path} changes the other way", "ask for the number itself")
-    return meant
+    return meaning

@@ -141,7 +141,7 @@ def number_pattern() -> str:
     It has a group for each kind of number, *n0*, *n1* and so on, and groups for the owners.
     """
     nouns = "|".join(f"(?P<n{index}>{kind.nouns})" for index, kind in enumerate(NUMBERS.values()))
-    told = r"(?: ?,? (?:relative to|with respect to) @\d+@ ?,?)?"
+    reference = r"(?: ?,? (?:relative to|with respect to) @\d+@ ?,?)?"
     owner = (
         rf"(?: (?:of|for|between|on|in) (?:both )?(?P<of>@\d+@)(?: and (?:(?P<and>@\d+@)"
         rf"|(?:{GROUNDS})|its (?:{GROUNDS})))?"
@@ -149,34 +149,34 @@ def number_pattern() -> str:
         rf" (?P<too>@\d+@))?)?"
     )
     start = r"(?: (?:at start|at launch|at release|initially))?"
-    return rf"(?:(?P<own>@\d+@) 's |its |their |his |hand 's )?(?:{nouns}){told}{owner}{start}"
+    return rf"(?:(?P<own>@\d+@) 's |its |their |his |hand 's )?(?:{nouns}){reference}{owner}{start}"
 
 
-def named_number(found: re.Match[str], subject: Mapping[str, str]) -> NamedNumber:
+def named_number(match: re.Match[str], subject: Mapping[str, str]) -> NamedNumber:
     """Return the number that a match of `number_pattern` names; `subject` has the text's phrase for each token."""
-    kind = next(name for index, name in enumerate(NUMBERS) if found[f"n{index}"] is not None)
-    tokens = (found[key] for key in ("own", "of", "and", "too"))
-    return NamedNumber(kind, tuple(subject[token] for token in tokens if token), found["ground"] is not None)
+    kind = next(name for index, name in enumerate(NUMBERS) if match[f"n{index}"] is not None)
+    tokens = (match[key] for key in ("own", "of", "and", "too"))
+    return NamedNumber(kind, tuple(subject[token] for token in tokens if token), match["ground"] is not None)
 
 
 def paths_of(named: NamedNumber, study: SimulatedScene, words: Words) -> tuple[str, ...]:
     """Return the addresses of a named number, one for each owner; none if the name is ambiguous."""
-    owners = tuple(each for said in named.owners for each in _each(said))
+    owners = tuple(each for phrase in named.owners for each in _each(phrase))
     if named.kind == EVERY_MASS:
         return tuple(path for path, _ in _of_kind("mass", study.scene))
     every = list(_of_kind(named.kind, study.scene))
     if named.kind == "horizontal speed" and not is_zero("launch angle", study.scene):
         return ()
-    if named.grounded and named.kind == "friction" and any(_is_carried(study, *held) for held in every):
+    if named.grounded and named.kind == "friction" and any(_is_carried(study, *number) for number in every):
         return ()
     if not owners:
         return tuple(path for path, _ in every) if len(every) == 1 else ()
     if named.kind == "friction":
         return _rubbing(every, owners, study, words)
-    found = [
-        [path for path, held in every if _belongs(path, held, owner, study, words, len(every))] for owner in owners
+    owned_paths = [
+        [path for path, number in every if _belongs(path, number, owner, study, words, len(every))] for owner in owners
     ]
-    return tuple(paths[0] for paths in found) if all(len(paths) == 1 for paths in found) else ()
+    return tuple(paths[0] for paths in owned_paths) if all(len(paths) == 1 for paths in owned_paths) else ()
 
 
 def is_zero(kind: str, scene: Scene) -> bool:
@@ -184,15 +184,15 @@ def is_zero(kind: str, scene: Scene) -> bool:
     return not any(value for _, value in _of_kind(kind, scene))
 
 
-def _each(said: str) -> Sequence[str]:
-    return said.removeprefix(f"{ALL} ").split(" & ") if said.startswith(f"{ALL} ") else (said,)
+def _each(phrase: str) -> Sequence[str]:
+    return phrase.removeprefix(f"{ALL} ").split(" & ") if phrase.startswith(f"{ALL} ") else (phrase,)
 
 
 def _of_kind(name: str, scene: Scene) -> Iterator[tuple[str, float]]:
     """Yield the addresses and values of a scene's numbers of a kind; of most kinds only nonzero ones."""
     kind = NUMBERS[name]
-    held = [parameter for parameter in scene.parameters if not parameter.hidden and _is_of(parameter, kind)]
-    for parameter in held:
+    parameters = [parameter for parameter in scene.parameters if not parameter.hidden and _is_of(parameter, kind)]
+    for parameter in parameters:
         if parameter.value or (parameter.value is not None and name not in NEVER_ZERO):
             yield parameter.path, parameter.value
     if name == "speed":
@@ -220,10 +220,10 @@ def _place(parameter: Parameter) -> str:
 def _belongs(path: str, value: float, owner: str, study: SimulatedScene, words: Words, count: int) -> bool:
     """Return whether a number belongs to an owner: by its address, or as an initial speed that the body has."""
     head = path.rpartition(".")[0]
-    held = words.mentions.get(head, words.mentions.get(f"{head}.body"))
-    if held is not None and held.split()[-1] != "start":
-        return held == owner
-    bodies = {said: name for name, said in words.called(Bodies()).items()}
+    mention = words.mentions.get(head, words.mentions.get(f"{head}.body"))
+    if mention is not None and mention.split()[-1] != "start":
+        return mention == owner
+    bodies = {phrase: name for name, phrase in words.called(Bodies()).items()}
     if path.endswith((".speed", ".spin")) and owner in bodies:
         speed = float(np.linalg.norm(Velocity.evaluate(study.trace.at(0.0), bodies[owner])[0]))
         return path.endswith(".spin") or isclose(speed, value, rel_tol=EXACT)
@@ -240,8 +240,8 @@ def _rubbing(
         alone = [path for path, _ in every if words.mentions.get(path.rpartition(".")[0]) in owners]
         return tuple(alone) if len(alone) == 1 else ()
     mechanism = study.mechanism
-    bodies = {said: name for name, said in words.called(Bodies()).items()}
-    names = [bodies[said] for said in owners if said in bodies]
+    bodies = {phrase: name for name, phrase in words.called(Bodies()).items()}
+    names = [bodies[phrase] for phrase in owners if phrase in bodies]
     rubs = {name for name, contact in mechanism.contacts.items() if contact.friction > 0.0}
     faces = {mechanism.body[name].parent or "" for name in rubs}
     if len(names) == 2:
@@ -257,12 +257,12 @@ def _between(
     every: list[tuple[str, float]], owners: tuple[str, ...], study: SimulatedScene, words: Words
 ) -> tuple[str, ...]:
     """Return the address of the coefficient of friction between a body and its carrier; none if there is none."""
-    bodies = {said: name for name, said in words.called(Bodies()).items()}
-    one, other = (bodies.get(said, "") for said in owners)
+    bodies = {phrase: name for name, phrase in words.called(Bodies()).items()}
+    one, other = (bodies.get(phrase, "") for phrase in owners)
     mechanism = study.mechanism
     riders = [a for a, b in ((one, other), (other, one)) if a in mechanism.body and mechanism.body[a].parent == b]
-    found = [path for path, value in every if _roughens(study, path, value) == set(riders)]
-    return tuple(found) if len(riders) == len(found) == 1 else ()
+    matching_paths = [path for path, value in every if _roughens(study, path, value) == set(riders)]
+    return tuple(matching_paths) if len(riders) == len(matching_paths) == 1 else ()
 
 
 def _is_carried(study: SimulatedScene, path: str, value: float) -> bool:

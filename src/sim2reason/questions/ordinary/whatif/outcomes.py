@@ -60,7 +60,7 @@ def special_outcome(
 
     The number is at the address `path`, and `who` is the text's phrase for the body; it may be empty.
     """
-    outcome, bodies = condition.outcome, {said: name for name, said in words.called(Bodies()).items()}
+    outcome, bodies = condition.outcome, {phrase: name for name, phrase in words.called(Bodies()).items()}
     friction = frame.number.kind == "friction"
     if outcome == GRIPS and friction and frame.end != GREATEST and not words.released:
         yield from friction_needed(path, who or next(iter(frame.number.owners), ""), motion, words, stopped=False)
@@ -71,7 +71,7 @@ def special_outcome(
     elif outcome == HALTED and path and who in bodies:
         yield Reading(StructuredQuestion(path, bodies[who], "collided", OWN_PATH, "velocity = 0 m/s"))
     elif outcome not in (GRIPS, SPINS, HALTED) and path and words.released and _is_at(condition, motion, words):
-        arms = {said: name for name, said in words.called(TurningBodies()).items()}
+        arms = {phrase: name for name, phrase in words.called(TurningBodies()).items()}
         if who in arms:
             yield Reading(StructuredQuestion(path, arms[who], START, OWN_AXLE, "angular acceleration = 0 rad/s^2"))
 
@@ -95,7 +95,7 @@ def friction_needed(path: str, who: str, motion: FollowedMotion, words: Words, *
     """
     if words.released if stopped else not words.released and not _rolling(words):
         return
-    bodies = {said: name for name, said in words.called(Bodies()).items()}
+    bodies = {phrase: name for name, phrase in words.called(Bodies()).items()}
     rough = {name for name, contact in words.mechanism.contacts.items() if contact.friction > 0.0}
     if not path and any(words.mechanism.contacts[name].friction < inf for name in rough):
         return  # the scene has a coefficient, but not the one that is meant
@@ -108,16 +108,16 @@ def friction_needed(path: str, who: str, motion: FollowedMotion, words: Words, *
         change = f"{path} = {limits_of(motion.study.scene, path)[1]:g}" if path else ""
         slips = words.mechanism.contacts[of].friction < inf and can_roll(words, of) and not words.released
         when = f"{of} stopped" if stopped else f"{of} stopped slipping" if slips else START
-        asked = StructuredQuestion(NEEDED, of, when, change=change, compare=VALUE if change else "")
-        yield Reading(asked, side=AFTER, steady=not change)
+        question = StructuredQuestion(NEEDED, of, when, change=change, compare=VALUE if change else "")
+        yield Reading(question, side=AFTER, steady=not change)
 
 
-def slips_nevertheless(found: Understood) -> bool:
+def slips_nevertheless(meaning: Understood) -> bool:
     """Return whether a body slips even with the greatest coefficient of friction that a scene allows."""
-    if found.asked.find != NEEDED or found.posed.varied is None or found.followed.answer is None:
+    if meaning.asked.find != NEEDED or meaning.posed.varied is None or meaning.followed.answer is None:
         return False
-    _, most = found.posed.varied.values[0]
-    return found.followed.answer >= NEARLY * most
+    _, most = meaning.posed.varied.values[0]
+    return meaning.followed.answer >= NEARLY * most
 
 
 def _rolling(words: Words) -> bool:
@@ -198,19 +198,19 @@ def _thresholds(
     frame: WantedFrame, condition: StatedCondition, rows: Sequence[tuple[str, bool]], path: str, who: str
 ) -> Iterator[Reading]:
     """Yield the questions for the number at which an outcome changes, for the named or the only possible subject."""
-    least = {LEAST: True, GREATEST: False}.get(frame.end)
+    is_minimum = {LEAST: True, GREATEST: False}.get(frame.end)
     rows = rows[1:] if condition.outcome == ROUND and condition.taut else rows
     for rank, (does, happens) in enumerate(rows):
         for after, of in enumerate(dict.fromkeys((who, ""))):
-            asked = StructuredQuestion(path, when=f"{of} {does}".strip())
-            yield Reading(asked, rank=2 * rank + after, least=least, happens=happens)
+            question = StructuredQuestion(path, when=f"{of} {does}".strip())
+            yield Reading(question, rank=2 * rank + after, least=is_minimum, happens=happens)
 
 
 def _inclined(words: Words) -> Iterator[str]:
     """Yield the phrases of the bodies that lie on inclined faces and ride on no other body."""
-    for name, said in words.called(Bodies()).items():
+    for name, phrase in words.called(Bodies()).items():
         if name in words.mechanism.contacts and name in Rises.candidates(words):
-            yield said
+            yield phrase
 
 
 def _as_rough_at_rest(words: Words) -> bool:
@@ -218,40 +218,45 @@ def _as_rough_at_rest(words: Words) -> bool:
 
 
 def on_the_other_side(
-    found: Understood, frame: WantedFrame, condition: StatedCondition, motion: FollowedMotion, words: Words
+    meaning: Understood, frame: WantedFrame, condition: StatedCondition, motion: FollowedMotion, words: Words
 ) -> bool:
     """Return whether the outcome occurs on the other side of the threshold than the question presumes."""
-    value, path = found.followed.answer, found.asked.find
-    if condition.outcome not in (ESCAPES, BOUND) or not frame.end or value is None or not found.asked.given:
+    value, path = meaning.followed.answer, meaning.asked.find
+    if condition.outcome not in (ESCAPES, BOUND) or not frame.end or value is None or not meaning.asked.given:
         return False
     factor = BEYOND if frame.end == LEAST else 1.0 / BEYOND
     there = simulate_scene(with_number(motion.study.scene, path, value * factor))
     shape = (
-        pose_question(StructuredQuestion("eccentricity", found.asked.of, START), there, words).followed(there).answer
+        pose_question(StructuredQuestion("eccentricity", meaning.asked.of, START), there, words).followed(there).answer
     )
     return shape is None or (shape > 1.0) != (condition.outcome == ESCAPES)
 
 
-def moves_nevertheless(found: Understood, condition: StatedCondition, motion: FollowedMotion, words: Words) -> bool:
+def moves_nevertheless(meaning: Understood, condition: StatedCondition, motion: FollowedMotion, words: Words) -> bool:
     """Return whether a condition fails with the number found.
 
     It fails if a body that is to stay at rest is accelerated, or one that is to move meanwhile is not.
     """
-    value, path = found.followed.answer, found.asked.find
-    if condition.outcome != RESTS or not found.asked.given or value is None or found.asked.compare not in ("", VALUE):
+    value, path = meaning.followed.answer, meaning.asked.find
+    if (
+        condition.outcome != RESTS
+        or not meaning.asked.given
+        or value is None
+        or meaning.asked.compare not in ("", VALUE)
+    ):
         return False
     study = simulate_scene(with_number(motion.study.scene, path, value)).study
-    start, said = study.trace.at(0.0), condition.subject.removeprefix(f"{ALL} ").split(" & ")
-    named = {name for name, phrase in words.called(Bodies()).items() if phrase in said}
-    arms = any(phrase in said for phrase in words.called(TurningBodies()).values())
-    names = named or ({found.asked.of} & study.mechanism.body.keys() if condition.subject and not arms else None)
+    start, subject_phrases = study.trace.at(0.0), condition.subject.removeprefix(f"{ALL} ").split(" & ")
+    named = {name for name, phrase in words.called(Bodies()).items() if phrase in subject_phrases}
+    arms = any(phrase in subject_phrases for phrase in words.called(TurningBodies()).values())
+    names = named or ({meaning.asked.of} & study.mechanism.body.keys() if condition.subject and not arms else None)
     largest = max(float(np.linalg.norm(study.mechanism.gravity)), 1.0)
 
     def moves(name: str) -> bool:
         return float(np.linalg.norm(Acceleration.evaluate(start, name)[0])) > STILL * largest
 
-    told = [name for name, phrase in words.called(Bodies()).items() if phrase in condition.moving]
-    return any(map(moves, names or words.called(Bodies()))) or not all(map(moves, told))
+    moving_names = [name for name, phrase in words.called(Bodies()).items() if phrase in condition.moving]
+    return any(map(moves, names or words.called(Bodies()))) or not all(map(moves, moving_names))
 
 
 def _balanced(path: str, who: str, words: Words) -> Iterator[Reading]:
@@ -288,9 +293,9 @@ def _orbiting(outcome: str, path: str, pair: str, motion: FollowedMotion, words:
         return
     study, (a, b) = motion.study, pair.split(PAIR_SEPARATOR)
     start = study.trace.at(0.0)
-    place = start.vector(start.frames.center(a).place)[0] - start.vector(start.frames.center(b).place)[0]
+    separation = start.vector(start.frames.center(a).place)[0] - start.vector(start.frames.center(b).place)[0]
     velocity = Velocity.evaluate(start, a)[0] - Velocity.evaluate(start, b)[0]
-    sizes = float(np.linalg.norm(place) * np.linalg.norm(velocity))
-    if abs(float(place @ velocity)) <= SQUARE * sizes:
-        distance = f"{float(np.linalg.norm(place)):.15g} {words.units.spell('m')}"
+    sizes = float(np.linalg.norm(separation) * np.linalg.norm(velocity))
+    if abs(float(separation @ velocity)) <= SQUARE * sizes:
+        distance = f"{float(np.linalg.norm(separation)):.15g} {words.units.spell('m')}"
         yield Reading(StructuredQuestion(path, pair, START, given=f"semi-major axis = {distance}"))

@@ -233,14 +233,14 @@ CONDITIONS: Mapping[str, str] = {
 """By the pattern of a part of a condition without articles, plainer words with the same meaning."""
 
 
-def plainer_condition(said: str) -> str:
+def plainer_condition(condition: str) -> str:
     """Return a condition in plainer words."""
-    said = re.sub(
+    condition = re.sub(
         r"^(?:made|make|makes|cause[sd]?|let|lets|allow(?:ed|s)?|enable[sd]?) (?=@|(?:first |second )?collision"
         r"|flight)",
         "",
-        said,
+        condition,
     )
-    for told, plain in (*LIMIT_CONDITIONS.items(), *TURNS_OF_CONDITIONS.items(), *CONDITIONS.items()):
-        said = compiled(told).sub(plain, said)
-    return said
+    for template, plain in (*LIMIT_CONDITIONS.items(), *TURNS_OF_CONDITIONS.items(), *CONDITIONS.items()):
+        condition = compiled(template).sub(plain, condition)
+    return condition

@@ -216,20 +216,20 @@ OF_UNITS: Mapping[str, tuple[tuple[str, str], ...]] = {unit: rows for rows, unit
 """By unit, the statements whose numbers have the unit, each with the question for which the number is the answer."""
 
 
-def asked_by(said: str, heard: TokenizedSentence) -> Iterator[tuple[str, str]]:
+def asked_by(statement: str, sentence: TokenizedSentence) -> Iterator[tuple[str, str]]:
     """Yield each question that a statement such as *A reaches 3 m/s* answers, with the stated number and its unit."""
-    tokens = re.findall(r"#\d+#", said)
+    tokens = re.findall(r"#\d+#", statement)
     for token in dict.fromkeys(tokens):
-        number = heard.number(token)
+        number = sentence.number(token)
         unit = number.partition(" ")[2]
-        for told, question in (*RESULTS, *OF_UNITS.get(unit, ())):
-            found = re.fullmatch(told.replace(_N, token).replace(_Q, pattern("QUANTITY").pattern), said)
-            if found is not None:
-                groups = {name: group or "" for name, group in found.groupdict().items()}
+        for template, question in (*RESULTS, *OF_UNITS.get(unit, ())):
+            match = re.fullmatch(template.replace(_N, token).replace(_Q, pattern("QUANTITY").pattern), statement)
+            if match is not None:
+                groups = {name: group or "" for name, group in match.groupdict().items()}
                 if verb := groups.get("verb"):
                     groups["verb"] = with_base_forms(verb) or verb
                 rest = groups.get("rest", "")
                 groups["rest"] = rest if not rest or rest.startswith((" ", ",")) else f" {rest}"
                 yield " ".join(question.format(**groups).split()), number
-                if (told, question) in TIMES:
+                if (template, question) in TIMES:
                     break

@@ -36,43 +36,43 @@ class Supposition(NamedTuple):
     way: str = ""
 
 
-def suppositions(text: str, heard: TokenizedSentence) -> tuple[Supposition, ...]:
+def suppositions(text: str, sentence: TokenizedSentence) -> tuple[Supposition, ...]:
     """Return the changes that a clause such as *A were twice as heavy and g were 5 m/s²* supposes, joined by *and*.
 
     There are none if a part of the clause is not understood.
     """
-    alone = _first(text, heard, CLAUSES)
+    alone = _first(text, sentence, CLAUSES)
     if alone:
         return alone
-    for found in _JOINED.finditer(text):
+    for match in _JOINED.finditer(text):
         # The first part is one change, not several: else each *and* would double the work.
-        one = _first(text[: found.start()], heard, CLAUSES)
-        if other := suppositions(text[found.end() :], heard) if one else ():
+        one = _first(text[: match.start()], sentence, CLAUSES)
+        if other := suppositions(text[match.end() :], sentence) if one else ():
             return (*one, *other)
     return ()
 
 
-def adjunct(text: str, heard: TokenizedSentence) -> tuple[Supposition, ...]:
+def adjunct(text: str, sentence: TokenizedSentence) -> tuple[Supposition, ...]:
     """Return the change that a phrase such as *without friction* supposes; none if it is not understood."""
-    return _first(text, heard, ADJUNCTS)
+    return _first(text, sentence, ADJUNCTS)
 
 
-def _first(text: str, heard: TokenizedSentence, rows: Rows) -> tuple[Supposition, ...]:
+def _first(text: str, sentence: TokenizedSentence, rows: Rows) -> tuple[Supposition, ...]:
     """Return the change of the first row that a text matches; none if it matches no row."""
-    subject = {f"@{index}@": said for index, said in enumerate(heard.subjects)}
-    said = re.sub(r"\b(?:just|instead only|only)\b ?", "", text).strip(" ,")
-    for told, kind, how in rows:
-        found = _compiled(told).fullmatch(said)
-        if found is None:
+    subject = {f"@{index}@": phrase for index, phrase in enumerate(sentence.subjects)}
+    phrase = re.sub(r"\b(?:just|instead only|only)\b ?", "", text).strip(" ,")
+    for template, kind, how in rows:
+        match = _compiled(template).fullmatch(phrase)
+        if match is None:
             continue
-        groups = found.groupdict()
-        number = named_number(found, subject) if NUMBER in told else NamedNumber(kind or f"{groups.get('e')} field")
+        groups = match.groupdict()
+        number = named_number(match, subject) if NUMBER in template else NamedNumber(kind or f"{groups.get('e')} field")
         owners = tuple(subject[groups[key]] for key in ("s", "t") if groups.get(key))
         if owners and not number.owners and how != SWAPPED:
             number = number._replace(owners=owners[:1])
         elif how == SWAPPED:
             number = number._replace(owners=owners)
-        return (_changed(how, number, groups, heard),)
+        return (_changed(how, number, groups, sentence),)
     return ()
 
 
@@ -80,23 +80,25 @@ MEANT = {"level": "0", "ground": "0 m", "flat": "0", "upright": "90", "elastic":
 """By the group of a row that matches, the value that its words mean."""
 
 
-def _changed(how: str, number: NamedNumber, groups: Mapping[str, str | None], heard: TokenizedSentence) -> Supposition:
+def _changed(
+    how: str, number: NamedNumber, groups: Mapping[str, str | None], sentence: TokenizedSentence
+) -> Supposition:
     token = groups.get("n")
-    value = heard.number(token) if token else ""
-    value = next((told for name, told in MEANT.items() if groups.get(name)), value)
+    value = sentence.number(token) if token else ""
+    value = next((implied_value for name, implied_value in MEANT.items() if groups.get(name)), value)
     sign = 1 if groups.get("grow") else -1 if groups.get("shrink") else 0
     if groups.get("pct") or (sign and value.endswith(("%", "percent"))):
         return Supposition(TIMES, number, factor=1.0 + sign * float(value.partition(" ")[0].rstrip("%")) / 100.0)
-    return Supposition(how, number, value, _factor(groups, heard), sign, groups.get("way") or "")
+    return Supposition(how, number, value, _factor(groups, sentence), sign, groups.get("way") or "")
 
 
-def _factor(groups: Mapping[str, str | None], heard: TokenizedSentence) -> float:
+def _factor(groups: Mapping[str, str | None], sentence: TokenizedSentence) -> float:
     done, multiple = groups.get("done"), groups.get("mult")
     if done:
         return DONE[done]
     if multiple and multiple.startswith("#"):
-        return float(heard.number(multiple.partition(" ")[0]).partition(" ")[0])
-    return next((value for told, value in MULTIPLES.items() if multiple and re.fullmatch(told, multiple)), 1.0)
+        return float(sentence.number(multiple.partition(" ")[0]).partition(" ")[0])
+    return next((value for regex, value in MULTIPLES.items() if multiple and re.fullmatch(regex, multiple)), 1.0)
 
 
 @cache
@@ -147,37 +149,37 @@ class ChangedQuestion(NamedTuple):
     grows: bool | None = None
 
 
-def changed_questions(text: str, heard: TokenizedSentence) -> Iterator[ChangedQuestion]:
+def changed_questions(text: str, sentence: TokenizedSentence) -> Iterator[ChangedQuestion]:
     """Yield each way to read a sentence as a question about a changed scene."""
-    for question, supposed in _split(text, heard):
-        for asked, compare, grows in _compared(question):
-            yield ChangedQuestion(_plainly(asked), supposed, compare, grows)
+    for question, supposed in _split(text, sentence):
+        for plain_question, compare, grows in _compared(question):
+            yield ChangedQuestion(_plainly(plain_question), supposed, compare, grows)
 
 
-def _split(text: str, heard: TokenizedSentence) -> Iterator[tuple[str, tuple[Supposition, ...]]]:
+def _split(text: str, sentence: TokenizedSentence) -> Iterator[tuple[str, tuple[Supposition, ...]]]:
     """Yield each way to split a sentence into a question and the changes that it supposes."""
-    text = _with_subject(text, heard)
+    text = _with_subject(text, sentence)
     leading = re.match(rf"{_IF} ", text)
     if leading is not None:
-        for found in re.finditer(r"(?: ,|\.) (?:then )?", text):
-            if supposed := suppositions(text[leading.end() : found.start()], heard):
-                yield text[found.end() :], supposed
+        for match in re.finditer(r"(?: ,|\.) (?:then )?", text):
+            if supposed := suppositions(text[leading.end() : match.start()], sentence):
+                yield text[match.end() :], supposed
         return
-    for found in re.finditer(rf" ?,? {_IF} ", text):
-        if supposed := suppositions(text[found.end() :], heard):
-            yield text[: found.start()], supposed
-    for found in re.finditer(_WHEN, text):
-        if supposed := suppositions(text[found.end() :], heard):
-            yield text[: found.start()], supposed
+    for match in re.finditer(rf" ?,? {_IF} ", text):
+        if supposed := suppositions(text[match.end() :], sentence):
+            yield text[: match.start()], supposed
+    for match in re.finditer(_WHEN, text):
+        if supposed := suppositions(text[match.end() :], sentence):
+            yield text[: match.start()], supposed
     first, parted, second = text.partition(". ")
-    if parted and (supposed := suppositions(first, heard)):
+    if parted and (supposed := suppositions(first, sentence)):
         yield second, supposed
-    yield from _with_adjunct(text, heard)
+    yield from _with_adjunct(text, sentence)
 
 
-def _with_subject(text: str, heard: TokenizedSentence) -> str:
+def _with_subject(text: str, sentence: TokenizedSentence) -> str:
     """Return a sentence with the only subject in its leading clause, as *if it is thrown* or *if thrown*."""
-    if len(heard.subjects) != 1:
+    if len(sentence.subjects) != 1:
         return text
     text = re.sub(rf"^(?P<if>{_IF}) it (?=[a-z])", r"\g<if> @0@ ", text)
     return re.sub(
@@ -185,14 +187,14 @@ def _with_subject(text: str, heard: TokenizedSentence) -> str:
     )
 
 
-def _with_adjunct(text: str, heard: TokenizedSentence) -> Iterator[tuple[str, tuple[Supposition, ...]]]:
+def _with_adjunct(text: str, sentence: TokenizedSentence) -> Iterator[tuple[str, tuple[Supposition, ...]]]:
     """Yield the question and the changes of a sentence that ends or begins with a phrase such as *without friction*."""
-    for found in re.finditer(r" (?=without |with |in absence |on )", text):
-        if supposed := adjunct(text[found.end() :], heard):
-            yield text[: found.start()], supposed
-    for found in re.finditer(r" , ", text):
-        if supposed := adjunct(text[: found.start()], heard):
-            yield text[found.end() :], supposed
+    for match in re.finditer(r" (?=without |with |in absence |on )", text):
+        if supposed := adjunct(text[match.end() :], sentence):
+            yield text[: match.start()], supposed
+    for match in re.finditer(r" , ", text):
+        if supposed := adjunct(text[: match.start()], sentence):
+            yield text[match.end() :], supposed
 
 
 def _compared(question: str) -> Iterator[tuple[str, str, bool | None]]:
@@ -201,16 +203,16 @@ def _compared(question: str) -> Iterator[tuple[str, str, bool | None]]:
     With it come the form of the answer, and whether the sentence presumes growth.
     """
     question = re.sub(r"\bthen \b", "", question)
-    for told, compare in ((r"by (?:what|which) factor|how many times", RATIO), ("by how much|how much", DIFFERENCE)):
-        found = re.fullmatch(
-            rf"(?:{told}) (?:would|does|will|do) (?P<x>.+?) (?:(?P<more>{_MORE})|(?P<less>{_LESS})"
+    for regex, compare in ((r"by (?:what|which) factor|how many times", RATIO), ("by how much|how much", DIFFERENCE)):
+        match = re.fullmatch(
+            rf"(?:{regex}) (?:would|does|will|do) (?P<x>.+?) (?:(?P<more>{_MORE})|(?P<less>{_LESS})"
             rf"|(?P<change>{_CHANGE}))",
             question,
         )
-        if found is not None and not (compare == RATIO and found["less"]):
-            x = found["x"]
-            grows = True if found["more"] else False if found["less"] else None
-            high = re.search(r"higher$", found[0]) is not None
+        if match is not None and not (compare == RATIO and match["less"]):
+            x = match["x"]
+            grows = True if match["more"] else False if match["less"] else None
+            high = re.search(r"higher$", match[0]) is not None
             yield f"what is {'height of ' if high else ''}{x}", compare, grows
     yield from _by_adverb(question)
     yield question, VALUE, None
@@ -218,52 +220,52 @@ def _compared(question: str) -> Iterator[tuple[str, str, bool | None]]:
 
 def _by_adverb(question: str) -> Iterator[tuple[str, str, bool | None]]:
     """Yield the plain question in a comparison such as *how many times as far* or *how much later*, and its form."""
-    found = re.fullmatch(
+    match = re.fullmatch(
         r"how many times (?:as (?:large|great|high|big|strong|long)|larger|greater) (?:would|will) (?P<x>.+) be",
         question,
     )
-    if found is not None:
-        yield f"what is {found['x']}", RATIO, None
-    found = re.fullmatch(
+    if match is not None:
+        yield f"what is {match['x']}", RATIO, None
+    match = re.fullmatch(
         r"how many times (?:as|so) (?P<how>far|long|high|fast) (?P<rest>(?:would|does|will|is|do) .+)", question
     )
-    if found is not None:
-        yield f"how {found['how']} {found['rest']}", RATIO, None
-    found = re.fullmatch(
+    if match is not None:
+        yield f"how {match['how']} {match['rest']}", RATIO, None
+    match = re.fullmatch(
         r"(?:by )?how (?:much|many seconds) (?P<how>later|earlier|sooner) (?:would|does|will) (?P<x>.+?)"
         r" (?:take place|happen|occur|come about)",
         question,
     )
-    if found is not None:
-        yield f"when does {found['x']} take place", DIFFERENCE, found["how"] == "later"
-    found = re.fullmatch(
+    if match is not None:
+        yield f"when does {match['x']} take place", DIFFERENCE, match["how"] == "later"
+    match = re.fullmatch(
         rf"(?:by )?how (?:much|many (?:seconds|metres|times)) (?P<how>{'|'.join(_FAR)}) (?P<rest>(?:would|does"
         rf"|will|is|do) .+)",
         question,
     )
-    if found is not None:
-        yield f"how {_FAR[found['how']]} {found['rest']}", DIFFERENCE, found["how"] not in _FEWER
-    found = re.fullmatch(rf"(?:by )?how much (?P<how>{_DIMENSIONS}) (?:would|will) (?P<x>.+) be", question)
-    if found is not None:
-        grows = found["how"] not in ("smaller", "less", "lower")
-        yield f"what is {found['x']}", DIFFERENCE, grows
+    if match is not None:
+        yield f"how {_FAR[match['how']]} {match['rest']}", DIFFERENCE, match["how"] not in _FEWER
+    match = re.fullmatch(rf"(?:by )?how much (?P<how>{_DIMENSIONS}) (?:would|will) (?P<x>.+) be", question)
+    if match is not None:
+        grows = match["how"] not in ("smaller", "less", "lower")
+        yield f"what is {match['x']}", DIFFERENCE, grows
 
 
 def _plainly(question: str) -> str:
     """Return a question such as *what would x be* in the indicative, as *what is x*."""
-    said = re.sub(r"\b(?:new|resulting|then|instead|in that case|now|changed) ", "", f"{question} ").strip()
-    said = re.sub(r"(?: ,)? (?:then|instead|in that case|now)$", "", said)
-    said = re.sub(
+    indicative = re.sub(r"\b(?:new|resulting|then|instead|in that case|now|changed) ", "", f"{question} ").strip()
+    indicative = re.sub(r"(?: ,)? (?:then|instead|in that case|now)$", "", indicative)
+    indicative = re.sub(
         r"^how (?:large|great|big|strong) (?:would|will) (?P<x>.+?) be(?P<rest>(?: .+)?)$",
         r"what is \g<x>\g<rest>",
-        said,
+        indicative,
     )
-    said = re.sub(r"^(?P<ask>what|which) would be (?P<x>.+)$", r"\g<ask> is \g<x>", said)
-    said = re.sub(
-        r"^(?P<ask>what|which) (?:would|will) (?P<x>.+?) be(?P<rest>(?: .+)?)$", r"\g<ask> is \g<x>\g<rest>", said
+    indicative = re.sub(r"^(?P<ask>what|which) would be (?P<x>.+)$", r"\g<ask> is \g<x>", indicative)
+    indicative = re.sub(
+        r"^(?P<ask>what|which) (?:would|will) (?P<x>.+?) be(?P<rest>(?: .+)?)$", r"\g<ask> is \g<x>\g<rest>", indicative
     )
-    said = re.sub(r"\b(?:would|will) (?P<s>@\d+@) be\b", r"is \g<s>", said)
-    said = re.sub(r"\b(?:would|will) (?P<s>@\d+@) (?P<verb>have|then have)\b", r"does \g<s> have", said)
-    said = re.sub(r"\b(?:would|will) be\b", "is", said)
-    said = re.sub(r"\bwould\b", "does", said)
-    return " ".join(said.split())
+    indicative = re.sub(r"\b(?:would|will) (?P<s>@\d+@) be\b", r"is \g<s>", indicative)
+    indicative = re.sub(r"\b(?:would|will) (?P<s>@\d+@) (?P<verb>have|then have)\b", r"does \g<s> have", indicative)
+    indicative = re.sub(r"\b(?:would|will) be\b", "is", indicative)
+    indicative = re.sub(r"\bwould\b", "does", indicative)
+    return " ".join(indicative.split())

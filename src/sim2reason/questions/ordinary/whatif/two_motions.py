@@ -28,68 +28,68 @@ _UP_REMOVED = re.compile(r"rising|up|climbing")
 _DOWN = re.compile(r"falling|down|sinking")
 
 
-def named_things(said: str, heard: TokenizedSentence, words: Words) -> tuple[str, ...]:
+def named_things(text: str, sentence: TokenizedSentence, words: Words) -> tuple[str, ...]:
     """Return the names of the lines or the field that a phrase denotes; none if it is ambiguous.
 
     *string* alone means the only string, and *@0@ 's string* the only one that ends at a body.
     """
     things = removable(words)
     lines = words.mechanism.lines
-    owner = re.match(r"(@\d+@) 's ", said)
+    owner = re.match(r"(@\d+@) 's ", text)
     if owner is not None:
-        body = _body(heard.subject(owner[1]), words)
+        body = _body(sentence.subject(owner[1]), words)
         sites = {site.name for site in words.mechanism.site.values() if site.body == body}
-        found = {line.whole for line in lines if sites & {line.through[0], line.through[-1]}}
-    elif said.startswith("@"):
-        found = {name for name, phrase in things.items() if phrase == heard.subject(said)}
-    elif said in _STRINGS:
-        found = {line.whole for line in lines}
-    elif said == "hand":
-        found = {line.whole for line in words.mechanism.pulls}
+        names = {line.whole for line in lines if sites & {line.through[0], line.through[-1]}}
+    elif text.startswith("@"):
+        names = {name for name, phrase in things.items() if phrase == sentence.subject(text)}
+    elif text in _STRINGS:
+        names = {line.whole for line in lines}
+    elif text == "hand":
+        names = {line.whole for line in words.mechanism.pulls}
     else:
-        found = {name for name, phrase in things.items() if phrase in FIELDS.values() and phrase == f"the {said}"}
-    return tuple(found) if len(found) == 1 and found <= {*things, *(line.whole for line in lines)} else ()
+        names = {name for name, phrase in things.items() if phrase in FIELDS.values() and phrase == f"the {text}"}
+    return tuple(names) if len(names) == 1 and names <= {*things, *(line.whole for line in lines)} else ()
 
 
 def _body(phrase: str, words: Words) -> str:
-    return next((name for name, said in words.called(Bodies()).items() if said == phrase), "")
+    return next((name for name, mention in words.called(Bodies()).items() if mention == phrase), "")
 
 
-def time_of(stated: str, heard: TokenizedSentence, words: Words) -> float | None:
+def time_of(stated: str, sentence: TokenizedSentence, words: Words) -> float | None:
     """Return the time, in the scene's unit, of a number token; None if it is not a time."""
     try:
-        return measured("question", heard.number(stated), words.units.spell("s"))
+        return measured("question", sentence.number(stated), words.units.spell("s"))
     except TextError:
         return None
 
 
 def moment_of(
-    clause: str, heard: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
+    clause: str, sentence: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
 ) -> float | None:
     """Return the time of the moment that a clause such as *A has slid 2 m* names; None if it is not understood."""
     moving = _MOVES.fullmatch(clause) or _REACHES.fullmatch(clause)
     if moving is not None:
-        return _time_of_speed(moving, heard, motion, words)
-    found = reader.read(replace(heard, text=f"how long is it until {clause}"), motion, words)
-    return found.followed.answer if found is not None and found.asked.find == "time" else None
+        return _time_of_speed(moving, sentence, motion, words)
+    meaning = reader.read(replace(sentence, text=f"how long is it until {clause}"), motion, words)
+    return meaning.followed.answer if meaning is not None and meaning.asked.find == "time" else None
 
 
 def _time_of_speed(
-    moving: re.Match[str], heard: TokenizedSentence, motion: FollowedMotion, words: Words
+    moving: re.Match[str], sentence: TokenizedSentence, motion: FollowedMotion, words: Words
 ) -> float | None:
     """Return the first time, s, at which a body has a stated speed; None if it then moves the other way."""
-    phrase = heard.subject(moving["s"]).removeprefix(f"{ALL} ").partition(" & ")[0]
+    phrase = sentence.subject(moving["s"]).removeprefix(f"{ALL} ").partition(" & ")[0]
     body = _body(phrase, words)
-    way = f"{moving.groupdict().get('verb') or ''} {moving.groupdict().get('way') or ''}"
+    direction_words = f"{moving.groupdict().get('verb') or ''} {moving.groupdict().get('way') or ''}"
     try:
-        asked = StructuredQuestion("time", when=f"speed of {body} = {heard.number(moving['n'])}")
-        followed = pose_question(asked, motion, words).followed(motion)
+        structured = StructuredQuestion("time", when=f"speed of {body} = {sentence.number(moving['n'])}")
+        followed = pose_question(structured, motion, words).followed(motion)
     except TextError:
         return None
     if followed.answer is None:
         return None
     rising = float(Velocity.evaluate(followed.study.trace.at(followed.answer), body)[0, 2])
-    wrong = (_UP_REMOVED.search(way) and rising <= 0.0) or (_DOWN.search(way) and rising >= 0.0)
+    wrong = (_UP_REMOVED.search(direction_words) and rising <= 0.0) or (_DOWN.search(direction_words) and rising >= 0.0)
     return None if wrong else followed.answer
 
 
@@ -160,18 +160,18 @@ class RemovedThings(NamedTuple):
 
 
 def after_removal_of_things(
-    heard: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
+    sentence: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
 ) -> Understood | None:
     """Return the meaning of a sentence such as *the string is cut after 2 s; how much farther does A slide*.
 
     None if the sentence is not understood so.
     """
-    for removed in _removed(heard, motion, words, reader):
-        told = replace(heard, text=removed.question)
-        first = _after(removed.names, removed.times[0], told, motion, words, reader)
+    for removed in _removed(sentence, motion, words, reader):
+        question_sentence = replace(sentence, text=removed.question)
+        first = _after(removed.names, removed.times[0], question_sentence, motion, words, reader)
         if first is None or (first.followed.answer is None and len(removed.times) > 1):
             continue
-        others = (_after(removed.names, time, told, motion, words, reader) for time in removed.times[1:])
+        others = (_after(removed.names, time, question_sentence, motion, words, reader) for time in removed.times[1:])
         if all(each is not None and _agree(each.followed.answer, first.followed.answer) for each in others):
             return first
     return None
@@ -182,7 +182,12 @@ def _agree(one: float | None, other: float | None) -> bool:
 
 
 def _after(
-    names: tuple[str, ...], time: float, heard: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
+    names: tuple[str, ...],
+    time: float,
+    sentence: TokenizedSentence,
+    motion: FollowedMotion,
+    words: Words,
+    reader: Reader,
 ) -> Understood | None:
     """Return the meaning of a question about the motion after objects are removed at a time, s."""
     varied = SceneChange(removed=names, after=time)
@@ -191,37 +196,39 @@ def _after(
         there = simulate_scene(scene)
     except (SceneError, SimulationError, UnsupportedError, ValueError) as error:
         raise TextError("question", f"nothing follows: {error}", "let it happen at another moment") from None
-    found = reader.read(heard, there, words_in(scene, words))
-    if found is None or found.posed.unknown is not None:
+    meaning = reader.read(sentence, there, words_in(scene, words))
+    if meaning is None or meaning.posed.unknown is not None:
         return None
-    structured = replace(found.asked, change=varied.told, compare=VALUE)
-    return Understood(structured, replace(found.posed, varied=varied), found.followed)
+    structured = replace(meaning.asked, change=varied.told, compare=VALUE)
+    return Understood(structured, replace(meaning.posed, varied=varied), meaning.followed)
 
 
-def _removed(heard: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader) -> Iterator[RemovedThings]:
+def _removed(
+    sentence: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
+) -> Iterator[RemovedThings]:
     """Yield each reading of a sentence as a question about the motion after a removal."""
-    for told in (_FIRST, _LAST, _NOT):
-        found = told.match(heard.text)
-        if found is None:
+    for regex in (_FIRST, _LAST, _NOT):
+        match = regex.match(sentence.text)
+        if match is None:
             continue
-        groups = found.groupdict()
-        what = next((said for name in ("what", "hand", "rests", "rested", "no") if (said := groups.get(name))), "")
-        names = named_things(what, heard, words)
+        groups = match.groupdict()
+        what = next((phrase for name in ("what", "hand", "rests", "rested", "no") if (phrase := groups.get(name))), "")
+        names = named_things(what, sentence, words)
         if not names:
             continue
-        if told is _NOT:
+        if regex is _NOT:
             yield RemovedThings(names, (0.0,), _plainly(groups["question"] or groups["asked"] or groups["left"]))
             continue
         question = _of_what_follows(groups["question"])
-        times = _times(groups, heard, motion, words, reader) if question else ()
-        if (later := _LATER.search(question)) and not _is_later(later[1], times, heard, words):
+        times = _times(groups, sentence, motion, words, reader) if question else ()
+        if (later := _LATER.search(question)) and not _is_later(later[1], times, sentence, words):
             question = ""
         if question and times:
             yield RemovedThings(names, times, question)
 
 
 def _times(
-    groups: dict[str, str | None], heard: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
+    groups: dict[str, str | None], sentence: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
 ) -> tuple[float, ...]:
     """Return the stated time, s, or several if none is stated; empty if the clause is not understood."""
     stated = groups.get("n") or groups.get("m") or groups.get("before") or groups.get("early") or ""
@@ -229,14 +236,14 @@ def _times(
     if sum(map(bool, (stated, clause, groups.get("while")))) > 1:
         return ()
     if stated or clause:
-        time = time_of(stated, heard, words) if stated else moment_of(clause, heard, motion, words, reader)
+        time = time_of(stated, sentence, words) if stated else moment_of(clause, sentence, motion, words, reader)
         return (time,) if time is not None else ()
     return tuple(share * motion.study.scene.horizon for share in SHARES)
 
 
-def _is_later(token: str, times: tuple[float, ...], heard: TokenizedSentence, words: Words) -> bool:
+def _is_later(token: str, times: tuple[float, ...], sentence: TokenizedSentence, words: Words) -> bool:
     """Return whether a stated time is less than that of the removal, so that it must be counted from the removal."""
-    time = time_of(token, heard, words)
+    time = time_of(token, sentence, words)
     return time is not None and all(time < removal for removal in times)
 
 
@@ -246,8 +253,8 @@ def _of_what_follows(question: str) -> str:
     It is empty if the question may be about the motion from the start on: a distance or a time without such a word.
     """
     plain = _THEN.sub(" ", question)
-    for told, said in _FARTHER.items():
-        plain = re.sub(told, said, plain)
+    for regex, replacement in _FARTHER.items():
+        plain = re.sub(regex, replacement, plain)
     plain = " ".join(plain.split())
     numbers = re.findall(r"#\d+#", _LATER.sub("", question))
     follows = plain != question or (_FIXED.match(question) is not None and not numbers)
@@ -258,11 +265,11 @@ def _of_what_follows(question: str) -> str:
 
 def _plainly(question: str) -> str:
     """Return a question in the indicative."""
-    said = re.sub(r"^(?P<a>what|which|how large|how great) would (?P<x>.+?) be$", r"what is \g<x>", question)
-    said = re.sub(r"^what would be (?=period|radius|speed|acceleration|frequency)", "what is ", said)
-    said = re.sub(r"(?<=@) 's circular motion$", "", said)
-    said = re.sub(r"\b(?:would|will)\b", "does", said)
-    return " ".join(re.sub(r"\bit\b(?= (?:stop|come|turn))", "it", said).split()).strip(" ,")
+    indicative = re.sub(r"^(?P<a>what|which|how large|how great) would (?P<x>.+?) be$", r"what is \g<x>", question)
+    indicative = re.sub(r"^what would be (?=period|radius|speed|acceleration|frequency)", "what is ", indicative)
+    indicative = re.sub(r"(?<=@) 's circular motion$", "", indicative)
+    indicative = re.sub(r"\b(?:would|will)\b", "does", indicative)
+    return " ".join(re.sub(r"\bit\b(?= (?:stop|come|turn))", "it", indicative).split()).strip(" ,")
 
 
 def goes_on_otherwise(text: str) -> bool:

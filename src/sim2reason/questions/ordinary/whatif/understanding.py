@@ -28,38 +28,38 @@ ANSWER_RTOL = 1e-6  # relative: answers that differ by less are equal
 
 
 def in_changed_scene(
-    heard: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
+    sentence: TokenizedSentence, motion: FollowedMotion, words: Words, reader: Reader
 ) -> Understood | None:
     """Return the meaning of a sentence as a question about a changed scene; None if it is no such question."""
-    for asked in changed_questions(heard.text, heard):
-        varied = _variation(asked, motion, words)
+    for changed_question in changed_questions(sentence.text, sentence):
+        varied = _variation(changed_question, motion, words)
         if varied is None:
             continue
-        found = _answered(asked, varied, heard, motion, words, reader)
-        if found is not None:
-            return found
+        meaning = _answered(changed_question, varied, sentence, motion, words, reader)
+        if meaning is not None:
+            return meaning
     return None
 
 
 def _answered(
-    asked: ChangedQuestion,
+    changed_question: ChangedQuestion,
     varied: SceneChange,
-    heard: TokenizedSentence,
+    sentence: TokenizedSentence,
     motion: FollowedMotion,
     words: Words,
     reader: Reader,
 ) -> Understood | None:
-    told = replace(heard, text=asked.question)
+    question_sentence = replace(sentence, text=changed_question.question)
     try:
         scene = varied.applied(motion.study.scene)
         there = simulate_scene(scene)
     except (SceneError, SimulationError, UnsupportedError, ValueError) as error:
         raise TextError("question", f"with that change there is no such motion: {error}", "change less") from None
-    compare = asked.compare
-    before = of_all(reader, told, motion, words) if compare != ITSELF else None
+    compare = changed_question.compare
+    before = of_all(reader, question_sentence, motion, words) if compare != ITSELF else None
     if compare != ITSELF and (before is None or not before.followed.answer):
         return None
-    after = of_all(reader, told, there, words_in(scene, words))
+    after = of_all(reader, question_sentence, there, words_in(scene, words))
     if after is None or after.posed.unknown is not None:
         return None
     question = replace(after.posed, varied=varied, compare=compare)
@@ -68,63 +68,65 @@ def _answered(
         return Understood(structured, question, after.followed)
     if before is None or before.asked != after.asked:
         return None
-    return Understood(structured, question, _compared(asked, before.followed, after.followed))
+    return Understood(structured, question, _compared(changed_question, before.followed, after.followed))
 
 
-def of_all(reader: Reader, heard: TokenizedSentence, motion: FollowedMotion, words: Words) -> Understood | None:
+def of_all(reader: Reader, sentence: TokenizedSentence, motion: FollowedMotion, words: Words) -> Understood | None:
     """Return the meaning of a question; without a subject, the common answer for all moving bodies."""
-    found = reader.read(_with_only_subject(heard, words), motion, words)
+    meaning = reader.read(_with_only_subject(sentence, words), motion, words)
     asks = re.match(
         r"(?:what|which) is (?:its |their |common )?(?P<q>acceleration|speed)(?= of system| of blocks| of bodies|$| )",
-        heard.text,
+        sentence.text,
     )
-    if found is not None or asks is None or "@" in heard.text:
-        return found
+    if meaning is not None or asks is None or "@" in sentence.text:
+        return meaning
     bodies = tuple(words.called(Bodies()).values())
-    rest = heard.text[asks.end() :].removeprefix(" of system").removeprefix(" of blocks").removeprefix(" of bodies")
-    told = (replace(heard, text=f"what is {asks['q']} of @{n}@{rest}", subjects=bodies) for n in range(len(bodies)))
-    every = [reader.read(each, motion, words) for each in told]
+    rest = sentence.text[asks.end() :].removeprefix(" of system").removeprefix(" of blocks").removeprefix(" of bodies")
+    variants = (
+        replace(sentence, text=f"what is {asks['q']} of @{n}@{rest}", subjects=bodies) for n in range(len(bodies))
+    )
+    every = [reader.read(each, motion, words) for each in variants]
     answers = [each.followed.answer for each in every if each is not None and each.followed.answer is not None]
     alike = len(answers) == len(every) and all(isclose(abs(a), abs(answers[0]), rel_tol=ANSWER_RTOL) for a in answers)
     return every[0] if alike and every else None
 
 
-def _with_only_subject(heard: TokenizedSentence, words: Words) -> TokenizedSentence:
+def _with_only_subject(sentence: TokenizedSentence, words: Words) -> TokenizedSentence:
     """Return a question such as *what is greatest angular speed* with the only moving or turning body as subject."""
-    asks = re.fullmatch(r"what is (?:greatest|least|final) (?P<turns>angular )?(?:speed|velocity)", heard.text)
+    asks = re.fullmatch(r"what is (?:greatest|least|final) (?P<turns>angular )?(?:speed|velocity)", sentence.text)
     if asks is None:
-        return heard
+        return sentence
     alone = tuple(words.called(TurningBodies() if asks["turns"] else Bodies()).values())
-    alone = heard.subjects if len(heard.subjects) == 1 and heard.subjects[0] in alone else alone
-    return replace(heard, text=f"{heard.text} of @0@", subjects=alone) if len(alone) == 1 else heard
+    alone = sentence.subjects if len(sentence.subjects) == 1 and sentence.subjects[0] in alone else alone
+    return replace(sentence, text=f"{sentence.text} of @0@", subjects=alone) if len(alone) == 1 else sentence
 
 
-def _compared(asked: ChangedQuestion, before: SimulatedAnswer, after: SimulatedAnswer) -> SimulatedAnswer:
+def _compared(changed_question: ChangedQuestion, before: SimulatedAnswer, after: SimulatedAnswer) -> SimulatedAnswer:
     """Return the ratio or difference of answers after and before a change; TextError if the presumed growth fails."""
     now, then = before.answer or 0.0, after.answer or 0.0
-    if asked.grows is not None and (abs(then) > abs(now)) != asked.grows:
+    if changed_question.grows is not None and (abs(then) > abs(now)) != changed_question.grows:
         raise TextError("question", "it is not so: it changes the other way", "ask by how much it changes")
-    if asked.compare == RATIO:
+    if changed_question.compare == RATIO:
         return after._replace(answer=then / now)
-    return after._replace(answer=then - now if asked.grows is None else abs(then - now))
+    return after._replace(answer=then - now if changed_question.grows is None else abs(then - now))
 
 
-def _variation(asked: ChangedQuestion, motion: FollowedMotion, words: Words) -> SceneChange | None:
+def _variation(changed_question: ChangedQuestion, motion: FollowedMotion, words: Words) -> SceneChange | None:
     """Return the supposed change of the scene; None if a name denotes no number of the scene."""
     values, fixed = dict[str, float](), list[str]()
-    for supposed in asked.supposed:
+    for supposed in changed_question.supposed:
         if supposed.how == FIXED:
             body = addresses(words).get(supposed.number.owners[0])
             if body is None or not words.released:  # else it is not clear from when on
                 return None
             fixed.append(body)
             continue
-        found = _values(supposed, motion, words)
-        if not found:
+        new_values = _values(supposed, motion, words)
+        if not new_values:
             return None
         if supposed.how == SAME:
             continue
-        values |= found
+        values |= new_values
     return SceneChange(tuple(values.items()), tuple(fixed)) if values or fixed else None
 
 
@@ -149,7 +151,7 @@ def _values(supposed: Supposition, motion: FollowedMotion, words: Words) -> Mapp
 
 def _goes(supposed: Supposition, motion: FollowedMotion, words: Words) -> bool:
     """Return whether a body starts in the stated direction, *up* or *down*."""
-    names = [name for name, said in words.called(Bodies()).items() if said in supposed.number.owners]
+    names = [name for name, phrase in words.called(Bodies()).items() if phrase in supposed.number.owners]
     rising = float(Velocity.evaluate(motion.study.trace.at(0.0), names[0])[0, 2]) if len(names) == 1 else 0.0
     return rising > 0.0 if supposed.way == "up" else rising < 0.0
 
@@ -173,11 +175,11 @@ def _vanishing(number: NamedNumber, motion: FollowedMotion, words: Words) -> Map
     scene = motion.study.scene
     if number.kind != "friction":
         paths = paths_of(number, motion.study, words)
-        return {path: least for path in paths if (least := max(0.0, limits_of(scene, path)[0])) <= TINY}
-    held = [
+        return {path: smallest for path in paths if (smallest := max(0.0, limits_of(scene, path)[0])) <= TINY}
+    friction_paths = [
         path for path in units_of(scene) if path.rpartition(".")[2] in ("friction", "static_friction", "top_friction")
     ]
-    rough = [path for path in held if number_at(scene, path)]
+    rough = [path for path in friction_paths if number_at(scene, path)]
     if number.owners and len(rough) > 1:
         rough = list(paths_of(number, motion.study, words))
     return dict.fromkeys(rough, 0.0)

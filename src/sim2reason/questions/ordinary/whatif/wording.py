@@ -131,25 +131,25 @@ COMPARED = rf"(?:by )?how much (?P<how>{'|'.join(_ADJECTIVES)}) {_AUX} (?P<s>@\d
 _DECREASING = frozenset({"lighter", "slower"})
 
 
-def _compared(found: re.Match[str]) -> str:
+def _compared(match: re.Match[str]) -> str:
     """Return *by how much must mass of A be greater* for *how much heavier must A be*, and the like."""
-    noun = next(noun for told, noun in _ADJECTIVES.items() if re.fullmatch(told, found["how"]))
-    head = "by what factor" if found[0].startswith("how many") else "by how much"
-    return f"{head} must {noun} of {found['s']} be {'smaller' if found['how'] in _DECREASING else 'greater'} "
+    noun = next(noun for told, noun in _ADJECTIVES.items() if re.fullmatch(told, match["how"]))
+    head = "by what factor" if match[0].startswith("how many") else "by how much"
+    return f"{head} must {noun} of {match['s']} be {'smaller' if match['how'] in _DECREASING else 'greater'} "
 
 
 def plainer(text: str) -> str:
     """Return a question for a number of the scene in plainer words."""
-    said = " ".join(_CONSTANT.sub(" ", f" {text}").split()).strip(" ,")
+    question = " ".join(_CONSTANT.sub(" ", f" {text}").split()).strip(" ,")
     for told, plain in (*LIMIT_TURNS.items(), *TURNS.items(), *PLAINER.items()):
-        said = compiled(told).sub(plain, said)
-    said = re.sub(COMPARED, _compared, re.sub(MULTIPLE, _compared, said))
-    bound = re.match("(LEAST|GREATEST) ", said)
-    said = said.removeprefix("LEAST ").removeprefix("GREATEST ")
-    if bound is not None and "BOUND" not in said:
-        said = f"{'at least' if bound[1] == 'LEAST' else 'at most'} {said}"
-    said = said.replace("BOUND ", "" if bound is None else f"{bound[1].lower()} ")
-    return " ".join(said.split())
+        question = compiled(told).sub(plain, question)
+    question = re.sub(COMPARED, _compared, re.sub(MULTIPLE, _compared, question))
+    bound = re.match("(LEAST|GREATEST) ", question)
+    question = question.removeprefix("LEAST ").removeprefix("GREATEST ")
+    if bound is not None and "BOUND" not in question:
+        question = f"{'at least' if bound[1] == 'LEAST' else 'at most'} {question}"
+    question = question.replace("BOUND ", "" if bound is None else f"{bound[1].lower()} ")
+    return " ".join(question.split())
 
 
 _VARIED_NOUNS = "|".join(kind.nouns for name, kind in NUMBERS.items() if name != "motion at start")
@@ -222,32 +222,32 @@ class ToldDirection(NamedTuple):
 
 def told_direction(text: str) -> ToldDirection:
     """Return the parts of a sentence such as *suppose C is replaced by a heavier block. what mass ...*."""
-    found = re.match(_SUPPOSE, text)
-    if found is None:
+    match = re.match(_SUPPOSE, text)
+    if match is None:
         return _of_value(text) or ToldDirection(text)
-    said = (found["s"] or found["swap"]).strip(" ,")
-    meant = next(filter(None, (re.fullmatch(told, said) for told in _SUPPOSED)), None)
-    return ToldDirection(text) if meant is None else _told(text[found.end() :], meant)
+    clause = (match["s"] or match["swap"]).strip(" ,")
+    supposition = next(filter(None, (re.fullmatch(told, clause) for told in _SUPPOSED)), None)
+    return ToldDirection(text) if supposition is None else _told(text[match.end() :], supposition)
 
 
-def _told(rest: str, meant: re.Match[str]) -> ToldDirection:
-    groups = {name: group or "" for name, group in meant.groupdict().items()}
+def _told(rest: str, supposition: re.Match[str]) -> ToldDirection:
+    groups = {name: group or "" for name, group in supposition.groupdict().items()}
     if groups.get("adj"):
         kind, grows = _COMPARATIVES[groups["adj"]]
         kind = groups["thing"] if groups["thing"].endswith("field") else kind
         return ToldDirection(rest, kind, _token(groups["thing"]), grows)
     if groups.get("rub") or groups.get("slip"):
         return ToldDirection(rest, "friction", "", bool(groups["rub"]))
-    if meant[0].startswith("hand "):
+    if supposition[0].startswith("hand "):
         return ToldDirection(rest, "force", "", bool(groups.get("hard")))
     number = groups.get("n", "")
     grows = True if groups.get("more") else False if groups.get("less") else None
     return ToldDirection(rest, _kind(number), _token(number or groups["thing"]), grows)
 
 
-def _token(said: str) -> str:
-    found = re.search(r"@\d+@", said)
-    return found[0] if found is not None else ""
+def _token(phrase: str) -> str:
+    match = re.search(r"@\d+@", phrase)
+    return match[0] if match is not None else ""
 
 
 def _kind(number: str) -> str:
@@ -258,35 +258,35 @@ def _kind(number: str) -> str:
 
 def _of_value(text: str) -> ToldDirection | None:
     """Return *to what value must A's mass be reduced* as *what must A's mass be*, with the hint *less*; else None."""
-    found = re.match(
+    match = re.match(
         rf"to (?:what|which) (?:(?:new|other|different|smaller|larger|lower|higher) )*(?:value )?(?P<aux>{_AUXILIARY})"
         rf" (?:one|we|you)"
         rf" {_NEED_TO}(?:(?P<up>increase|raise|enlarge)|(?P<down>reduce|lower|decrease|diminish|cut)|change|alter|set)"
         rf" (?P<n>{_NUMBER}) (?=for |so |to |if |in )",
         text,
     )
-    found = found or re.match(
+    match = match or re.match(
         rf"to (?:what|which) (?:(?:new|other|different|smaller|larger|lower|higher) )*(?:value )?(?P<aux>{_AUXILIARY})"
         rf" (?P<n>{_NUMBER}) {_NEED_TO}be (?:{_CHANGED}) (?=for |so |to |if |in )",
         text,
     )
-    found = found or re.match(
+    match = match or re.match(
         rf"to (?:what|which) (?P<n>{_VARIED_NOUNS}) (?P<aux>{_AUXILIARY}) (?P<s>@\d+@) {_NEED_TO}be (?:{_CHANGED}) "
         "(?=for |so |to |if |in )",
         text,
     )
-    if found is None:
+    if match is None:
         return None
-    grows = True if found["up"] else False if found["down"] else None
-    of = f" of {found['s']}" if found.groupdict().get("s") else ""
-    return ToldDirection(f"what would {found['n']}{of} have to be {text[found.end() :]}", grows=grows)
+    grows = True if match["up"] else False if match["down"] else None
+    of = f" of {match['s']}" if match.groupdict().get("s") else ""
+    return ToldDirection(f"what would {match['n']}{of} have to be {text[match.end() :]}", grows=grows)
 
 
-def directed(frames: Iterable[WantedFrame], told: ToldDirection, heard: TokenizedSentence) -> Iterator[WantedFrame]:
+def directed(frames: Iterable[WantedFrame], told: ToldDirection, sentence: TokenizedSentence) -> Iterator[WantedFrame]:
     """Yield the parsed questions whose number a hint such as *heavier* concerns, with the direction it implies."""
     for frame in frames:
-        owners = frame.number.owners or ((heard.subject(frame.subject),) if frame.subject else ())
-        of_it = not told.thing or not owners or heard.subject(told.thing) in owners
+        owners = frame.number.owners or ((sentence.subject(frame.subject),) if frame.subject else ())
+        of_it = not told.thing or not owners or sentence.subject(told.thing) in owners
         if (not told.kind or told.kind == frame.number.kind) and of_it:
             yield frame if told.grows is None else frame._replace(grows=told.grows)
 

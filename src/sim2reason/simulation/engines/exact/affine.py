@@ -51,13 +51,13 @@ class LinearEquations:
 
 def linear_equations(tape: Tape, accelerations: Sequence[Number], margins: Sequence[Number]) -> LinearEquations | None:
     """Return accelerations and event functions in affine form; None if one is not affine or depends on time."""
-    found = _coefficients(tape, [*accelerations, *margins])
-    if found is None or any(TIME in each for each in found):
+    coefficients = _coefficients(tape, [*accelerations, *margins])
+    if coefficients is None or any(TIME in each for each in coefficients):
         return None
     n, width = len(accelerations), len(tape.names) - 1
-    rows = [[each.get(number + 1, Fraction()) for number in range(width)] for each in found]
+    rows = [[each.get(number + 1, Fraction()) for number in range(width)] for each in coefficients]
     slopes = np.array([[float(part) for part in row] for row in rows[n:]]).reshape(len(margins), width)
-    return LinearEquations([each.get(CONSTANT, Fraction()) for each in found[:n]], rows[:n], slopes)
+    return LinearEquations([each.get(CONSTANT, Fraction()) for each in coefficients[:n]], rows[:n], slopes)
 
 
 def _times(one: Fraction, other: Fraction) -> Fraction:
@@ -68,22 +68,22 @@ def _coefficients(tape: Tape, numbers: Sequence[Number]) -> list[Affine] | None:
     known: dict[int, Affine | None] = {}
     for number in sorted(_needed(tape, numbers)):
         known[number] = _of_node(tape, number, known)
-    found = [known[n.id] if isinstance(n, Symbol) else {CONSTANT: Fraction(float(n))} for n in numbers]
-    affine = [each for each in found if each is not None]
-    return affine if len(affine) == len(found) else None
+    forms = [known[n.id] if isinstance(n, Symbol) else {CONSTANT: Fraction(float(n))} for n in numbers]
+    affine = [each for each in forms if each is not None]
+    return affine if len(affine) == len(forms) else None
 
 
 def _needed(tape: Tape, numbers: Sequence[Number]) -> set[int]:
     """Return the indices of all tape nodes on which the given numbers depend, directly or not."""
-    waiting, found = [number.id for number in numbers if isinstance(number, Symbol)], set[int]()
+    waiting, visited = [number.id for number in numbers if isinstance(number, Symbol)], set[int]()
     while waiting:
         number = waiting.pop()
-        if number not in found:
-            found.add(number)
+        if number not in visited:
+            visited.add(number)
             operation, a, b = tape.nodes[number]
             if operation not in ("input", "constant"):
                 waiting += [a] if b < 0 else [a, b]
-    return found
+    return visited
 
 
 def _of_node(tape: Tape, number: int, known: dict[int, Affine | None]) -> Affine | None:

@@ -89,9 +89,9 @@ class Assembly:
             weight = plus(times(mass, self.mechanism.gravity), times(-mass, point.bias))
             self._push(point, weight)
             entries = list(point.gradient.items())
-            for place, (i, axis) in enumerate(entries):
+            for index, (i, axis) in enumerate(entries):
                 row = self.mass[i]
-                for j, other in entries[: place + 1]:
+                for j, other in entries[: index + 1]:
                     part = dot(axis, other)
                     if not (type(part) is float and part == 0.0):
                         row[j] = row[j] + mass * part
@@ -111,9 +111,9 @@ class Assembly:
         own = [(number, frame.unturned(axis)) for number, axis in turning.gradient.items()]
         spin, bias = frame.unturned(turning.velocity), frame.unturned(turning.bias)
         torque = plus(applied(inertia, bias), cross(spin, applied(inertia, spin)))
-        for place, (i, axis) in enumerate(own):
+        for index, (i, axis) in enumerate(own):
             moment = applied(inertia, axis)
-            for j, other in own[: place + 1]:
+            for j, other in own[: index + 1]:
                 self.mass[i][j] = self.mass[i][j] + dot(moment, other)
             self.force[i] = self.force[i] - dot(axis, torque)
 
@@ -142,11 +142,11 @@ class Assembly:
                 self._field(force)
         for pair in mechanism.attractions:
             one, other = self.frames.center(pair.a), self.frames.center(pair.b)
-            apart = minus(other.place, one.place)
-            square = dot(apart, apart)
+            offset = minus(other.place, one.place)
+            square = dot(offset, offset)
             distance = self.maths.sqrt(square)
             strength = pair.constant * self.masses[pair.a] * self.masses[pair.b]
-            pull = times(strength / (distance * _power(distance, square, pair.power)), apart)
+            pull = times(strength / (distance * _power(distance, square, pair.power)), offset)
             self._push(one, pull)
             self._push(other, times(-1.0, pull))
         for burn, burning in zip(mechanism.burns, self.phase.burning, strict=True):
@@ -199,18 +199,20 @@ class Assembly:
 
     def rows(self, starts: Mapping[str, float]) -> list[RowTerms]:
         """Return all constraint rows in the order of `row_kinds`; `starts` holds the initial length of each line."""
-        found = [self._line_row(line, starts[line.name]) for line in self.mechanism.constraints]
+        row_terms = [self._line_row(line, starts[line.name]) for line in self.mechanism.constraints]
         for foot in self.mechanism.feet:
             point = self.frames.site(foot.site)
             down = times(-1.0, foot.normal)
             gap = dot(foot.normal, point.place) - foot.height
-            found.append(point_row(point, down, gap))
-            found.append(point_row(point, foot.along, gap))
+            row_terms.append(point_row(point, down, gap))
+            row_terms.append(point_row(point, foot.along, gap))
         for meeting, stuck in zip(self.mechanism.meetings, self.phase.stuck, strict=True):
             if stuck:
-                apart = self.separation(meeting)
-                found.append(RowTerms(apart.along, apart.lift, apart.gap, apart.rate, -apart.bias))
-        return found
+                separation = self.separation(meeting)
+                row_terms.append(
+                    RowTerms(separation.along, separation.lift, separation.gap, separation.rate, -separation.bias)
+                )
+        return row_terms
 
     def _line_row(self, line: Line, start: float) -> RowTerms:
         length = self.length(line)
@@ -233,17 +235,17 @@ class Assembly:
             run = distance(one, other, self.maths)
             return Separation(run.value - meeting.distance, run.rate, run.bias, run.along, run.lift)
         normal = meeting.normal
-        apart = minus(other.place, one.place)
+        offset = minus(other.place, one.place)
         parting = minus(other.velocity, one.velocity)
         bias = minus(other.bias, one.bias)
         along, lift = projected(one.gradient, other.gradient, normal), projected(one.lift, other.lift, normal)
-        gap = dot(normal, apart) - meeting.distance
+        gap = dot(normal, offset) - meeting.distance
         return Separation(gap, dot(normal, parting), dot(normal, bias), along, lift)
 
 
 def _power(distance: Number, square: Number, power: float) -> Number:
     """Return a distance to a power; even exponents need only products of its square, so that symbols need no root."""
-    found: Number = distance if power % 2 else 1.0
+    product: Number = distance if power % 2 else 1.0
     for _ in range(int(power) // 2):
-        found = found * square
-    return found
+        product = product * square
+    return product

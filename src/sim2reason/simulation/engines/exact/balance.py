@@ -27,67 +27,69 @@ RISING = 1e-9  # fraction of the largest velocity or acceleration: a separating 
 PIVOTS = 64  # sets of separating contacts tried before the contact with the most negative normal force is returned
 
 
-def separating_contacts(problem: Problem, heave: list[Row], found: Solution, small: float) -> tuple[int, ...]:
+def separating_contacts(problem: Problem, heave: list[Row], solution: Solution, small: float) -> tuple[int, ...]:
     """Return the indices of the contacts that separate, in order; empty if no normal force is below -`small`.
 
     `heave` is the mass matrix of the rises alone, (c, c): Σ m n·n′ over the bodies that both carry.
     """
     guided = {grip.contact for grip in problem.grips if grip.both} | set(problem.guided)
-    pulled = {number for number, force in enumerate(found.forces.normal) if force < -small and number not in guided}
+    pulled = {number for number, force in enumerate(solution.forces.normal) if force < -small and number not in guided}
     if not pulled:
         return ()
-    tried = set[frozenset[int]]()
-    apart, wrong = frozenset[int](), frozenset(pulled)
+    attempted = set[frozenset[int]]()
+    separating, wrong = frozenset[int](), frozenset(pulled)
     for _ in range(PIVOTS):
-        flipped = apart ^ wrong
-        apart = flipped if flipped not in tried else apart ^ {max(wrong)}
-        tried.add(apart)
+        flipped = separating ^ wrong
+        separating = flipped if flipped not in attempted else separating ^ {max(wrong)}
+        attempted.add(separating)
         try:
-            rises, wrong = _rises(problem, heave, found.mode, tuple(sorted(apart)), small)
+            rises, wrong = _rises(problem, heave, solution.mode, tuple(sorted(separating)), small)
         except NoForcesError:  # what is left closed can't rub so
             break
         wrong -= guided
         if not wrong:
             return rises
-    return (min(pulled, key=found.forces.normal.__getitem__),)
+    return (min(pulled, key=solution.forces.normal.__getitem__),)
 
 
 def _rises(
-    problem: Problem, heave: list[Row], mode: ContactMode, apart: tuple[int, ...], small: float
+    problem: Problem, heave: list[Row], mode: ContactMode, separating: tuple[int, ...], small: float
 ) -> tuple[tuple[int, ...], frozenset[int]]:
-    """Return the contacts that open if those in `apart` are free to, and the contacts that contradict this choice."""
-    opened, kept = _opened(problem, heave, apart)
-    rubbing = tuple(side for grip, side in zip(problem.grips, mode.rubbing, strict=True) if grip.contact not in apart)
-    found = search(opened, ContactMode(mode.acting, rubbing))
-    least = RISING * max(map(abs, found.x))
-    rises = list(zip(apart, found.x[len(problem.force) :], strict=True))
-    closing = [number for number, rise in rises if rise < -least]
-    pulled = [number for number, force in zip(kept, found.forces.normal, strict=True) if force < -small]
-    return tuple(number for number, rise in rises if rise > least), frozenset(closing + pulled)
+    """Return the contacts that open if those in `separating` are free to, and the contacts that contradict this choice."""
+    opened, kept = _opened(problem, heave, separating)
+    rubbing = tuple(
+        side for grip, side in zip(problem.grips, mode.rubbing, strict=True) if grip.contact not in separating
+    )
+    solution = search(opened, ContactMode(mode.acting, rubbing))
+    threshold = RISING * max(map(abs, solution.x))
+    rises = list(zip(separating, solution.x[len(problem.force) :], strict=True))
+    closing = [number for number, rise in rises if rise < -threshold]
+    pulled = [number for number, force in zip(kept, solution.forces.normal, strict=True) if force < -small]
+    return tuple(number for number, rise in rises if rise > threshold), frozenset(closing + pulled)
 
 
-def _opened(problem: Problem, heave: list[Row], apart: tuple[int, ...]) -> tuple[Problem, list[int]]:
-    """Return the problem with the gaps of contacts in `apart` as coordinates, and the indices of other contacts."""
-    kept = [number for number in range(len(problem.press)) if number not in apart]
-    place = {number: new for new, number in enumerate(kept)}
+def _opened(problem: Problem, heave: list[Row], separating: tuple[int, ...]) -> tuple[Problem, list[int]]:
+    """Return the problem with the gaps of contacts in `separating` as coordinates, and the indices of other contacts."""
+    kept = [number for number in range(len(problem.press)) if number not in separating]
+    new_index = {number: new for new, number in enumerate(kept)}
 
     def wide(numbers: list[int] | tuple[int, ...]) -> list[Row]:
-        return [[*problem.lifted[i], *(heave[i][j] for j in apart)] for i in numbers]
+        return [[*problem.lifted[i], *(heave[i][j] for j in separating)] for i in numbers]
 
-    mass = [[*row, *(problem.lifted[j][k] for j in apart)] for k, row in enumerate(problem.mass)]
-    stay = [number for number, grip in enumerate(problem.grips) if grip.contact in place]
+    mass = [[*row, *(problem.lifted[j][k] for j in separating)] for k, row in enumerate(problem.mass)]
+    stay = [number for number, grip in enumerate(problem.grips) if grip.contact in new_index]
     opened = replace(
         problem,
-        mass=mass + wide(apart),
+        mass=mass + wide(separating),
         lifted=wide(kept),
-        force=[*problem.force, *(problem.press[j] for j in apart)],
+        force=[*problem.force, *(problem.press[j] for j in separating)],
         press=[problem.press[i] for i in kept],
-        rows=tuple(_raised(row, apart, kept) for row in problem.rows),
+        rows=tuple(_raised(row, separating, kept) for row in problem.rows),
         grips=tuple(
             replace(
                 problem.grips[i],
-                contact=place[problem.grips[i].contact],
-                slip=_raised(problem.grips[i].slip, apart, kept),
+                contact=new_index[problem.grips[i].contact],
+                slip=_raised(problem.grips[i].slip, separating, kept),
             )
             for i in stay
         ),
@@ -96,8 +98,8 @@ def _opened(problem: Problem, heave: list[Row], apart: tuple[int, ...]) -> tuple
     return opened, kept
 
 
-def _raised(row: Gradient, apart: tuple[int, ...], kept: list[int]) -> Gradient:
-    return gradient([*row.along, *(row.lift[j] for j in apart)], [row.lift[i] for i in kept])
+def _raised(row: Gradient, separating: tuple[int, ...], kept: list[int]) -> Gradient:
+    return gradient([*row.along, *(row.lift[j] for j in separating)], [row.lift[i] for i in kept])
 
 
 ZERO_PATTERN_TOL = 1e-9  # threshold below which an entry of a force pattern counts as zero
@@ -129,7 +131,7 @@ class Demand:
 def balance(system: System, instant: Instant, demand: Demand) -> Balance:
     """Compute the forces and accelerations of an instant; raise NoForcesError if no consistent forces exist."""
     tight, kinds = demand.tight, demand.kinds
-    place = {number: new for new, number in enumerate(tight)}
+    new_index = {number: new for new, number in enumerate(tight)}
     loads = instant.loads
     problem = Problem(
         loads.mass,
@@ -141,7 +143,7 @@ def balance(system: System, instant: Instant, demand: Demand) -> Balance:
         system.grips,
         demand.sliding,
         tuple([kinds[number].both for number in tight]),
-        tuple([place.get(kinds[number].follows, -1) for number in tight]),
+        tuple([new_index.get(kinds[number].follows, -1) for number in tight]),
         system.guided,
         system.budget,
     )
@@ -150,27 +152,27 @@ def balance(system: System, instant: Instant, demand: Demand) -> Balance:
         tuple(guess.acting[number] for number in tight),
         tuple(now or before for now, before in zip(demand.sliding, guess.rubbing, strict=True)),
     )
-    found = search(problem, start)
-    open_ended = _open(count_resting_as_acting(problem, found).spare, found.forces)
-    small, small_x = scales(problem, found.x)
-    loose = found.loose or _unheld(instant, problem, found, open_ended, small)
-    away = separating_contacts(problem, loads.heave, found, small)
-    kept = _kept(problem, found, start, small_x)
-    return _spread(system, demand, found, kept, open_ended, away, loose=loose)
+    solution = search(problem, start)
+    open_ended = _open(count_resting_as_acting(problem, solution).spare, solution.forces)
+    small, small_x = scales(problem, solution.x)
+    loose = solution.loose or _unheld(instant, problem, solution, open_ended, small)
+    away = separating_contacts(problem, loads.heave, solution, small)
+    kept = _kept(problem, solution, start, small_x)
+    return _spread(system, demand, solution, kept, open_ended, away, loose=loose)
 
 
-def _kept(problem: Problem, found: Solution, before: ContactMode, small: float) -> ContactMode:
+def _kept(problem: Problem, solution: Solution, before: ContactMode, small: float) -> ContactMode:
     """Return a solution's contact mode, but as in `before` where the difference has no observable effect.
 
     A string that was taut stays so under no tension while its ends do not come together, and a contact at rest that is
     not accelerated sticks, though of forces that are not determined some let it slide at no speed.
     """
-    acting, rubbing = list(found.mode.acting), list(found.mode.rubbing)
-    for number, acts in enumerate(found.mode.acting):
+    acting, rubbing = list(solution.mode.acting), list(solution.mode.rubbing)
+    for number, acts in enumerate(solution.mode.acting):
         if before.acting[number] and not acts:
-            acting[number] = abs(problem.rows[number].rate(found.x) - problem.targets[number]) <= small
-    for number, side in enumerate(found.mode.rubbing):
-        if side and not problem.sliding[number] and abs(problem.grips[number].slip.rate(found.x)) <= small:
+            acting[number] = abs(problem.rows[number].rate(solution.x) - problem.targets[number]) <= small
+    for number, side in enumerate(solution.mode.rubbing):
+        if side and not problem.sliding[number] and abs(problem.grips[number].slip.rate(solution.x)) <= small:
             rubbing[number] = 0
     return linked(problem, ContactMode(tuple(acting), tuple(rubbing)))
 
@@ -189,7 +191,7 @@ def _masked(values: Row, patterns: list[Row]) -> Row:
     ]
 
 
-def _unheld(instant: Instant, problem: Problem, found: Solution, forces: Forces, small: float) -> bool:
+def _unheld(instant: Instant, problem: Problem, solution: Solution, forces: Forces, small: float) -> bool:
     """Return whether some massless part is held by nothing, or only by strings without tension."""
     weightless = instant.loads.weightless
     if not weightless:
@@ -201,7 +203,7 @@ def _unheld(instant: Instant, problem: Problem, found: Solution, forces: Forces,
     ]
     holding += [
         [grip.slip.rate(motion) for motion in weightless]
-        for grip, side in zip(problem.grips, found.mode.rubbing, strict=True)
+        for grip, side in zip(problem.grips, solution.mode.rubbing, strict=True)
         if side == 0
     ]
     return not holding or bool(solve([[*row, 0.0] for row in holding]).nulls)
@@ -210,7 +212,7 @@ def _unheld(instant: Instant, problem: Problem, found: Solution, forces: Forces,
 def _spread(
     system: System,
     demand: Demand,
-    found: Solution,
+    solution: Solution,
     kept: ContactMode,
     forces: Forces,
     away: tuple[int, ...],
@@ -224,9 +226,9 @@ def _spread(
         rows[number], acting[number] = force if demand.kinds[number].both else _clipped(force), acts
     friction = [0.0] * system.count
     for grip, force in zip(system.grips, forces.friction, strict=True):
-        friction[grip.contact] = 0.0 if found.forces.normal[grip.contact] < 0.0 and not grip.both else force
+        friction[grip.contact] = 0.0 if solution.forces.normal[grip.contact] < 0.0 and not grip.both else force
     normal = [force if number in system.guided else _clipped(force) for number, force in enumerate(forces.normal)]
-    return Balance(found.x, rows, normal, friction, ContactMode(tuple(acting), kept.rubbing), away, loose)
+    return Balance(solution.x, rows, normal, friction, ContactMode(tuple(acting), kept.rubbing), away, loose)
 
 
 def _clipped(force: float) -> float:

@@ -54,14 +54,14 @@ class Watch:
                 known[x] = margins(x)
             return known[x]
 
-        found: list[tuple[int, Crossing]] = []
+        zeros: list[tuple[int, Crossing]] = []
         for number, values in enumerate(zip(*ends, strict=True)):
             first, middle, last = values
             if min(values) <= abs(first - middle) + abs(middle - last):  # else it is more than all by which it changes
                 crossing = self._first(number, values, lambda x, i=number: at(x)[i])
                 if crossing is not None:
-                    found.append((number, crossing))
-        return found
+                    zeros.append((number, crossing))
+        return zeros
 
     def _first(self, number: int, values: tuple[float, float, float], margin: Margin) -> Crossing | None:
         samples: list[Sample] = list(zip((0.0, 0.5, 1.0), values, strict=True))
@@ -86,12 +86,12 @@ def _dips(margin: Margin, samples: Sequence[Sample]) -> list[Sample]:
     A minimum lies between two samples if the margin falls at the first and rises at the second. The tangents there
     bound the minimum from below if the margin is convex: an intersection above zero excludes an event.
     """
-    found: list[Sample] = []
+    dips: list[Sample] = []
     for one, other in pairwise(samples):
         dip = _dip(margin, one, other)
         if dip is not None:
-            found.append(dip)
-    return found
+            dips.append(dip)
+    return dips
 
 
 def _dip(margin: Margin, one: Sample, other: Sample) -> Sample | None:

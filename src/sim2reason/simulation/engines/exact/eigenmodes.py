@@ -66,20 +66,20 @@ class Modes:
     def least(self, slopes: Array, span: float) -> Array:
         """Return lower bounds (m,), within `span` seconds, of the changes of functions slopes · (q, q̇), (m, 2n)."""
         effects = (slopes @ self._spread)[:, :, None] * self._ranges(span)[None]
-        found: Array = effects.min(axis=2).sum(axis=1)
-        return found
+        bounds: Array = effects.min(axis=2).sum(axis=1)
+        return bounds
 
     def accelerations(self, times: Array) -> Array:
         """Return the accelerations at times (m,), of shape (m, n)."""
         phase = (times - self.time)[:, None] * self.rate
-        found: Array = (self.force * np.cos(phase) - self.speed * self.rate * np.sin(phase)) @ self.ways.T
-        return found
+        acceleration: Array = (self.force * np.cos(phase) - self.speed * self.rate * np.sin(phase)) @ self.ways.T
+        return acceleration
 
     def bend(self, slopes: Array) -> Array:
         """Return upper bounds (m,) of the second time derivatives of the functions slopes · (q, q̇), (m, 2n)."""
         size = np.hypot(self.force, self.speed * self.rate)
-        found: Array = np.abs(slopes @ self._spread) @ np.concatenate([size, size * self.rate])
-        return found
+        bounds: Array = np.abs(slopes @ self._spread) @ np.concatenate([size, size * self.rate])
+        return bounds
 
     def moves_until(self, span: float) -> float:
         """Return `span`, in s, since an undamped motion never comes to rest."""
@@ -142,12 +142,12 @@ def find_modes(linear: LinearEquations, time: float, values: Values) -> Modes | 
     n, here, base = len(linear.base), np.array(values), linear.accelerations(values)
     if linear.damped:
         return find_damped_modes(time, here, linear.slopes, base)
-    found, vectors = linear.squares
-    squares, ways = np.real(found), np.real(vectors)
-    largest = float(np.abs(found).max())
+    eigenvalues, vectors = linear.squares
+    squares, ways = np.real(eigenvalues), np.real(vectors)
+    largest = float(np.abs(eigenvalues).max())
     if (
         not largest
-        or np.abs(np.imag(found)).max() > TURNED * largest
+        or np.abs(np.imag(eigenvalues)).max() > TURNED * largest
         or squares.min() < -ZERO_EIGENVALUE_RTOL * largest
     ):
         return None
@@ -199,14 +199,14 @@ def turning_times(modes: Modes | DampedModes, span: float) -> list[tuple[float, 
     n, count = len(modes.start) // 2, pieces(modes, span)
     times = modes.time + np.linspace(0.0, span, count + 1)
     speeds = modes.at(times)[:, n:]
-    found: list[tuple[float, int]] = []
+    turns: list[tuple[float, int]] = []
     for number in range(n):
         own = speeds[:, number]
         fast = np.maximum(np.abs(own[:-1]), np.abs(own[1:])) > REST_SPEED
         at = np.flatnonzero((own[:-1] * own[1:] < 0.0) & fast)
         if len(at):
-            found += [(time, number) for time in _turns(modes, number, times[at], times[at + 1]).tolist()]
-    return sorted(found)
+            turns += [(time, number) for time in _turns(modes, number, times[at], times[at + 1]).tolist()]
+    return sorted(turns)
 
 
 def _turns(modes: Modes | DampedModes, number: int, low: Array, high: Array) -> Array:

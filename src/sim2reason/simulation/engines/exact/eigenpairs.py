@@ -29,43 +29,43 @@ def eigenpairs(matrix: Exact) -> tuple[Complex, Complex]:
     eigenvalues and eigenvectors (1983). One that has the same eigenvalue as another stays as it is.
     """
     plain = rounded(matrix)
-    found = np.linalg.eig(plain)
-    rates, ways = np.asarray(found[0], np.complex128), np.asarray(found[1], np.complex128)
+    decomposition = np.linalg.eig(plain)
+    rates, ways = np.asarray(decomposition[0], np.complex128), np.asarray(decomposition[1], np.complex128)
     largest = float(np.abs(rates).max())
     pairs = [_improved(matrix, plain, rates[number], ways[:, number], SHIFT * largest) for number in range(len(rates))]
-    return np.array([rate for rate, _ in pairs]), np.array([way for _, way in pairs]).T
+    return np.array([rate for rate, _ in pairs]), np.array([vector for _, vector in pairs]).T
 
 
-def _improved(matrix: Exact, plain: Array, rate: complex, way: Complex, shift: float) -> tuple[complex, Complex]:
-    n, first = len(way), way.conj()
-    best, least = (rate, way), np.inf
+def _improved(matrix: Exact, plain: Array, rate: complex, vector: Complex, shift: float) -> tuple[complex, Complex]:
+    n, first = len(vector), vector.conj()
+    best, smallest = (rate, vector), np.inf
     for _ in range(NEWTON_ITERATIONS):
-        residual = _residual(matrix, rate, way)
+        residual = _residual(matrix, rate, vector)
         size = float(np.abs(residual).max())
-        if not size < least or abs(rate - best[0]) > shift:
+        if not size < smallest or abs(rate - best[0]) > shift:
             break
-        best, least = (rate, way), size
+        best, smallest = (rate, vector), size
         bordered = np.zeros((n + 1, n + 1), np.complex128)
-        bordered[:n, :n], bordered[:n, n], bordered[n, :n] = plain - rate * np.eye(n), -way, first
+        bordered[:n, :n], bordered[:n, n], bordered[n, :n] = plain - rate * np.eye(n), -vector, first
         try:
             change = np.linalg.solve(bordered, np.append(residual, 0.0))
         except np.linalg.LinAlgError:
             break
         if not np.isfinite(change).all():
             break
-        rate, way = complex(rate + change[n]), way + change[:n]
+        rate, vector = complex(rate + change[n]), vector + change[:n]
     return best
 
 
-def _residual(matrix: Exact, rate: complex, way: Complex) -> Complex:
+def _residual(matrix: Exact, rate: complex, vector: Complex) -> Complex:
     """Return the residual λ x − A x, rounded once."""
-    real, imaginary = _exact(way.real), _exact(way.imag)
+    real, imaginary = _exact(vector.real), _exact(vector.imag)
     a, b = Fraction(float(rate.real)), Fraction(float(rate.imag))
-    found: list[complex] = []
+    residual: list[complex] = []
     for row, x, y in zip(matrix, real, imaginary, strict=True):
         along, across = a * x - b * y - _product(row, real), a * y + b * x - _product(row, imaginary)
-        found.append(complex(float(along), float(across)))
-    return np.array(found)
+        residual.append(complex(float(along), float(across)))
+    return np.array(residual)
 
 
 def _exact(values: Array) -> list[Fraction]:
@@ -107,8 +107,8 @@ class DampedModes:
         weights = (slopes @ self.ways) * self.begins
         real = np.abs(np.imag(self.rates)) <= ZERO_RATE_RTOL * self.fastest
         sinks = np.real(weights) * np.expm1(np.where(real, np.real(self.rates), 0.0) * span)
-        found: Array = np.where(real, np.minimum(sinks, 0.0), -np.abs(weights) - np.real(weights)).sum(axis=1)
-        return found
+        bounds: Array = np.where(real, np.minimum(sinks, 0.0), -np.abs(weights) - np.real(weights)).sum(axis=1)
+        return bounds
 
     def accelerations(self, times: Array) -> Array:
         """Return the accelerations at times (m,), of shape (m, n)."""
@@ -118,8 +118,8 @@ class DampedModes:
 
     def bend(self, slopes: Array) -> Array:
         """Return upper bounds (m,) of the second time derivatives of the functions slopes · (q, q̇), (m, 2n)."""
-        found: Array = np.abs((slopes @ self.ways) * self.begins) @ np.abs(self.rates) ** 2
-        return found
+        bounds: Array = np.abs((slopes @ self.ways) * self.begins) @ np.abs(self.rates) ** 2
+        return bounds
 
     def moves_until(self, span: float) -> float:
         """Return how long within `span`, in s, some speed can still exceed the threshold below which bodies rest."""

@@ -79,16 +79,16 @@ class _Recorded:
 
     def _formulas(self, mode: ContactMode) -> Formulas:
         tape = self.tape
-        found = self._solved(mode)
-        normal = self._normals(found)
-        friction = self._friction(mode, found, normal)
-        rows = [found.rows.get(number, 0.0) for number in range(len(self.rows))]
-        guards = [(pivot, PIVOT * abs(pivot.value)) for pivot in found.pivots if isinstance(pivot, Symbol)]
-        rate = tape.code([*self.v, *found.x], guards)(math)
+        unknowns = self._solved(mode)
+        normal = self._normals(unknowns)
+        friction = self._friction(mode, unknowns, normal)
+        rows = [unknowns.rows.get(number, 0.0) for number in range(len(self.rows))]
+        guards = [(pivot, PIVOT * abs(pivot.value)) for pivot in unknowns.pivots if isinstance(pivot, Symbol)]
+        rate = tape.code([*self.v, *unknowns.x], guards)(math)
         cost = STAGES * tape.written
-        forces = [*found.x, *rows, *normal, *friction]
+        forces = [*unknowns.x, *rows, *normal, *friction]
         watched = self._watched(mode, rows, normal, friction)
-        patterns = [self._patterns(mode, spare) for spare in found.free]
+        patterns = [self._patterns(mode, spare) for spare in unknowns.free]
         parts = {margin: [pattern.get(margin, 0.0) for pattern in patterns] for margin, _ in watched}
         open_ended = {
             m for m, changes in parts.items() if any(abs(value_of(part)) > ZERO_MARGIN_CHANGE for part in changes)
@@ -101,15 +101,17 @@ class _Recorded:
         margins = tape.code(outputs)(math)
         cost += MARGINS * tape.written + UNKNOWN * len(self.v) + FIXED
         acting = [row.value for row, acts in zip(self.rows, mode.acting, strict=True) if acts]
-        held = tape.code(acting)(math) if found.free and acting else None
+        constraint_values = tape.code(acting)(math) if unknowns.free and acting else None
         passing = self._passing(watched)
-        closing = tape.code([*passing.values(), *(watched[place][1] for place in passing)])(math)
+        closing = tape.code([*passing.values(), *(watched[index][1] for index in passing)])(math)
         self.system.budget.spend(WRITING * len(tape.nodes))
         names = [*(margin for margin, _ in watched), *([Margin("brace", 0)] if braced else [])]
         due = tuple(margin for margin, _ in braced)
         write = partial(tape.code, forces)
-        linear = partial(linear_equations, tape, found.x, [number for _, number in watched])
-        return Formulas(rate, write, margins, tuple(names), held, tuple(passing), closing, cost, linear, due)
+        linear = partial(linear_equations, tape, unknowns.x, [number for _, number in watched])
+        return Formulas(
+            rate, write, margins, tuple(names), constraint_values, tuple(passing), closing, cost, linear, due
+        )
 
     def _patterns(self, mode: ContactMode, free: FreeForces) -> dict[Margin, Number]:
         """Return the change of each event function of rows and contacts due to one pattern of undetermined forces."""
@@ -117,14 +119,14 @@ class _Recorded:
         for number, force in free.rows.items():
             for contact, part in self.rows[number].lift.items():
                 lift[contact] = lift[contact] + part * force
-        found: dict[Margin, Number] = {Margin("force", number): force for number, force in free.rows.items()}
-        found |= {Margin("normal", contact): part for contact, part in enumerate(lift)}
+        changes: dict[Margin, Number] = {Margin("force", number): force for number, force in free.rows.items()}
+        changes |= {Margin("normal", contact): part for contact, part in enumerate(lift)}
         for number, (grip, side) in enumerate(zip(self.system.grips, mode.rubbing, strict=True)):
             if side == 0 and grip.friction < inf:
                 along, bound = free.friction.get(number, 0.0), grip.holds * lift[grip.contact]
-                found[Margin("grip", number, 1)] = bound + along
-                found[Margin("grip", number, -1)] = bound - along
-        return found
+                changes[Margin("grip", number, 1)] = bound + along
+                changes[Margin("grip", number, -1)] = bound - along
+        return changes
 
     # ---- one mode, solved
 
@@ -189,58 +191,58 @@ class _Recorded:
         self, mode: ContactMode, rows: list[Number], normal: list[Number], friction: list[Number]
     ) -> list[tuple[Margin, Number]]:
         system = self.system
-        found = list(chain(self._row_margins(mode, rows), self._contact_margins(mode, normal, friction)))
+        margins = list(chain(self._row_margins(mode, rows), self._contact_margins(mode, normal, friction)))
         for number, (meeting, stuck) in enumerate(zip(system.mechanism.meetings, self.phase.stuck, strict=True)):
             if not stuck:
-                found.append((Margin("gap", number), self.assembly.separation(meeting).gap))
+                margins.append((Margin("gap", number), self.assembly.separation(meeting).gap))
         for number, (first, last) in enumerate(system.runs):
             if not self._keeps(mode, first, last):
-                found.append((Margin("reach", number), self._distance(first, last)))
+                margins.append((Margin("reach", number), self._distance(first, last)))
         for number, limit in enumerate(system.limits):
-            found.append((Margin("limit", number), limit.room + limit.sign * self.q[limit.coordinate]))
+            margins.append((Margin("limit", number), limit.room + limit.sign * self.q[limit.coordinate]))
         for number, burning in enumerate(self.phase.burning):
             if burning:
-                found.append((Margin("burn", number), system.mechanism.burns[number].until - self.time))
-        return [*found, *self._strains(), *self._borders()]
+                margins.append((Margin("burn", number), system.mechanism.burns[number].until - self.time))
+        return [*margins, *self._strains(), *self._borders()]
 
     def _strains(self) -> list[tuple[Margin, Number]]:
         """Return the deformations of one-sided springs beyond the point at which they begin or cease to act, m."""
-        found: list[tuple[Margin, Number]] = []
+        margins: list[tuple[Margin, Number]] = []
         halves = zip(self.system.mechanism.half_springs, self.phase.strained, strict=True)
         for number, ((line, law), strained) in enumerate(halves):
             side = law.side if strained else -law.side
-            found.append((Margin("strain", number), side * (self.assembly.length(line).value - law.length)))
-        return found
+            margins.append((Margin("strain", number), side * (self.assembly.length(line).value - law.length)))
+        return margins
 
     def _row_margins(self, mode: ContactMode, rows: list[Number]) -> list[tuple[Margin, Number]]:
-        found: list[tuple[Margin, Number]] = []
+        margins: list[tuple[Margin, Number]] = []
         for number, kind in enumerate(self.system.kinds(self.phase)):
             if kind.both:
                 continue
             if mode.acting[number]:
-                found.append((Margin("force", number), rows[number]))
+                margins.append((Margin("force", number), rows[number]))
             else:
-                found.append((Margin("spare", number), self.rows[number].value))
-        return found
+                margins.append((Margin("spare", number), self.rows[number].value))
+        return margins
 
     def _contact_margins(
         self, mode: ContactMode, normal: list[Number], friction: list[Number]
     ) -> list[tuple[Margin, Number]]:
         system = self.system
-        found = [(Margin("normal", i), force) for i, force in enumerate(normal) if i not in system.guided]
+        margins = [(Margin("normal", i), force) for i, force in enumerate(normal) if i not in system.guided]
         for number, (grip, side) in enumerate(zip(system.grips, mode.rubbing, strict=True)):
             if side:
                 slip: Number = 0.0
                 for k, part in grip.slip.terms:
                     slip = slip + side * part * self.v[k]
-                found.append((Margin("slip", number, side), slip))
+                margins.append((Margin("slip", number, side), slip))
             elif grip.friction < inf:
                 bound = grip.holds * normal[grip.contact]
                 if grip.both:
                     bound = grip.holds * self.tape.sqrt(normal[grip.contact] * normal[grip.contact])
-                found.append((Margin("grip", number, 1), bound + friction[grip.contact]))
-                found.append((Margin("grip", number, -1), bound - friction[grip.contact]))
-        return found
+                margins.append((Margin("grip", number, 1), bound + friction[grip.contact]))
+                margins.append((Margin("grip", number, -1), bound - friction[grip.contact]))
+        return margins
 
     def _keeps(self, mode: ContactMode, first: str, last: str) -> bool:
         """Return whether the segment between two sites is a whole acting constraint and so has a constant length."""
@@ -252,35 +254,35 @@ class _Recorded:
     def _passing(self, watched: list[tuple[Margin, Number]]) -> dict[int, Number]:
         """Return Δr·Δv of each pair of line ends that may pass each other; it is zero at their nearest approach."""
         runs, frames = list(self.system.runs), self.assembly.frames
-        found: dict[int, Number] = {}
-        for place, (margin, _) in enumerate(watched):
+        passing: dict[int, Number] = {}
+        for index, (margin, _) in enumerate(watched):
             if (
                 margin.kind == "reach"
                 and straight(self.system.mechanism, self.system.frames, *runs[margin.number]) is None
             ):
                 one, other = (frames.site(name) for name in runs[margin.number])
-                found[place] = dot(minus(other.place, one.place), minus(other.velocity, one.velocity))
-        return found
+                passing[index] = dot(minus(other.place, one.place), minus(other.velocity, one.velocity))
+        return passing
 
     def _distance(self, first: str, last: str) -> Number:
         """Return the distance of two sites, m; negative after they have passed through each other on a line."""
         one, other = self.assembly.frames.site(first).place, self.assembly.frames.site(last).place
-        way = straight(self.system.mechanism, self.system.frames, first, last)
+        direction = straight(self.system.mechanism, self.system.frames, first, last)
         total: Number = 0.0
         for number, (a, b) in enumerate(zip(one, other, strict=True)):
-            apart = b - a
-            total = total + (apart * apart if way is None else apart * way[number])
-        return self.tape.sqrt(total) - PASSING_DISTANCE if way is None else total - COINCIDENCE_DISTANCE
+            difference = b - a
+            total = total + (difference * difference if direction is None else difference * direction[number])
+        return self.tape.sqrt(total) - PASSING_DISTANCE if direction is None else total - COINCIDENCE_DISTANCE
 
     def _borders(self) -> list[tuple[Margin, Number]]:
-        found: list[tuple[Margin, Number]] = []
+        margins: list[tuple[Margin, Number]] = []
         for number, force in enumerate(self.system.mechanism.forces):
             if force.region is not None:
-                place = self.assembly.frames.center(force.body).place
-                for side, margin in enumerate(force.region.margins(place, self.tape)):
+                position = self.assembly.frames.center(force.body).place
+                for side, margin in enumerate(force.region.margins(position, self.tape)):
                     inside = self.phase.inside[number][side]
-                    found.append((Margin("border", number, side), margin if inside else -margin))
-        return found
+                    margins.append((Margin("border", number, side), margin if inside else -margin))
+        return margins
 
 
 def _equation(row: RowTerms, n: int, width: int) -> list[Number]:

@@ -202,9 +202,9 @@ class ConstantEquations:
         if meeting.a is None:
             return _Pair(meeting, _plain(other.place), _steps({}, other.gradient), _steps({}, other.lift))
         one = self.system.frames.center(meeting.a)
-        apart = minus(other.place, one.place)
+        offset = minus(other.place, one.place)
         slides, lifts = _steps(one.gradient, other.gradient), _steps(one.lift, other.lift)
-        return _Pair(meeting, _plain(apart), slides, lifts)
+        return _Pair(meeting, _plain(offset), slides, lifts)
 
     def instant(self, time: float, q: Row, v: Row, phase: SwitchState) -> Instant:
         """Return the equations at one instant, constant except for distances to events and rows of stuck pairs."""
@@ -225,19 +225,19 @@ class ConstantEquations:
     @staticmethod
     def _near(pair: _Pair, stuck: bool, q: Row, v: Row) -> Near:  # noqa: FBT001 - one of several in a map
         """Return the gap of a collision pair with its rates, and with its gradient if the bodies touch or stick."""
-        meeting, apart, velocity = pair.meeting, pair.at(q), _carried(pair.slides, v)
+        meeting, offset, velocity = pair.meeting, pair.at(q), _carried(pair.slides, v)
         if meeting.normal is None:
-            r = hypot(*apart)
-            way = (apart[0] / r, apart[1] / r, apart[2] / r)
-            gap, rate = r - meeting.distance, inner(way, velocity)
+            r = hypot(*offset)
+            direction = (offset[0] / r, offset[1] / r, offset[2] / r)
+            gap, rate = r - meeting.distance, inner(direction, velocity)
             bias = (inner(velocity, velocity) - rate * rate) / r
         else:
-            way, bias = meeting.normal, 0.0
-            gap, rate = inner(way, apart) - meeting.distance, inner(way, velocity)
+            direction, bias = meeting.normal, 0.0
+            gap, rate = inner(direction, offset) - meeting.distance, inner(direction, velocity)
         if not stuck and gap > TOUCHING:
             return Near(meeting, gap, rate, bias, {}, {})
-        along = {number: inner(axis, way) for number, axis in pair.slides}
-        return Near(meeting, gap, rate, bias, along, {number: inner(axis, way) for number, axis in pair.lifts})
+        along = {number: inner(axis, direction) for number, axis in pair.slides}
+        return Near(meeting, gap, rate, bias, along, {number: inner(axis, direction) for number, axis in pair.lifts})
 
     # ---- the next event
 

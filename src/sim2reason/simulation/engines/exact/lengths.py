@@ -65,26 +65,26 @@ class RowKind:
 
 def row_kinds(mechanism: Mechanism, phase: SwitchState) -> list[RowKind]:
     """Return the kinds of all constraint rows in order: lines, two rows for each foot, pairs that stick together."""
-    found = [RowKind(line.law.row, line.name, isinstance(line.law, Rigid), -1) for line in mechanism.constraints]
+    kinds = [RowKind(line.law.row, line.name, isinstance(line.law, Rigid), -1) for line in mechanism.constraints]
     for foot in mechanism.feet:
-        found.append(RowKind("foot", foot.name, both=False, follows=-1))
-        found.append(RowKind("hold", foot.name, both=True, follows=len(found) - 1))
+        kinds.append(RowKind("foot", foot.name, both=False, follows=-1))
+        kinds.append(RowKind("hold", foot.name, both=True, follows=len(kinds) - 1))
     for meeting, stuck in zip(mechanism.meetings, phase.stuck, strict=True):
         if stuck:
-            found.append(RowKind("stuck", " and ".join(meeting.names), both=True, follows=-1))
-    return found
+            kinds.append(RowKind("stuck", " and ".join(meeting.names), both=True, follows=-1))
+    return kinds
 
 
-def projected(one: Gradient, other: Gradient, way: Triple) -> dict[int, Number]:
-    """Return the gradient of the relative motion of the second point to the first along `way`, by coordinate."""
-    return {i: dot(way, axis) for i, axis in relative(one, other).items()}
+def projected(one: Gradient, other: Gradient, direction: Triple) -> dict[int, Number]:
+    """Return the gradient of the relative motion of the second point to the first along `direction`, by coordinate."""
+    return {i: dot(direction, axis) for i, axis in relative(one, other).items()}
 
 
-def point_row(point: Point, way: Triple, gap: Number) -> RowTerms:
-    """Return the constraint row that holds a point along the direction `way`."""
-    along = {i: dot(way, axis) for i, axis in point.gradient.items()}
-    lift = {i: dot(way, normal) for i, normal in point.lift.items()}
-    return RowTerms(along, lift, gap, dot(way, point.velocity), -dot(way, point.bias))
+def point_row(point: Point, direction: Triple, gap: Number) -> RowTerms:
+    """Return the constraint row that holds a point along the direction `direction`."""
+    along = {i: dot(direction, axis) for i, axis in point.gradient.items()}
+    lift = {i: dot(direction, normal) for i, normal in point.lift.items()}
+    return RowTerms(along, lift, gap, dot(direction, point.velocity), -dot(direction, point.bias))
 
 
 def merge(total: dict[int, Number], more: Mapping[int, Number]) -> None:

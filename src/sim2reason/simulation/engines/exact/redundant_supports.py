@@ -30,20 +30,20 @@ def admissible_forces(problem: Problem, mode: ContactMode, x: Row) -> tuple[Row,
             slip = np.array(grip.slip.along)
             along += grip.friction * side * np.outer(slip, lift[grip.contact])
             balance -= grip.friction * side * bare[grip.contact] * slip
-    both = [place for place, number in enumerate(active) if problem.held[number]]
+    both = [index for index, number in enumerate(active) if problem.held[number]]
     sticking = [number for number, side in enumerate(mode.rubbing) if side == 0]
     matrix = _stacked(problem, along, lift, sticking)
     matrix = np.hstack([matrix, -matrix[:, both]])
     right = np.concatenate([balance, bare])
     scale = max(float(np.abs(right).max(initial=0.0)), ROUNDING)
-    found, residual = nonnegative(matrix, right / scale)
+    unknowns, residual = nonnegative(matrix, right / scale)
     if residual > ALLOWED:
         return None
-    found *= scale
-    rows = found[: len(active)]
-    rows[both] -= found[len(found) - len(both) :]
+    unknowns *= scale
+    rows = unknowns[: len(active)]
+    rows[both] -= unknowns[len(unknowns) - len(both) :]
     friction = np.zeros(len(problem.grips))
-    pairs = found[len(active) : len(active) + 2 * len(sticking)].reshape(-1, 2)
+    pairs = unknowns[len(active) : len(active) + 2 * len(sticking)].reshape(-1, 2)
     friction[sticking] = pairs[:, 0] - pairs[:, 1]
     return rows.tolist(), friction.tolist()
 
@@ -56,8 +56,8 @@ def _stacked(problem: Problem, along: Array, lift: Array, sticking: list[int]) -
     matrix[:n, :rows] = along
     matrix[n:, :rows] = -lift
     matrix[n:, rows + 2 * k :] = np.eye(c)
-    for place, number in enumerate(sticking):
-        grip, p = problem.grips[number], rows + 2 * place
+    for index, number in enumerate(sticking):
+        grip, p = problem.grips[number], rows + 2 * index
         slip = np.array(grip.slip.along)
         matrix[:n, p], matrix[:n, p + 1] = -slip, slip
         matrix[n + grip.contact, [p, p + 1]] = 1.0 / grip.holds

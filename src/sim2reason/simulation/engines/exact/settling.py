@@ -65,10 +65,12 @@ def solve_impact(system: System, instant: Instant, impact: Impact, still: float)
         system.budget,
     )
     sides = tuple(grip.side(slip) for grip, slip in zip(system.grips, instant.slips, strict=True))
-    found = search(problem, ContactMode(tuple(acting), sides))
-    small = ROUNDING * max(map(abs, (*found.forces.normal, *momenta)), default=0.0)
-    apart = separating_contacts(problem, loads.heave, found, small)
-    return ImpactResult(found.x, found.mode.acting[: len(impact.rows)], found.mode.rubbing, apart)
+    force_balance = search(problem, ContactMode(tuple(acting), sides))
+    small = ROUNDING * max(map(abs, (*force_balance.forces.normal, *momenta)), default=0.0)
+    apart = separating_contacts(problem, loads.heave, force_balance, small)
+    return ImpactResult(
+        force_balance.x, force_balance.mode.acting[: len(impact.rows)], force_balance.mode.rubbing, apart
+    )
 
 
 REST_SPEED = 1e-11  # m/s or rad/s; residual round-off of a speed that is zero
@@ -127,18 +129,18 @@ class Settling:
         return near.touching and not resting and not self.phase.stuck[number]
 
     def _strike(self, instant: Instant, full: list[int], touching: list[int], snapped: set[int]) -> None:
-        place = {number: new for new, number in enumerate(full)}
+        new_index = {number: new for new, number in enumerate(full)}
         impact = Impact(
             full,
             [self.kinds[i].both or self._acts(i) or instant.rates[i] > self.still for i in full],
             touching,
             tuple(self.kinds[i].both for i in full),
-            tuple(place.get(self.kinds[i].follows, -1) for i in full),
+            tuple(new_index.get(self.kinds[i].follows, -1) for i in full),
         )
-        found = solve_impact(self.system, instant, impact, REST_RATE)
+        impact_result = solve_impact(self.system, instant, impact, REST_RATE)
         hits = [i for i in touching if instant.pairs[i].rate < -REST_RATE]
-        self.v = [0.0 if abs(speed) < REST_SPEED else speed for speed in found.v]
-        self._rest(found.rubbing)
+        self.v = [0.0 if abs(speed) < REST_SPEED else speed for speed in impact_result.v]
+        self._rest(impact_result.rubbing)
         for number in hits:
             names = self.mechanism.meetings[number].names
             self.event_log.record(self.now, "collision", *names)
@@ -147,9 +149,9 @@ class Settling:
                 self._stick(number)
         for number in snapped:
             self.event_log.struck(self.now, [f"row {self.kinds[number].name}"], (self.kinds[number].name,))
-        if found.lifted:
+        if impact_result.lifted:
             self.event_log.snapped(self.now, self.kinds, snapped)
-            self.event_log.lift(self.now, found.lifted)
+            self.event_log.lift(self.now, impact_result.lifted)
 
     def _rest(self, rubbing: tuple[int, ...]) -> None:
         """Set the slip of each contact that sticks after an impact to exactly zero if it depends on one coordinate."""
@@ -183,25 +185,25 @@ class Settling:
     def settle(self, instant: Instant, snapped: set[int], rates: Sequence[float]) -> Balance | None:
         """Return the forces and record changes of contact; None at the end. `rates`: of row lengths before impacts."""
         before = self.mode
-        found = self.balance(instant, snapped, rates)
+        force_balance = self.balance(instant, snapped, rates)
         touching = (i for i, near in enumerate(instant.pairs) if near.touching)
-        pressing = next((i for i in touching if self._pressed(instant, i, found.a)), None)
-        torn = [margin.number for margin in self.due if self._is_torn(instant, margin, found.a)]
-        ended = bool(found.lifted) or found.loose or pressing is not None or bool(torn)
+        pressing = next((i for i in touching if self._pressed(instant, i, force_balance.a)), None)
+        torn = [margin.number for margin in self.due if self._is_torn(instant, margin, force_balance.a)]
+        ended = bool(force_balance.lifted) or force_balance.loose or pressing is not None or bool(torn)
         if self.segments or snapped:
             # which strings are slack about a part that nothing holds is as open as how it moves
-            after = found.mode._replace(acting=before.acting) if found.loose else found.mode
+            after = force_balance.mode._replace(acting=before.acting) if force_balance.loose else force_balance.mode
             self.event_log.changed(self.now, self.kinds, (before, after), snapped, first=not self.segments)
             if self.segments:
                 self.event_log.rubbed(self.now, self.system.grips, (before, after))
         if ended and not self.segments:
-            self.append(found, None)
-        self.mode = found.mode
+            self.append(force_balance, None)
+        self.mode = force_balance.mode
         if not ended:
-            return found
-        if found.lifted:
-            self.event_log.lift(self.now, found.lifted)
-        elif found.loose:
+            return force_balance
+        if force_balance.lifted:
+            self.event_log.lift(self.now, force_balance.lifted)
+        elif force_balance.loose:
             self.event_log.end(self.now, "indeterminate", *self._unheld(instant))
         elif pressing is not None:
             self.event_log.end(self.now, "crowd", *self.mechanism.meetings[pressing].names)

@@ -99,8 +99,8 @@ class Lines:
     def lengths(self, data: Any, q: Array) -> Lengths:  # noqa: ANN401 - MuJoCo's
         """Return the lengths of the lines, with gradients and segments."""
         places = data.site_xpos.take(self._sites, axis=0)
-        apart = places.take(self._last, axis=0) - places.take(self._first, axis=0)
-        runs, directions = self._directions_of(apart)
+        separations = places.take(self._last, axis=0) - places.take(self._first, axis=0)
+        runs, directions = self._directions_of(separations)
         moved = self._jacobians_apart(data, places)
         values, gradients = self._sum_segments(runs), self._sum_segments(np.vecmat(directions, moved))
         if self._wheels:
@@ -124,14 +124,16 @@ class Lines:
         parting = moved @ v
         along = np.vecdot(directions, parting)
         turning = (np.vecdot(parting, parting) - along * along) / np.where(self._keeps, 1.0, runs)
-        found = np.where(self._keeps, 0.0, turning)
+        second_derivatives = np.where(self._keeps, 0.0, turning)
         if not self._straight:
             for number, carrier in enumerate(self._carriers):
                 if carrier:
                     mujoco.mj_jacDot(self._model, data, self._dots[number], None, places[number], carrier)
             biases = self._dots @ v
-            found += np.vecdot(directions, biases.take(self._last, axis=0) - biases.take(self._first, axis=0))
-        return self._sum_segments(found)
+            second_derivatives += np.vecdot(
+                directions, biases.take(self._last, axis=0) - biases.take(self._first, axis=0)
+            )
+        return self._sum_segments(second_derivatives)
 
     def _sum_segments(self, parts: Array) -> Array:
         """Return, for each line, the sum of the values of its segments."""
@@ -212,18 +214,18 @@ class Attractions:
     def _squares(self, data: Any) -> tuple[Array, Array]:  # noqa: ANN401 - MuJoCo's
         """Return the separation of the centres of mass of each pair, (pairs, 3), m, and its square, (pairs,), m²."""
         places = data.xipos
-        apart: Array = places.take(self._last, axis=0) - places.take(self._first, axis=0)
-        return apart, np.vecdot(apart, apart)
+        separations: Array = places.take(self._last, axis=0) - places.take(self._first, axis=0)
+        return separations, np.vecdot(separations, separations)
 
     def load(self, data: Any) -> Array:  # noqa: ANN401 - MuJoCo's
         """Return the load on the joints, (joints,): constant·m·m′/rᵖ between centres of mass, for present masses."""
-        apart, squares = self._squares(data)
+        separations, squares = self._squares(data)
         if not squares.all():
             pair = self._pairs[int(squares.argmin())]
             raise SimulationError(f"{pair.a} and {pair.b} are at one place")
         masses = self._model.body_mass
         pulls = self._constants * masses[self._first] * masses[self._last] * squares**self._exponents
-        return (pulls[:, None] * apart).ravel() @ self._jacobians_apart(data)
+        return (pulls[:, None] * separations).ravel() @ self._jacobians_apart(data)
 
     def _jacobians_apart(self, data: Any) -> Array:  # noqa: ANN401 - MuJoCo's
         """Return the Jacobian of the separation of each pair, (3·pairs, joints)."""

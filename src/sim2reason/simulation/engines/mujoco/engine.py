@@ -58,11 +58,11 @@ class EventDrivenLoop(InstantSolver):
             self.model.set_state(self.now, self.q, self.v, self.switches)
         if not goes_on:
             return False
-        found = self.settle()
+        solution = self.settle()
         if self.cut:
             return False
-        self.mode = found.mode._replace(rubbing=self._rubbing(found))
-        return self._travel(found)
+        self.mode = solution.mode._replace(rubbing=self._rubbing(solution))
+        return self._travel(solution)
 
     def _travel(self, found: ForceSolution) -> bool:
         """Step to the next event; return False at the end."""
@@ -77,12 +77,12 @@ class EventDrivenLoop(InstantSolver):
         while self.duration - self.now > MIN_STEP * self.duration:
             length = min(length, self.longest, self.duration - self.now)
             last = self.record.last
-            tried = extrapolate_step(acting.rate, last.time, last.values, last.rates, length, tolerance)
+            trial = extrapolate_step(acting.rate, last.time, last.values, last.rates, length, tolerance)
             self._count(length)
-            if not tried.error <= 1.0:
-                length *= min(0.7, tried.factor) if np.isfinite(tried.error) else 0.1
+            if not trial.error <= 1.0:
+                length *= min(0.7, trial.factor) if np.isfinite(trial.error) else 0.1
                 continue
-            here, after = acting.knot(self.now + length, tried.values)
+            here, after = acting.knot(self.now + length, trial.values)
             event = EventSearch(acting, (last, here), (before, after), armed).due(self.duration)
             if event is not None:
                 self._accept(event[0])
@@ -92,7 +92,7 @@ class EventDrivenLoop(InstantSolver):
             self._accept(here)
             before = after
             armed = [was or due.value > ARMED for was, due in zip(armed, after, strict=True)]
-            length, tolerance = length * tried.factor, TOLERANCE * acting.closeness(here)
+            length, tolerance = length * trial.factor, TOLERANCE * acting.closeness(here)
         acting.check(self.record.last)
         self.now = self.duration
         return False

@@ -74,10 +74,10 @@ class EventSearch:
             x = self._predict(0.5 * x) or x
         here, margins, tolerance = start, before, TOLERANCE * self._acting.closeness(start)
         for _ in range(SOUGHT):
-            tried = extrapolate_step(
+            trial = extrapolate_step(
                 self._acting.rate, start.time, start.values, start.rates, x * self._span, tolerance
             )
-            here, margins = self._acting.knot(start.time + x * self._span, tried.values)
+            here, margins = self._acting.knot(start.time + x * self._span, trial.values)
             change = self._change(x, margins)
             if abs(change) * self._span <= EVENT_TIME_RTOL * duration or not 0.0 < x + change <= 1.2:
                 break
@@ -184,8 +184,8 @@ class EventSearch:
         for number, (left, right, fall, rise, meets) in enumerate(zip(*ends, falls, rises, reach, strict=True)):
             if fall < 0.0 < rise:
                 meet = (left - right + rise) / (rise - fall)
-                if (meets or left + fall * meet < 0.0) and (found := self._bottom(number, float(meet))) is not None:
-                    return found
+                if (meets or left + fall * meet < 0.0) and (fraction := self._bottom(number, float(meet))) is not None:
+                    return fraction
         return None
 
     def _bottom(self, number: int, x: float) -> float | None:

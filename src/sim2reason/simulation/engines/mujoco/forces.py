@@ -86,27 +86,27 @@ def active_set(mode: ContactMode, friction: Array) -> ActiveSet:
 def system(
     inertia: Array,
     loads: Array,
-    held: list[Array],
+    row_gradients: list[Array],
     targets: list[float],
     faces: Faces,
     mode: ContactMode,
     acts: ActiveSet,
 ) -> tuple[Array, Array]:
-    """Return a contact mode's matrix and right side for accelerations, `held` rows, normal forces and friction."""
-    n, first, second = len(loads), len(held), len(held) + len(acts.closed)
+    """Return a contact mode's matrix and right side for accelerations, `row_gradients` rows, normal forces and friction."""
+    n, first, second = len(loads), len(row_gradients), len(row_gradients) + len(acts.closed)
     size = n + second + len(acts.sticking)
     matrix, wanted = np.zeros((size, size)), np.zeros(size)
     matrix[:n, :n], wanted[:n] = inertia, loads
-    if held:
-        matrix[:n, n : n + first], matrix[n : n + first, :n] = np.array(held).T, np.array(held)
+    if row_gradients:
+        matrix[:n, n : n + first], matrix[n : n + first, :n] = np.array(row_gradients).T, np.array(row_gradients)
         wanted[n : n + first] = targets
-    for place, i in enumerate(acts.closed, start=n + first):
+    for index, i in enumerate(acts.closed, start=n + first):
         joint = faces.rises[i]
-        matrix[joint, place], matrix[place, joint] = -1.0, 1.0
+        matrix[joint, index], matrix[index, joint] = -1.0, 1.0
         if mode.rubbing[i]:
-            matrix[:n, place] += faces.friction[i] * mode.rubbing[i] * faces.slips[i]
-    for place, i in enumerate(acts.sticking, start=n + second):
-        matrix[:n, place], matrix[place, :n] = -faces.slips[i], faces.slips[i]
+            matrix[:n, index] += faces.friction[i] * mode.rubbing[i] * faces.slips[i]
+    for index, i in enumerate(acts.sticking, start=n + second):
+        matrix[:n, index], matrix[index, :n] = -faces.slips[i], faces.slips[i]
     return matrix, wanted
 
 
@@ -115,8 +115,8 @@ def solve_mode(instant: ForceProblem, mode: ContactMode) -> ForceSolution | None
     instant.budget.spend(TRY + FORCE * (len(mode.rows) + len(mode.faces)))
     n, faces = len(instant.loads), Faces(instant.rises, instant.slips, instant.friction)
     acts = active_set(mode, instant.friction)
-    held, targets = [instant.rows[i] for i in acts.rows], [float(instant.targets[i]) for i in acts.rows]
-    matrix, wanted = system(instant.inertia, instant.loads, held, targets, faces, mode, acts)
+    row_gradients, targets = [instant.rows[i] for i in acts.rows], [float(instant.targets[i]) for i in acts.rows]
+    matrix, wanted = system(instant.inertia, instant.loads, row_gradients, targets, faces, mode, acts)
     solution = solve_regular(matrix, wanted) if _is_regular(matrix) else None
     null = np.zeros(len(wanted))
     if solution is None:
@@ -127,8 +127,11 @@ def solve_mode(instant: ForceProblem, mode: ContactMode) -> ForceSolution | None
         if len(free):
             solution = maximize_least_condition(solution, free, _conditions(instant, acts, len(wanted)))
     rows, normal, friction = np.zeros(len(mode.rows)), np.zeros(len(mode.faces)), np.zeros(len(mode.faces))
-    second = n + len(held) + len(acts.closed)
-    rows[acts.rows], normal[acts.closed] = solution[n : n + len(held)], solution[n + len(held) : second]
+    second = n + len(row_gradients) + len(acts.closed)
+    rows[acts.rows], normal[acts.closed] = (
+        solution[n : n + len(row_gradients)],
+        solution[n + len(row_gradients) : second],
+    )
     friction[acts.sticking] = solution[second:]
     for i in acts.closed:
         if mode.rubbing[i]:
@@ -142,15 +145,15 @@ def solve_mode(instant: ForceProblem, mode: ContactMode) -> ForceSolution | None
 def _conditions(instant: ForceProblem, acts: ActiveSet, size: int) -> Array:
     """Return, as rows over all unknowns, what must not be negative: tensions, normal forces, unused static friction."""
     n, first = len(instant.loads), len(acts.rows)
-    normal = {i: n + first + place for place, i in enumerate(acts.closed)}
-    found = [[(n + place, 1.0)] for place, i in enumerate(acts.rows) if not instant.both[i]]
-    found += [[(place, 1.0)] for i, place in normal.items() if not instant.guided[i]]
-    for place, i in enumerate(acts.sticking, start=n + first + len(acts.closed)):
-        found += [[(normal[i], float(instant.holds[i])), (place, side)] for side in (1.0, -1.0)]
-    matrix = np.zeros((len(found), size))
-    for number, entries in enumerate(found):
-        for place, part in entries:
-            matrix[number, place] = part
+    normal = {i: n + first + index for index, i in enumerate(acts.closed)}
+    conditions = [[(n + index, 1.0)] for index, i in enumerate(acts.rows) if not instant.both[i]]
+    conditions += [[(index, 1.0)] for i, index in normal.items() if not instant.guided[i]]
+    for index, i in enumerate(acts.sticking, start=n + first + len(acts.closed)):
+        conditions += [[(normal[i], float(instant.holds[i])), (index, side)] for side in (1.0, -1.0)]
+    matrix = np.zeros((len(conditions), size))
+    for number, entries in enumerate(conditions):
+        for index, part in entries:
+            matrix[number, index] = part
     return matrix
 
 
@@ -172,13 +175,13 @@ def maximize_least_condition(solution: Array, free: Array, conditions: Array) ->
     sound = np.abs(np.linalg.det(matrix)) > SINGULAR_VALUE_RTOL
     if not sound.any():
         return solution
-    found = np.linalg.solve(matrix[sound], -base[corners[sound]][:, :, None])[:, :, 0]
-    margins = base + found[:, :-1] @ change.T
+    vertices = np.linalg.solve(matrix[sound], -base[corners[sound]][:, :, None])[:, :, 0]
+    margins = base + vertices[:, :-1] @ change.T
     near = SLIP * max(float(np.abs(base).max(initial=0.0)), 1.0)
-    allowed = margins.min(axis=1) >= found[:, -1] - near
+    allowed = margins.min(axis=1) >= vertices[:, -1] - near
     if not allowed.any():
         return solution
-    best = found[np.where(allowed, found[:, -1], -np.inf).argmax()]
+    best = vertices[np.where(allowed, vertices[:, -1], -np.inf).argmax()]
     return np.asarray(solution + best[:-1] @ directions, dtype=np.float64)
 
 
@@ -188,8 +191,8 @@ def _is_regular(matrix: Array) -> bool:
     steps: Array = np.arange(1.0, len(matrix) + 1.0)
     side = np.sqrt(2.0) * steps % 1.0 - 0.5
     try:
-        found: Array = np.asarray(np.linalg.solve(matrix / scale[:, None], side), dtype=np.float64)
-        return bool(np.abs(found).max(initial=0.0) < HUGE)
+        solution: Array = np.asarray(np.linalg.solve(matrix / scale[:, None], side), dtype=np.float64)
+        return bool(np.abs(solution).max(initial=0.0) < HUGE)
     except np.linalg.LinAlgError:
         return False
 
@@ -197,13 +200,13 @@ def _is_regular(matrix: Array) -> bool:
 def solve_regular(matrix: Array, wanted: Array) -> Array | None:
     """Return the solution of a well-conditioned linear system; None if its accuracy is doubtful."""
     try:
-        found: Array = np.asarray(np.linalg.solve(matrix, wanted), dtype=np.float64)
+        solution: Array = np.asarray(np.linalg.solve(matrix, wanted), dtype=np.float64)
     except np.linalg.LinAlgError:
         return None
     scale = np.abs(matrix).max(axis=1, initial=1e-300)
-    large = float(np.abs(found).max(initial=0.0))
-    sound = np.isfinite(large) and np.abs((matrix @ found - wanted) / scale).max(initial=0.0) <= 1e-9 * (1.0 + large)
-    return found if sound and large <= LARGE else None
+    large = float(np.abs(solution).max(initial=0.0))
+    sound = np.isfinite(large) and np.abs((matrix @ solution - wanted) / scale).max(initial=0.0) <= 1e-9 * (1.0 + large)
+    return solution if sound and large <= LARGE else None
 
 
 def _least_norm(matrix: Array, wanted: Array) -> tuple[Array | None, Array]:

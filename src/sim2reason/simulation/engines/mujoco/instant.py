@@ -66,20 +66,20 @@ class InstantSolver:
     def settle(self) -> ForceSolution:
         """Compute the acting forces; record the changes and any event that ends the motion."""
         rows = self.model.rows()
-        found = self._search(rows)
-        unheld = self._unsupported(rows, found)
+        solution = self._search(rows)
+        unheld = self._unsupported(rows, solution)
         if self.mode is not None and self.record.intervals:  # how it begins, be it with a jerk, is no change
             # which strings are slack about a part that nothing holds is as undetermined as its motion
-            after = found.mode._replace(rows=self.mode.rows[: len(rows)]) if unheld else found.mode
-            self._note_changes(after._replace(rubbing=self._rubbing(found)), rows)
-        self._lift(found, REST_SPEED)
+            after = solution.mode._replace(rows=self.mode.rows[: len(rows)]) if unheld else solution.mode
+            self._note_changes(after._replace(rubbing=self._rubbing(solution)), rows)
+        self._lift(solution, REST_SPEED)
         if unheld and not self.cut:
             self.end("indeterminate", *unheld)
-        self._tear(rows, found.x)
-        self._pressed(found.x)
+        self._tear(rows, solution.x)
+        self._pressed(solution.x)
         if self.cut and not self.record.intervals:  # it ended as it began
-            self._record_only(found)
-        return found
+            self._record_only(solution)
+        return solution
 
     def _search(self, rows: list[Row]) -> ForceSolution:
         sliding = self._sliding()
@@ -235,16 +235,16 @@ class InstantSolver:
             for s, mu in zip(speeds, self.model.friction, strict=True)
         )
         began = tuple(row.rate > REST_SPEED or (i < len(rows) and acts[i]) for i, row in enumerate(every))
-        found = search(instant, ContactMode(began, (True,) * len(self.mechanism.faces), sides))
-        self.v = np.where(np.abs(found.x) < REST_SPEED * 1e-3, 0.0, found.x)
-        self._lift(found, LIFT * float(np.abs(self.v).max(initial=0.0)))
-        for number, (row, acts_now) in enumerate(zip(rows, found.mode.rows, strict=False)):
+        solution = search(instant, ContactMode(began, (True,) * len(self.mechanism.faces), sides))
+        self.v = np.where(np.abs(solution.x) < REST_SPEED * 1e-3, 0.0, solution.x)
+        self._lift(solution, LIFT * float(np.abs(self.v).max(initial=0.0)))
+        for number, (row, acts_now) in enumerate(zip(rows, solution.mode.rows, strict=False)):
             if acts_now and not row.both and row.rate > 10.0 * REST_SPEED:
                 self.note(BEGINS[row.kind], row.name)
             elif acts[number] and not acts_now and not row.both:
                 self.note(STOPS[row.kind], row.name)
         before = self.mode or all_acting(len(rows), len(self.mechanism.faces))
-        self.mode = before._replace(rows=tuple(found.mode.rows[: len(rows)]))
+        self.mode = before._replace(rows=tuple(solution.mode.rows[: len(rows)]))
         self.due = []
         if self.cut and not self.record.intervals:
             self.model.set_state(self.now, self.q, self.v, self.switches)

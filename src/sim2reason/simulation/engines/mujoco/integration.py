@@ -41,8 +41,8 @@ def extrapolate_step(rate: Rate, time: float, values: Array, first: Array, h: fl
         table = row
         if column >= MIN_STAGE:
             scale = tolerance * (1e-2 + np.maximum(np.abs(values), np.abs(row[-1])))
-            apart = (row[-1] - row[-2]) / scale
-            error = float(np.sqrt(np.mean(apart * apart))) if len(values) else 0.0
+            scaled_difference = (row[-1] - row[-2]) / scale
+            error = float(np.sqrt(np.mean(scaled_difference * scaled_difference))) if len(values) else 0.0
             if error <= 1.0:
                 break
     spare = len(SEQUENCE) - len(table)

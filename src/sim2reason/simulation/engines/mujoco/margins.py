@@ -74,13 +74,13 @@ class ActingModel:
                 x = model.free_acceleration(model.loads())
                 return np.concatenate([values[n:], x if abs(x).max(initial=0.0) < LARGE else self.forces().x])
             rows = [model.row(number) for number in acts.rows]
-            held, targets = [row.gradient for row in rows], [row.target for row in rows]
+            row_gradients, targets = [row.gradient for row in rows], [row.target for row in rows]
             if not acts.closed and not model.uneven:  # M⁻¹ of a nearly massless part would leave round-off
-                x = model.constrained_acceleration(model.loads(), np.array(held), np.array(targets))
+                x = model.constrained_acceleration(model.loads(), np.array(row_gradients), np.array(targets))
                 return np.concatenate([values[n:], x if x is not None else self.forces().x])
-            matrix, wanted = system(model.inertia(), model.loads(), held, targets, faces, mode, acts)
-            found = solve_regular(matrix, wanted)
-            x = found[:n] if found is not None else self.forces().x
+            matrix, wanted = system(model.inertia(), model.loads(), row_gradients, targets, faces, mode, acts)
+            solution = solve_regular(matrix, wanted)
+            x = solution[:n] if solution is not None else self.forces().x
             return np.concatenate([values[n:], x])
 
         return rate
@@ -150,9 +150,9 @@ class ActingModel:
             if side:
                 yield EventMargin("slip", number, side, side * float(model.slips[number] @ model.v))
             elif 0.0 < friction < NEVER:
-                held = float(forces.friction[number])
-                yield EventMargin("grip", number, 1, friction * abs(normal) + held)
-                yield EventMargin("grip", number, -1, friction * abs(normal) - held)
+                friction_force = float(forces.friction[number])
+                yield EventMargin("grip", number, 1, friction * abs(normal) + friction_force)
+                yield EventMargin("grip", number, -1, friction * abs(normal) - friction_force)
 
     def _positions(self) -> Iterator[EventMargin]:
         model, mechanism = self.model, self.model.mechanism

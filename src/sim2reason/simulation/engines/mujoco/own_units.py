@@ -106,8 +106,10 @@ class OwnUnits:
         def forces(by_name: Mapping[str, Array]) -> dict[str, Array]:
             return {name: values * self.force for name, values in by_name.items()}
 
-        held = (forces(state.constraint_tension), forces(state.normal), forces(state.friction))
-        return State.of(mechanism, at, (state.q, state.v / self.time), Dynamics(state.a / self.time**2, *held))
+        constraint_forces = (forces(state.constraint_tension), forces(state.normal), forces(state.friction))
+        return State.of(
+            mechanism, at, (state.q, state.v / self.time), Dynamics(state.a / self.time**2, *constraint_forces)
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,13 +122,13 @@ class LawInUnits:
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
         """Return the force in the converted units."""
         units = self.units
-        found = self.law.force(place, times(1.0 / units.time, velocity), time * units.time, maths)
-        return times(1.0 / units.force, found)
+        law_force = self.law.force(place, times(1.0 / units.time, velocity), time * units.time, maths)
+        return times(1.0 / units.force, law_force)
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
         """Return the potential energy in the converted units; None if the law has none."""
-        found = self.law.potential(place, maths)
-        return None if found is None else found * (1.0 / self.units.force)
+        energy = self.law.potential(place, maths)
+        return None if energy is None else energy * (1.0 / self.units.force)
 
     @property
     def constant(self) -> bool:

@@ -50,33 +50,33 @@ class MotionRecord:
 
     def _runs(self) -> list[tuple[str, str]]:
         """Return the ends of the straight line segments that may coincide."""
-        found: dict[tuple[str, str], None] = {}
+        segments: dict[tuple[str, str], None] = {}
         for line in self._model.mechanism.lines:
             if not isinstance(line.law, Rigid):
-                found.update(dict.fromkeys(pairwise(line.through)))
+                segments.update(dict.fromkeys(pairwise(line.through)))
         moving: list[tuple[str, str]] = []
-        for first, last in found:
-            apart = self._model.site(last).jacobian - self._model.site(first).jacobian
-            if np.abs(apart).max(initial=0.0) > 1e-9:
+        for first, last in segments:
+            relative_jacobian = self._model.site(last).jacobian - self._model.site(first).jacobian
+            if np.abs(relative_jacobian).max(initial=0.0) > 1e-9:
                 moving.append((first, last))
         return moving
 
     def run_length(self, number: int) -> float:
         """Return the distance of the ends of a line segment, m; negative once they have passed through each other."""
         first, last = self.runs[number]
-        apart, direction = self._model.place(last) - self._model.place(first), self._directions[number]
+        separation, direction = self._model.place(last) - self._model.place(first), self._directions[number]
         if direction is None:
-            return float(np.linalg.norm(apart)) - PASSING_DISTANCE
-        return float(apart @ np.array(direction)) - COINCIDENCE_DISTANCE
+            return float(np.linalg.norm(separation)) - PASSING_DISTANCE
+        return float(separation @ np.array(direction)) - COINCIDENCE_DISTANCE
 
     def run_rate(self, number: int) -> float:
         """Return the rate of change of the distance of the ends of a line segment at present, m/s."""
         first, last = (self._model.site(name) for name in self.runs[number])
-        apart, parting = last.place - first.place, last.velocity - first.velocity
-        direction, far = self._directions[number], float(np.linalg.norm(apart))
+        separation, parting = last.place - first.place, last.velocity - first.velocity
+        direction, far = self._directions[number], float(np.linalg.norm(separation))
         if direction is None and far == 0.0:
             return -float(np.linalg.norm(parting))
-        return float((apart / far if direction is None else np.array(direction)) @ parting)
+        return float((separation / far if direction is None else np.array(direction)) @ parting)
 
     @property
     def last(self) -> Knot:
@@ -136,19 +136,19 @@ class MotionRecord:
             mine = np.flatnonzero(owners == number)
             knots, ends = interval.knots, [knot.time for knot in interval.knots]
             places = np.clip(np.searchsorted(ends, times[mine], side="right") - 1, 0, max(len(knots) - 2, 0))
-            for place in range(len(knots)):
-                here = mine[places == place]
+            for index in range(len(knots)):
+                here = mine[places == index]
                 if len(here):
-                    around, at = neighbouring_knots(knots, place), np.minimum(times[here], ends[-1])
+                    around, at = neighbouring_knots(knots, index), np.minimum(times[here], ends[-1])
                     yield interval, here, interpolate_knots(around, at)
 
     def forces(self, mode: ContactMode) -> ForceSolution:
         """Return the forces of a contact mode at the present state; raise SimulationError if they do not exist."""
         rows = self._model.rows()
-        found = solve_mode(present_problem(self._model, rows, mode.rubbing, (True,) * len(rows)), mode)
-        if found is None:
+        solution = solve_mode(present_problem(self._model, rows, mode.rubbing, (True,) * len(rows)), mode)
+        if solution is None:
             raise SimulationError("MuJoCo: the constraints contradict each other")
-        return found
+        return solution
 
 
 def present_problem(

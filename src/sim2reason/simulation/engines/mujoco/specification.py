@@ -22,11 +22,11 @@ ROUND = 1e-10  # fraction of a body's largest moment of inertia, added to all th
 @contextmanager
 def collect_warnings() -> Generator[list[str], None, None]:
     """Collect MuJoCo's warnings in a list, which otherwise go to a file in the working directory."""
-    said: list[str] = []
+    warnings: list[str] = []
     before = mujoco.get_mju_user_warning()
-    mujoco.set_mju_user_warning(said.append)
+    mujoco.set_mju_user_warning(warnings.append)
     try:
-        yield said
+        yield warnings
     finally:
         mujoco.set_mju_user_warning(before)
 

@@ -82,13 +82,13 @@ class Subject(ABC):
         return words[1] if len(words) == 2 and len(words[1]) <= LETTERS else " ".join(words)
 
 
-def is_stated_for_all(need: str, mechanism: Mechanism, said: Collection[str]) -> bool:
+def is_stated_for_all(need: str, mechanism: Mechanism, stated_paths: Collection[str]) -> bool:
     """Return whether the text states a property (such as ``mass``) for every body that has it."""
-    return all(is_stated(need, body.name, said) for body in mechanism.bodies if getattr(body, need, 0.0) != 0.0)
+    return all(is_stated(need, body.name, stated_paths) for body in mechanism.bodies if getattr(body, need, 0.0) != 0.0)
 
 
-def is_stated(need: str, name: str, said: Collection[str]) -> bool:
+def is_stated(need: str, name: str, stated_paths: Collection[str]) -> bool:
     """Return whether the text states a property of the subject `name`; a ``dry_mass`` also counts as the mass."""
-    if f"{name}.{need}" in said:
+    if f"{name}.{need}" in stated_paths:
         return True
-    return any(path.startswith(f"{name}.") and path.endswith(f"_{need}") for path in said)
+    return any(path.startswith(f"{name}.") and path.endswith(f"_{need}") for path in stated_paths)

@@ -35,7 +35,7 @@ class CenterPath:
     @property
     def rises(self) -> bool:
         """Return whether the centre of mass can move up or down."""
-        return any(abs(way[2]) > DIRECTION_TOL for way in self.ways) or (
+        return any(abs(direction[2]) > DIRECTION_TOL for direction in self.ways) or (
             self.bends and any(not upright(t) for t in self.turns)
         )
 
@@ -47,12 +47,12 @@ def upright(axis: Vector) -> bool:
 
 def chain(mechanism: Mechanism, name: str) -> list[RigidBody]:
     """Return a body and all bodies that carry it, innermost first."""
-    found: list[RigidBody] = []
+    bodies: list[RigidBody] = []
     step: str | None = name
     while step is not None:
-        found.append(mechanism.body[step])
-        step = found[-1].parent
-    return found
+        bodies.append(mechanism.body[step])
+        step = bodies[-1].parent
+    return bodies
 
 
 def center_path(mechanism: Mechanism, name: str) -> CenterPath:
@@ -77,9 +77,9 @@ def center_path(mechanism: Mechanism, name: str) -> CenterPath:
             bends = bends or hypot(*sweep) > DIRECTION_TOL or any(not parallel(s.axis, coordinate.axis) for s in later)
         arm = add(arm, body.at)
     distinct: list[Vector] = []
-    for way in ways:
-        if not any(parallel(way, other) for other in distinct):
-            distinct.append(way)
+    for direction in ways:
+        if not any(parallel(direction, other) for other in distinct):
+            distinct.append(direction)
     return CenterPath(tuple(distinct), bends, tuple(turns), swings)
 
 
@@ -102,8 +102,8 @@ def is_pulley_wheel(mechanism: Mechanism, name: str) -> bool:
 
 def rim_of(mechanism: Mechanism, address: str) -> tuple[str, str] | None:
     """Return the names of the two sites at the rim of a pulley; None if there is no pulley at the address."""
-    found = ((f"{address}.{one}", f"{address}.{other}") for one, other in RIMS)
-    return next((pair for pair in found if all(site in mechanism.site for site in pair)), None)
+    candidates = ((f"{address}.{one}", f"{address}.{other}") for one, other in RIMS)
+    return next((pair for pair in candidates if all(site in mechanism.site for site in pair)), None)
 
 
 def rides(mechanism: Mechanism, name: str) -> bool:
@@ -137,24 +137,24 @@ def at_start(mechanism: Mechanism, name: str | None) -> Vector:
 
 def point_directions(mechanism: Mechanism, name: str | None, at: Vector) -> dict[str, Vector]:
     """Return the initial direction of motion of a point `at` in a body's frame for each coordinate that moves it."""
-    found: dict[str, Vector] = {}
+    directions: dict[str, Vector] = {}
     arm = at
     for body in chain(mechanism, name) if name is not None else []:
         for coordinate in body.coordinates:
-            way = coordinate.axis if coordinate.kind == "slide" else outer(coordinate.axis, arm)
-            if hypot(*way) > DIRECTION_TOL:
-                found[coordinate.name] = way
+            direction = coordinate.axis if coordinate.kind == "slide" else outer(coordinate.axis, arm)
+            if hypot(*direction) > DIRECTION_TOL:
+                directions[coordinate.name] = direction
         arm = add(arm, body.at)
-    return found
+    return directions
 
 
 def carried_by(mechanism: Mechanism, name: str) -> list[RigidBody]:
     """Return a body and all bodies that it carries."""
-    found = {name}
+    names = {name}
     for body in mechanism.bodies:  # a parent stands before its children
-        if body.parent in found:
-            found.add(body.name)
-    return [body for body in mechanism.bodies if body.name in found]
+        if body.parent in names:
+            names.add(body.name)
+    return [body for body in mechanism.bodies if body.name in names]
 
 
 UP, RIGHT = "up", "right"
@@ -234,8 +234,8 @@ def _of_path(path: CenterPath) -> list[Sense]:
         return []
     if not path.straight:
         return [Sense(UP, (0.0, 0.0, 1.0), VERTICAL, share=OFF_AXIS_SHARE)]
-    way = path.ways[0] if path.ways[0][2] > 0.0 else scale(-1.0, path.ways[0])
-    return [Sense(UP if way[2] > 1.0 - DIRECTION_TOL else "up the slope", way)]
+    direction = path.ways[0] if path.ways[0][2] > 0.0 else scale(-1.0, path.ways[0])
+    return [Sense(UP if direction[2] > 1.0 - DIRECTION_TOL else "up the slope", direction)]
 
 
 ROD = "rod"  # the last part of a rod's address

@@ -17,29 +17,29 @@ def line_phrases(
     A line that is a body of the text has its mention as phrase; the only one of its kind, if `alone`, has its noun.
     """
     wheels = pulleys(mechanism, mentions)
-    found: dict[str, str] = {}
+    phrase_by_name: dict[str, str] = {}
     kept = list(lines)
     for line in kept:
-        whole = noun if line.name == line.whole else f"part of the {noun}"
+        noun_phrase = noun if line.name == line.whole else f"part of the {noun}"
         ends = [_end(mechanism, site, mentions, wheels) for site in (line.through[0], line.through[-1])]
         if line.name in mentions:
-            found[line.name] = mentions[line.name]
+            phrase_by_name[line.name] = mentions[line.name]
         elif alone and len(kept) == 1:
-            found[line.name] = f"the {noun}"
+            phrase_by_name[line.name] = f"the {noun}"
         elif all(ends):
-            found[line.name] = f"the {whole} between {ends[0]} and {ends[1]}"
-    phrases = list(found.values())
-    return {name: phrase for name, phrase in found.items() if phrases.count(phrase) == 1}
+            phrase_by_name[line.name] = f"the {noun_phrase} between {ends[0]} and {ends[1]}"
+    phrases = list(phrase_by_name.values())
+    return {name: phrase for name, phrase in phrase_by_name.items() if phrases.count(phrase) == 1}
 
 
 def pulleys(mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
     """Return the address of each pulley that the text mentions and a body carries, by the name of that body."""
-    found: dict[str, str] = {}
+    addresses: dict[str, str] = {}
     for address in mentions:
         site = mechanism.site.get(f"{address}.left")
         if site is not None and site.body is not None:
-            found[site.body] = address
-    return found
+            addresses[site.body] = address
+    return addresses
 
 
 def _end(mechanism: Mechanism, name: str, mentions: Mapping[str, str], carriers: Mapping[str, str]) -> str:
@@ -56,8 +56,8 @@ def _end(mechanism: Mechanism, name: str, mentions: Mapping[str, str], carriers:
 def ends_label(phrase: str) -> str:
     """Return the legend label of a line, made of its ends: *block A – pulley P*."""
     ends = phrase.partition(" between ")[2] or phrase
-    said = ends.replace("the axle of ", "axle of ").replace("the ", "").replace(" and ", " – ")
-    return f"{said} (part)" if phrase.startswith("the part") else said
+    label = ends.replace("the axle of ", "axle of ").replace("the ", "").replace(" and ", " – ")
+    return f"{label} (part)" if phrase.startswith("the part") else label
 
 
 STRETCHED = "stretched"
@@ -162,9 +162,9 @@ def surface(mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> str
         return mentions.get(parent, ANY)
     owner = name
     while owner := owner.rpartition(".")[0]:
-        found = [mentions[f"{owner}.{field}"] for field in SURFACES if f"{owner}.{field}" in mentions]
-        if found:
-            return found[0] if list(mentions.values()).count(found[0]) == 1 else f"{found[0]} beneath it"
+        surfaces = [mentions[f"{owner}.{field}"] for field in SURFACES if f"{owner}.{field}" in mentions]
+        if surfaces:
+            return surfaces[0] if list(mentions.values()).count(surfaces[0]) == 1 else f"{surfaces[0]} beneath it"
     return ANY
 
 
@@ -207,12 +207,12 @@ class Pairs(Subject):
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
         """Return the phrases of pairs, such as *pucks A and B*, if both are named and one can move."""
-        found: dict[str, str] = {}
+        phrase_by_name: dict[str, str] = {}
         for name in self.names(mechanism):
             a, b = members(name)
             if a in mentions and b in mentions and (can_move(mechanism, a) or can_move(mechanism, b)):
-                found[name] = pair(mentions[a], mentions[b])
-        return found
+                phrase_by_name[name] = pair(mentions[a], mentions[b])
+        return phrase_by_name
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
         """Return whether the text gives the number `need`, such as the mass, of both bodies."""

@@ -48,17 +48,17 @@ class SwingingLines(Subject):
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
         """Return the phrases *the string*, *the rod*, *the line from the axle to the centre of mass of the disc*."""
         known = {**springs(mechanism, mentions), **strings(mechanism, mentions), **mentions}
-        found: dict[str, str] = {}
+        phrase_by_name: dict[str, str] = {}
         for name in self.names(mechanism):
             body = mechanism.body.get(name)
             if body is not None and is_light_rod(body) and carries_on_both_sides(mechanism, name):
-                found[name] = "the line from the axle to the centre of mass of the bodies on the arm"
+                phrase_by_name[name] = "the line from the axle to the centre of mass of the bodies on the arm"
             elif name in known and (body is None or is_light_rod(body) or _is_thin(mechanism, body)):
-                found[name] = known[name]
+                phrase_by_name[name] = known[name]
             elif body is not None and name in mentions:
                 point = "the centre of mass of " if any(body.inertia) else ""
-                found[name] = f"the line from {_pivot(mechanism, name, mentions)} to {point}{mentions[name]}"
-        return found
+                phrase_by_name[name] = f"the line from {_pivot(mechanism, name, mentions)} to {point}{mentions[name]}"
+        return phrase_by_name
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
         """Return True, since an angle requires no number of the text."""
@@ -69,10 +69,10 @@ class SwingingLines(Subject):
 def pointer(mechanism: Mechanism, name: str) -> Pointer:
     """Return the end points of a swinging line or body; raise ValueError for any other name."""
     line, body = mechanism.line.get(name), mechanism.body.get(name)
-    found = line_pointer(mechanism, line) if line is not None else body and body_pointer(mechanism, body)
-    if not found:
+    endpoints = line_pointer(mechanism, line) if line is not None else body and body_pointer(mechanism, body)
+    if not endpoints:
         raise ValueError(f"{name!r} does not swing")
-    return found
+    return endpoints
 
 
 def line_pointer(mechanism: Mechanism, line: Line) -> Pointer | None:
@@ -82,10 +82,10 @@ def line_pointer(mechanism: Mechanism, line: Line) -> Pointer | None:
     ends = [mechanism.site[name] for name in line.through]
     places = [add(at_start(mechanism, end.body), end.at) for end in ends]
     ways = [point_directions(mechanism, end.body, end.at) for end in ends]
-    apart = add(places[1], scale(-1.0, places[0]))
-    length = hypot(*apart)
+    separation = add(places[1], scale(-1.0, places[0]))
+    length = hypot(*separation)
     if length <= DIRECTION_TOL or not any(
-        _turns(ways, name, scale(1.0 / length, apart)) for name in {*ways[0], *ways[1]}
+        _turns(ways, name, scale(1.0 / length, separation)) for name in {*ways[0], *ways[1]}
     ):
         return None
     upper = min((0, 1), key=lambda i: (len(ways[i]), -places[i][2], i))
@@ -95,8 +95,8 @@ def line_pointer(mechanism: Mechanism, line: Line) -> Pointer | None:
 
 def _turns(ways: list[dict[str, Vector]], name: str, direction: Vector) -> bool:
     """Return whether a coordinate moves one end of a line relative to the other, perpendicular to the line."""
-    apart = add(ways[1].get(name, ZERO), scale(-1.0, ways[0].get(name, ZERO)))
-    return hypot(*outer(direction, apart)) > DIRECTION_TOL
+    relative_motion = add(ways[1].get(name, ZERO), scale(-1.0, ways[0].get(name, ZERO)))
+    return hypot(*outer(direction, relative_motion)) > DIRECTION_TOL
 
 
 def is_light_rod(body: RigidBody) -> bool:
@@ -117,10 +117,10 @@ def body_pointer(mechanism: Mechanism, body: RigidBody) -> Pointer | None:
 
 def _is_thin(mechanism: Mechanism, body: RigidBody) -> bool:
     """Return whether the mass of a body lies on the line from its hinge to its centre of mass."""
-    found, inertia = body_pointer(mechanism, body), max(map(abs, body.inertia))
-    if found is None or inertia == 0.0:
+    endpoints, inertia = body_pointer(mechanism, body), max(map(abs, body.inertia))
+    if endpoints is None or inertia == 0.0:
         return False
-    arm = found.bottom[1]
+    arm = endpoints.bottom[1]
     return all(abs(part) <= DIRECTION_TOL * inertia * hypot(*arm) for part in applied(body.inertia, arm))
 
 
@@ -135,7 +135,7 @@ def _pivot(mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> str:
 def carries_on_both_sides(mechanism: Mechanism, rod: str) -> bool:
     """Return whether bodies are welded to a light rod on both sides of its axle."""
     places = [body.at for body in welded_to(mechanism, rod)]
-    return any(inner(places[0], place) < 0.0 for place in places[1:])
+    return any(inner(places[0], position) < 0.0 for position in places[1:])
 
 
 def welded_to(mechanism: Mechanism, rod: str) -> list[RigidBody]:
@@ -149,7 +149,7 @@ def load_center(mechanism: Mechanism, rod: RigidBody) -> Vector:
     heavy = [(b.mass, add(b.at, b.center)) for b in welded_to(mechanism, rod.name)]
     loads = heavy or [(1.0, b.at) for b in carried_by(mechanism, rod.name) if b.parent == rod.name]
     total = sum(mass for mass, _ in loads)
-    return scale(1.0 / total, add(*(scale(mass, place) for mass, place in loads))) if loads else ZERO
+    return scale(1.0 / total, add(*(scale(mass, position) for mass, position in loads))) if loads else ZERO
 
 
 @dataclass(frozen=True)
@@ -188,12 +188,12 @@ def _pulls_alone(mechanism: Mechanism, body: RigidBody) -> bool:
     """Return whether a body is a light rod on a hinge, with only the rod and gravity acting on its load."""
     if not is_light_rod(body) or body_pointer(mechanism, body) is None:
         return False
-    held = {each.name for each in carried_by(mechanism, body.name)}
+    carried = {each.name for each in carried_by(mechanism, body.name)}
     pulled = {mechanism.site[site].body for line in mechanism.lines for site in line.through}
     acted = {force.body for force in mechanism.forces} | {burn.body for burn in mechanism.burns}
     drawn = {name for pull in mechanism.attractions for name in (pull.a, pull.b)}
     stands = {mechanism.site[foot.site].body for foot in mechanism.feet}
-    return not held & (pulled | acted | drawn | stands | mechanism.contacts.keys()) and _at_its_end(mechanism, body)
+    return not carried & (pulled | acted | drawn | stands | mechanism.contacts.keys()) and _at_its_end(mechanism, body)
 
 
 def _at_its_end(mechanism: Mechanism, rod: RigidBody) -> bool:
@@ -255,14 +255,16 @@ def held_by_axle_alone(mechanism: Mechanism, name: str) -> bool:
     if [c.kind for body in chain(mechanism, name) for c in body.coordinates] != ["hinge"]:
         return False
     together = carried_by(mechanism, chain(mechanism, name)[-1].name)
-    held = {body.name for body in together}
+    carried = {body.name for body in together}
     pulled = {mechanism.site[site].body for line in mechanism.lines for site in line.through}
     acted = {force.body for force in mechanism.forces} | {burn.body for burn in mechanism.burns}
     drawn = {each for pull in mechanism.attractions for each in (pull.a, pull.b)}
     stands = {mechanism.site[foot.site].body for foot in mechanism.feet}
     hinges = [c.name for body in together for c in body.coordinates]
     wound = any(wheel.coordinate in hinges for line in mechanism.lines for wheel in line.wheels)
-    return len(hinges) == 1 and not wound and not held & (pulled | acted | drawn | stands | mechanism.contacts.keys())
+    return (
+        len(hinges) == 1 and not wound and not carried & (pulled | acted | drawn | stands | mechanism.contacts.keys())
+    )
 
 
 DIRECTIONS = "directions of the string's parts"

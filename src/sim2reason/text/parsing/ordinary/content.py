@@ -65,8 +65,8 @@ class Content:
         """Return the words whose order matters, such as nouns, in sentence order, without immediate repetitions."""
         several = sum(word in SURFACES for word in self.words) > 1
         matters: frozenset[str] = ORDERED.union(TEXTURES, SURFACES) if several else ORDERED
-        found = [word for word in self.words if word in matters]
-        return tuple(word for index, word in enumerate(found) if index == 0 or found[index - 1] != word)
+        words = [word for word in self.words if word in matters]
+        return tuple(word for index, word in enumerate(words) if index == 0 or words[index - 1] != word)
 
     @property
     def letters(self) -> tuple[str, ...]:
@@ -104,13 +104,13 @@ def content_of_form(form: str) -> Content:
     return Content(tuple(_words(_SYMBOL.sub(numbered, form))), tuple(symbols))
 
 
-def _unit(said: str) -> tuple[str, str, str]:
+def _unit(text: str) -> tuple[str, str, str]:
     """Return the unit at the start of a string, the unit without prefixes, and the remainder of the string."""
-    word = said.rstrip(".")
+    word = text.rstrip(".")
     try:
         return (word, coherent(word)[0], "") if word else ("", "", "")
     except (UnitError, ArithmeticError):
-        return "", "", said
+        return "", "", text
 
 
 def _words(text: str) -> Iterator[str]:
@@ -123,8 +123,10 @@ def _words(text: str) -> Iterator[str]:
         if word.isupper() or word[0] == "#":
             yield word
         elif word not in FILLERS:
-            found = _MEANS.get(word, word)
-            singular = found[:-1] if found.endswith("s") and len(found) > 3 and not found.endswith("ss") else found
+            meaning = _MEANS.get(word, word)
+            singular = (
+                meaning[:-1] if meaning.endswith("s") and len(meaning) > 3 and not meaning.endswith("ss") else meaning
+            )
             yield _MEANS.get(singular, singular)
 
 
@@ -170,28 +172,37 @@ class _FixedChoiceWriter(Writer):
 @cache
 def forms() -> tuple[Form, ...]:
     """Return all sentence forms of the library, without repetitions."""
-    found: dict[str, Form] = {}
+    forms_by_text: dict[str, Form] = {}
     for cls in ENTITIES.values():
         for number, chosen in enumerate(_choices(cls)):
-            for form in _forms_of(cls, number, chosen, found):
-                found[form.text] = form
-    return tuple(found.values())
+            for form in _forms_of(cls, number, chosen, forms_by_text):
+                forms_by_text[form.text] = form
+    return tuple(forms_by_text.values())
 
 
 def _choices(cls: type[Entity]) -> Iterator[dict[str, Choice]]:
     """Yield settings for random scenes of an entity that together use each special word, such as *smooth*."""
-    fields = [(model, name, held) for model in reachable(cls) for name, held in field_types(model).items()]
-    told = {f"{model.__name__}.{name}": specials(model, name) for model, name, _ in fields if specials(model, name)}
-    few = {
-        f"{model.__name__}.{name}": Count(held.count.low, held.count.low) for model, name, held in fields if held.count
+    fields = [(model, name, field_type) for model in reachable(cls) for name, field_type in field_types(model).items()]
+    special_values = {
+        f"{model.__name__}.{name}": specials(model, name) for model, name, _ in fields if specials(model, name)
     }
-    words: list[dict[str, float]] = [{}, *({path: values[end] for path, values in told.items()} for end in (0, -1))]
+    few = {
+        f"{model.__name__}.{name}": Count(field_type.count.low, field_type.count.low)
+        for model, name, field_type in fields
+        if field_type.count
+    }
+    words: list[dict[str, float]] = [
+        {},
+        *({path: values[end] for path, values in special_values.items()} for end in (0, -1)),
+    ]
     for present in (0.0, 1.0):
         plain: dict[str, Choice] = {**few, **dict.fromkeys(chances(cls), present)}
         yield from ({**plain, **special} for special in words)
-        yield from ({**plain, path: told[path][0]} for path in list(told)[:ALONE] if len(told) > 1)
-    for model, name, held in fields:
-        kinds = [kind.__name__ for kind in held.models if len(held.models) > 1]
+        yield from (
+            {**plain, path: special_values[path][0]} for path in list(special_values)[:ALONE] if len(special_values) > 1
+        )
+    for model, name, field_type in fields:
+        kinds = [kind.__name__ for kind in field_type.models if len(field_type.models) > 1]
         yield from ({**chances(cls), f"{model.__name__}.{name}": (kind,)} for kind in kinds[:KINDS])
     yield from (choices(cls, np.random.default_rng(seed)) for seed in range(RANDOM))
 
@@ -213,15 +224,15 @@ def _new_forms(scene: Scene, first: Writer, wording: int, known: Container[str])
     names = Names(letters(first.introduced, scene.bodies))
     teller = _FixedChoiceWriter(scene, names, np.random.default_rng(0), symbolic_but_zero, tuple(first.told))
     teller.wording = wording
-    said = [GRAVITY if sentence == _GRAVITY_OF_SYMBOL else sentence for sentence in teller.sentences()]
+    sentences = [GRAVITY if sentence == _GRAVITY_OF_SYMBOL else sentence for sentence in teller.sentences()]
     units = {teller.symbols[p.path]: p.measure.unit for p in scene.parameters if p.path in teller.symbols}
-    for index, sentence in enumerate(said):
+    for index, sentence in enumerate(sentences):
         if "|" in sentence or sentence in known:
             continue
-        told = content_of_form(sentence)
-        symbols = [number.digits for number in told.numbers]
+        form_content = content_of_form(sentence)
+        symbols = [number.digits for number in form_content.numbers]
         if all(symbol in units for symbol in symbols):
-            yield Form(sentence, tuple(units[symbol] for symbol in symbols), index / len(said), told)
+            yield Form(sentence, tuple(units[symbol] for symbol in symbols), index / len(sentences), form_content)
 
 
 _MASS = r"(?:of (?:mass(?:es)? )?)?(\d[\d.]*(?: ?[x×] ?10\^?-?\d+)?)[ -]?(k?g|kilograms?)"
@@ -250,8 +261,8 @@ REWORDED: Mapping[str, str] = {
 
 def reworded(sentence: str) -> str | None:
     """Return the library's sentence that says the same as one of a textbook on a usual arrangement; None if unknown."""
-    for pattern, said in REWORDED.items():
-        found = re.fullmatch(pattern, sentence)
-        if found is not None:
-            return found.expand(said)
+    for pattern, replacement in REWORDED.items():
+        match = re.fullmatch(pattern, sentence)
+        if match is not None:
+            return match.expand(replacement)
     return None

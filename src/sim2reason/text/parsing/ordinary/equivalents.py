@@ -22,61 +22,70 @@ _SYMBOL = re.compile(r"\$[^$\n]{1,40}\$")
 
 def equivalent_forms(sentence: str) -> list[Form]:
     """Return the library's sentences that say the same as a user's, those with the same letters of bodies first."""
-    said = content(sentence)
+    user_content = content(sentence)
     return sorted(
-        (form for form in forms() if _equal(said, form)), key=lambda form: form.content.letters != said.letters
+        (form for form in forms() if _equal(user_content, form)),
+        key=lambda form: form.content.letters != user_content.letters,
     )
 
 
 @cache
 def _by_core() -> dict[frozenset[str], list[Form]]:
-    found: dict[frozenset[str], list[Form]] = {}
+    forms_by_core: dict[frozenset[str], list[Form]] = {}
     for form in forms():
-        found.setdefault(_core(form.content), []).append(form)
-    return found
+        forms_by_core.setdefault(_core(form.content), []).append(form)
+    return forms_by_core
 
 
-def _core(said: Content) -> frozenset[str]:
+def _core(sentence_content: Content) -> frozenset[str]:
     """Return the words of a sentence that all equivalent library sentences share, as the key for finding these."""
-    return said.facts - NOUNS - {"rough"}
+    return sentence_content.facts - NOUNS - {"rough"}
 
 
 def nearest(sentence: str) -> str | None:
     """Return the most similar sentence of the library, with the user's numbers filled in; None if none is similar."""
     if len(sentence) > MAX_SENTENCE_LENGTH:
         return None
-    said = content(sentence)
-    ranked = max(forms(), key=lambda form: _likeness(said, form), default=None)
-    return fill_form(ranked, said) if ranked is not None and _likeness(said, ranked) >= MIN_SIMILARITY else None
+    user_content = content(sentence)
+    ranked = max(forms(), key=lambda form: _likeness(user_content, form), default=None)
+    return (
+        fill_form(ranked, user_content)
+        if ranked is not None and _likeness(user_content, ranked) >= MIN_SIMILARITY
+        else None
+    )
 
 
-def fill_form(form: Form, said: Content) -> str:
+def fill_form(form: Form, user_content: Content) -> str:
     """Return a sentence of the library with the numbers of a user's sentence; symbols without a number remain."""
-    values = iter(_values(form, said))
+    values = iter(_values(form, user_content))
     return _SYMBOL.sub(lambda symbol: next(values) or symbol[0], form.text)
 
 
-def _values(form: Form, said: Content) -> Iterator[str | None]:
+def _values(form: Form, user_content: Content) -> Iterator[str | None]:
     """Yield, for each number of a library sentence, the user's matching number, or None if several may match.
 
     Numbers correspond if they are of the same kind, such as two masses, and in order.
     """
-    left = list(enumerate(said.numbers))
+    left = list(enumerate(user_content.numbers))
     kinds = [coherent(unit)[0] for unit in form.units]
     for index, (unit, kind) in enumerate(zip(form.units, kinds, strict=True)):
         alone = kinds.count(kind) == 1 and sum(number.bare == kind for _, number in left) == 1
         chosen = next((each for each in left if each[1].bare == kind), None)
-        if chosen is None or not (alone or _certain(said, chosen[0], form.content, index)):
+        if chosen is None or not (alone or _certain(user_content, chosen[0], form.content, index)):
             yield None
             continue
         left.remove(chosen)
         yield _number_text(chosen[1], unit)
 
 
-def _certain(said: Content, mine: int, other: Content, theirs: int) -> bool:
+def _certain(user_content: Content, mine: int, other: Content, theirs: int) -> bool:
     """Return whether two numbers certainly correspond: beside the same word, or in a list of bodies."""
-    listed = said.letters == other.letters or f"#{mine - 1}# #{mine}#" in " ".join(said.words) or mine == 0
-    return bool(said.beside(mine) & other.beside(theirs)) or (listed and any(map(_is_letter, other.beside(theirs))))
+    listed = (
+        user_content.letters == other.letters or f"#{mine - 1}# #{mine}#" in " ".join(user_content.words) or mine == 0
+    )
+    return bool(user_content.beside(mine) & other.beside(theirs)) or (
+        listed and any(map(_is_letter, other.beside(theirs)))
+    )
 
 
 def _is_letter(word: str) -> bool:
@@ -87,9 +96,9 @@ def _number_text(number: WrittenNumber, unit: str) -> str:
     return join_unit(number.in_unit(unit).replace("-", "\N{MINUS SIGN}"), unit)
 
 
-def _likeness(said: Content, form: Form) -> float:
-    mine, other = said.facts, form.content.facts
-    kinds, units = [number.bare for number in said.numbers], [coherent(unit)[0] for unit in form.units]
+def _likeness(user_content: Content, form: Form) -> float:
+    mine, other = user_content.facts, form.content.facts
+    kinds, units = [number.bare for number in user_content.numbers], [coherent(unit)[0] for unit in form.units]
     shared = _common(kinds, units)
     either = len(mine | other) + NUMBERS * (len(kinds) + len(units) - shared)
     return (len(mine & other) + NUMBERS * shared) / either if either else 0.0
@@ -99,29 +108,29 @@ def _common(some: Sequence[str], others: Sequence[str]) -> int:
     return sum(min(some.count(kind), others.count(kind)) for kind in set(some))
 
 
-def _equal(said: Content, form: Form) -> bool:
+def _equal(user_content: Content, form: Form) -> bool:
     """Return whether two sentences are equivalent: same words, same order of bodies, matching numbers."""
     other = form.content
-    kinds, units = [number.bare for number in said.numbers], [coherent(unit)[0] for unit in form.units]
-    if sorted(kinds) != sorted(units) or not (_agree(said, other) or _of_one(said, other)):
+    kinds, units = [number.bare for number in user_content.numbers], [coherent(unit)[0] for unit in form.units]
+    if sorted(kinds) != sorted(units) or not (_agree(user_content, other) or _of_one(user_content, other)):
         return False
-    if said.letters != other.letters and (said.letters or not _introduced(form)):
+    if user_content.letters != other.letters and (user_content.letters or not _introduced(form)):
         return False
-    return all(kinds.count(kind) == 1 or _in_turn(said, other, kinds, units, kind) for kind in set(kinds))
+    return all(kinds.count(kind) == 1 or _in_turn(user_content, other, kinds, units, kind) for kind in set(kinds))
 
 
-def _agree(said: Content, other: Content) -> bool:
+def _agree(user_content: Content, other: Content) -> bool:
     """Return whether two sentences have the same words; *rough* may be missing if the friction is stated."""
-    return said.facts in (other.facts, other.facts - {"rough"}) and said.order == other.order
+    return user_content.facts in (other.facts, other.facts - {"rough"}) and user_content.order == other.order
 
 
-def _of_one(said: Content, other: Content) -> bool:
+def _of_one(user_content: Content, other: Content) -> bool:
     """Return whether two sentences have the same words, except for one noun, such as *block*, in only one of them."""
-    mine, theirs = said.facts & NOUNS, other.facts & NOUNS
-    if said.letters or other.letters or len(mine) + len(theirs) != 1:
+    mine, theirs = user_content.facts & NOUNS, other.facts & NOUNS
+    if user_content.letters or other.letters or len(mine) + len(theirs) != 1:
         return False
-    without = [tuple(word for word in each.order if word not in NOUNS) for each in (said, other)]
-    return said.facts - mine == other.facts - theirs and without[0] == without[1]
+    without = [tuple(word for word in each.order if word not in NOUNS) for each in (user_content, other)]
+    return user_content.facts - mine == other.facts - theirs and without[0] == without[1]
 
 
 def _introduced(form: Form) -> bool:
@@ -130,10 +139,10 @@ def _introduced(form: Form) -> bool:
     return len(set(form.content.letters)) == len(form.content.letters) and beside.issuperset(form.content.letters)
 
 
-def _in_turn(said: Content, other: Content, kinds: list[str], units: list[str], kind: str) -> bool:
+def _in_turn(user_content: Content, other: Content, kinds: list[str], units: list[str], kind: str) -> bool:
     """Return whether numbers of the same quantity match in order: beside the same words, or letters of bodies."""
     pairs = zip(_of_kind(kinds, kind), _of_kind(units, kind), strict=True)
-    return all(_alike(said.beside(mine), other.beside(theirs)) for mine, theirs in pairs)
+    return all(_alike(user_content.beside(mine), other.beside(theirs)) for mine, theirs in pairs)
 
 
 def _alike(mine: frozenset[str], theirs: frozenset[str]) -> bool:
@@ -141,7 +150,7 @@ def _alike(mine: frozenset[str], theirs: frozenset[str]) -> bool:
 
 
 def _of_kind(kinds: list[str], kind: str) -> list[int]:
-    return [index for index, found in enumerate(kinds) if found == kind]
+    return [index for index, other in enumerate(kinds) if other == kind]
 
 
 CHOICES = 4  # forms of a sentence that are tried
@@ -180,49 +189,49 @@ class RewrittenText:
         """Return the text with a named closing sentence added; None if the original neither states nor presumes it."""
         if not (PRESUMED.fullmatch(name) or (self.from_rest and name.startswith("rest"))):
             return None
-        found = next(closing for closing in CLOSINGS if closing.name == name)
+        named_closing = next(closing for closing in CLOSINGS if closing.name == name)
         measure = field_types(World)["gravity"].measure
         usual = measure.say(World().gravity) if measure is not None else ""
-        told = found.wordings[0].replace("{world.gravity}", usual)
+        wording = named_closing.wordings[0].replace("{world.gravity}", usual)
         later = [index for index, sentence in enumerate(self.said) if _comes_after(sentence, name)]
         at = later[0] if later else len(self.said)
-        said = (*self.said[:at], told[:1].upper() + told[1:], *self.said[at:])
-        return RewrittenText(said, self.from_rest, (*self.added, name))
+        sentences = (*self.said[:at], wording[:1].upper() + wording[1:], *self.said[at:])
+        return RewrittenText(sentences, self.from_rest, (*self.added, name))
 
 
-def first_unknown_sentence(said: Sequence[str]) -> int | None:
+def first_unknown_sentence(sentences: Sequence[str]) -> int | None:
     """Return the index of the first sentence without an equivalent form in the library; None if all have one."""
-    return next((index for index, sentence in enumerate(_unlettered(said)) if _forms(sentence) is None), None)
+    return next((index for index, sentence in enumerate(_unlettered(sentences)) if _forms(sentence) is None), None)
 
 
-def recast(said: Sequence[str]) -> Iterator[RewrittenText]:
+def recast(sentences: Sequence[str]) -> Iterator[RewrittenText]:
     """Yield equivalent texts in the library's sentences, in the order of the text and in the usual order."""
-    found = [_forms(sentence) for sentence in _unlettered(said)]
-    if not all(each is not None for each in found):
+    sentence_clauses = [_forms(sentence) for sentence in _unlettered(sentences)]
+    if not all(each is not None for each in sentence_clauses):
         return
-    clauses = [clause for each in found for clause in each or ()]
-    nouns = frozenset[str]().union(*(content(sentence).facts & NOUNS for sentence in said))
-    told = [_of_these(clause, nouns)[:CHOICES] for clause in clauses if clause]
-    for chosen in islice(product(*told), MAX_TEXTS):
-        from_rest = len(told) < len(clauses)
+    clauses = [clause for each in sentence_clauses for clause in each or ()]
+    nouns = frozenset[str]().union(*(content(sentence).facts & NOUNS for sentence in sentences))
+    options = [_of_these(clause, nouns)[:CHOICES] for clause in clauses if clause]
+    for chosen in islice(product(*options), MAX_TEXTS):
+        from_rest = len(options) < len(clauses)
         yield RewrittenText(tuple(text for text, _ in chosen), from_rest)
         usual = sorted(chosen, key=lambda each: each[1])
         if usual != list(chosen):
             yield RewrittenText(tuple(text for text, _ in usual), from_rest)
 
 
-def _of_these(told: list[tuple[str, float]], nouns: frozenset[str]) -> list[tuple[str, float]]:
+def _of_these(options: list[tuple[str, float]], nouns: frozenset[str]) -> list[tuple[str, float]]:
     """Return the library's sentences that name only bodies of the text, or all of them if each names other bodies."""
-    return [each for each in told if nouns.issuperset(content(each[0]).facts & NOUNS)] or told
+    return [each for each in options if nouns.issuperset(content(each[0]).facts & NOUNS)] or options
 
 
-def _unlettered(said: Sequence[str]) -> Sequence[str]:
+def _unlettered(sentences: Sequence[str]) -> Sequence[str]:
     """Return the sentences without the letter A, as in *block A*, if it is the only letter of a body."""
-    if max(map(len, said)) > MAX_SENTENCE_LENGTH or {
-        letter for sentence in said for letter in content(sentence).letters
+    if max(map(len, sentences)) > MAX_SENTENCE_LENGTH or {
+        letter for sentence in sentences for letter in content(sentence).letters
     } != {FIRST_LETTER}:
-        return said
-    return [re.sub(rf"(?<=[a-z]) {FIRST_LETTER}\b", "", sentence) for sentence in said]
+        return sentences
+    return [re.sub(rf"(?<=[a-z]) {FIRST_LETTER}\b", "", sentence) for sentence in sentences]
 
 
 def _comes_after(sentence: str, name: str) -> bool:
@@ -239,9 +248,9 @@ def _forms(sentence: str) -> list[list[tuple[str, float]]] | None:
     if known is not None:
         return [known]
     for parts in _splits(sentence):
-        found = [_known(part) for part in parts]
-        if all(each is not None for each in found):
-            return [each for each in found if each is not None]
+        wordings = [_known(part) for part in parts]
+        if all(each is not None for each in wordings):
+            return [each for each in wordings if each is not None]
     return None
 
 
@@ -253,17 +262,20 @@ def _known(sentence: str) -> list[tuple[str, float]] | None:
     forms = equivalent_forms(sentence)
     if any(form.text in RESTS for form in forms):
         return []
-    said = content(sentence)
+    user_content = content(sentence)
     lettered = dict.fromkeys(form.content.letters for form in forms)
     first = [next(form for form in forms if form.content.letters == letters) for letters in sorted(lettered)]
-    told = [(_lettered(fill_form(form, said), form, said), form.place) for form in dict.fromkeys((*first, *forms))]
+    wordings = [
+        (_lettered(fill_form(form, user_content), form, user_content), form.place)
+        for form in dict.fromkeys((*first, *forms))
+    ]
     usual = reworded(sentence)
-    return ([(usual, LAST / 2)] if usual else told) or None
+    return ([(usual, LAST / 2)] if usual else wordings) or None
 
 
-def _lettered(text: str, form: Form, said: Content) -> str:
+def _lettered(text: str, form: Form, user_content: Content) -> str:
     """Return a library sentence; its only letter of a body is replaced by A if the user's sentence has none."""
-    if said.letters or len(form.content.letters) != 1:
+    if user_content.letters or len(form.content.letters) != 1:
         return text
     return re.sub(rf"\b{form.content.letters[0]}\b", FIRST_LETTER, text, count=1)
 
@@ -274,10 +286,10 @@ def _splits(sentence: str) -> Iterator[list[str]]:
         return
     if _RELEASED_SOMEWHERE.search(sentence):
         yield [_RELEASED_SOMEWHERE.sub(" is", sentence, count=1), _REST]
-        held = _RELEASED_WITH.fullmatch(sentence)
-        if held is not None:
-            yield [f"The {held[1]} is at {held[2]}", _REST]
-    for found in _APART.finditer(sentence):
-        rest = sentence[found.end() :]
+        released = _RELEASED_WITH.fullmatch(sentence)
+        if released is not None:
+            yield [f"The {released[1]} is at {released[2]}", _REST]
+    for match in _APART.finditer(sentence):
+        rest = sentence[match.end() :]
         rest = f"It {rest}" if _ENDS.match(rest) else rest
-        yield [f"{sentence[: found.start()]}.", rest[:1].upper() + rest[1:]]
+        yield [f"{sentence[: match.start()]}.", rest[:1].upper() + rest[1:]]

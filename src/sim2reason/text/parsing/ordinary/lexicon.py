@@ -164,7 +164,7 @@ def extract_amounts(text: str) -> tuple[str, tuple[Amount, ...]]:
     """Replace the numbers of a text by placeholders such as `#mass0#`; return the text and the numbers in order."""
     for pattern, short in SPELLED.items():
         text = re.sub(rf"(?<=[\s-])(?:{pattern})\b", short, text)
-    found: list[Amount] = []
+    amounts: list[Amount] = []
     parts: list[str] = []
     at = 0
     for number in _NUMBER.finditer(text):
@@ -172,10 +172,10 @@ def extract_amounts(text: str) -> tuple[str, tuple[Amount, ...]]:
             continue
         unit, after = _unit(text, number.end())
         amount = _amount(number, unit)
-        parts += [text[at : number.start()], f" #{amount.kind}{len(found)}# "]
-        found.append(amount)
+        parts += [text[at : number.start()], f" #{amount.kind}{len(amounts)}# "]
+        amounts.append(amount)
         at = after
-    return "".join((*parts, text[at:])), tuple(found)
+    return "".join((*parts, text[at:])), tuple(amounts)
 
 
 def format_amount(value: float) -> str:
@@ -214,9 +214,9 @@ def _unit(text: str, at: int) -> tuple[str, int]:
 @lru_cache(maxsize=512)
 def _kind(unit: str) -> tuple[str, float]:
     """Return the physical quantity of a unit, such as mass, and its factor to SI; `PLAIN` and 1 for other words."""
-    found = _known(unit)
-    for kind, usual in KINDS.items() if found is not None else ():
-        factor = found.factor_to(parse_unit(usual)) if found is not None else None
+    parsed_unit = _known(unit)
+    for kind, usual in KINDS.items() if parsed_unit is not None else ():
+        factor = parsed_unit.factor_to(parse_unit(usual)) if parsed_unit is not None else None
         if factor is not None:
             return kind, float(f"{factor:.15g}")
     return PLAIN, 1.0

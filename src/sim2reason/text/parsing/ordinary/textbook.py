@@ -30,35 +30,35 @@ class Facts:
     def amount(self, name: str, called: str) -> Amount | None:
         """Return a required number; if it is missing, record it under the name `called` and return None."""
         self.asked.add(name)
-        found = self.given.get(name)
-        if isinstance(found, Amount):
-            return found
+        fact = self.given.get(name)
+        if isinstance(fact, Amount):
+            return fact
         if called:  # else it was recorded before
             self.missing.append(called)
         return None
 
     def number(self, name: str, called: str) -> str:
         """Return a required number with its unit; a question mark if it is missing."""
-        found = self.amount(name, called)
-        return found.text if found is not None else "?"
+        amount = self.amount(name, called)
+        return amount.text if amount is not None else "?"
 
     def value(self, name: str, called: str, unit: str = "") -> float:
         """Return the value of a required number, in SI units or in `unit`; 1 if it is missing."""
-        found = self.amount(name, called)
-        return found.value_in(unit) if found is not None else 1.0
+        amount = self.amount(name, called)
+        return amount.value_in(unit) if amount is not None else 1.0
 
     def or_symbol(self, name: str, symbol: str) -> str:
         """Return an optional number with its unit, or `symbol` in dollars if the text does not give it."""
         self.asked.add(name)
-        found = self.given.get(name)
-        return found.text if isinstance(found, Amount) else f"${symbol}$"
+        fact = self.given.get(name)
+        return fact.text if isinstance(fact, Amount) else f"${symbol}$"
 
     def one_of(self, called: str, *names: str) -> str:
         """Return which of several exclusive facts the text states; record `called` as missing unless exactly one is."""
-        said = [name for name in names if self.has(name)]
-        if len(said) != 1:
-            self.missing.append(called if not said else f"{called} unambiguously")
-        return said[0] if said else ""
+        stated = [name for name in names if self.has(name)]
+        if len(stated) != 1:
+            self.missing.append(called if not stated else f"{called} unambiguously")
+        return stated[0] if stated else ""
 
     @property
     def g(self) -> float:
@@ -205,8 +205,8 @@ def library_texts(text: str) -> list[LibraryText]:
     if len(text) > MAX_TEXT_LENGTH or RESERVED.search(text):
         return []
     words, amounts = normalised(text)
-    found = (_translated(scene, words, amounts) for scene in TEXTBOOK_SCENES.values())
-    return [each for each in found if each is not None]
+    translations = (_translated(scene, words, amounts) for scene in TEXTBOOK_SCENES.values())
+    return [each for each in translations if each is not None]
 
 
 def superfluous(sentences: Sequence[str]) -> int | None:
@@ -214,14 +214,14 @@ def superfluous(sentences: Sequence[str]) -> int | None:
     if len(sentences) > MOST_SENTENCES:
         return None
     others = (" ".join((*sentences[:index], *sentences[index + 1 :])) for index in range(len(sentences)))
-    found = (index for index, text in enumerate(others) if any(not each.missing for each in library_texts(text)))
-    return next(found, None)
+    indices = (index for index, text in enumerate(others) if any(not each.missing for each in library_texts(text)))
+    return next(indices, None)
 
 
 def normalised(text: str) -> tuple[str, tuple[Amount, ...]]:
     """Return a text in lower case with placeholders for numbers and separate full stops, and its numbers."""
-    apart, amounts = extract_amounts(" ".join(text.split()))
-    plain = re.sub(r"[,;:()]", " ", apart.lower())
+    masked, amounts = extract_amounts(" ".join(text.split()))
+    plain = re.sub(r"[,;:()]", " ", masked.lower())
     plain = re.sub(r"\.(?=\s|$)", " . ", plain.replace("=", " = "))
     return f" {' '.join(plain.split())} ", amounts
 
@@ -248,21 +248,23 @@ def _translated(scene: TextbookScene, words: str, amounts: tuple[Amount, ...]) -
 def _taken(pattern: str, words: str, amounts: tuple[Amount, ...], given: dict[str, str | Amount]) -> str:
     """Remove the matches of a pattern and store their facts in `given`; return an empty text on contradictions."""
     expression = compiled(pattern)
-    for found in expression.finditer(words):
-        for group, said in found.groupdict().items():
+    for match in expression.finditer(words):
+        for group, captured in match.groupdict().items():
             name = group.removeprefix("keep").removeprefix("_")
-            if said is None or not name:
+            if captured is None or not name:
                 continue
-            index = re.search(r"\d+", said) if said[0] == "#" else None
+            index = re.search(r"\d+", captured) if captured[0] == "#" else None
             value = amounts[int(index[0])] if index is not None else name
             if given.setdefault(name, value) != value:
                 return ""
     return expression.sub(_kept, words)
 
 
-def _kept(found: re.Match[str]) -> str:
+def _kept(match: re.Match[str]) -> str:
     """Return the part of a matched phrase that stays in the text: its group `keep`, or else the mark `|`."""
-    kept = (said for name, said in found.groupdict().items() if name.startswith("keep") and said is not None)
+    kept = (
+        captured for name, captured in match.groupdict().items() if name.startswith("keep") and captured is not None
+    )
     return next(kept, "|")
 
 
@@ -270,6 +272,6 @@ def _one(nouns: str, words: str, generic: frozenset[str]) -> bool:
     """Return whether a text uses at most one specific noun for a body and introduces the body at most once."""
     if not nouns:
         return True
-    used = {found[0].strip() for found in compiled(nouns).finditer(words)}
+    used = {match[0].strip() for match in compiled(nouns).finditer(words)}
     introduced = compiled(rf"{ARTICLES} (?:[\w#|-]{{1,20}} ){{0,3}}?(?:{nouns})").findall(words)
     return len(used - generic) <= 1 and len(introduced) <= 1

@@ -17,7 +17,9 @@ def _charge(facts: Facts) -> str:
     speed = facts.value("speed", "the speed of the particle")
     facts.one_of("that the velocity is perpendicular to the field", "across")
     turned = facts.has("out") or facts.has("into")
-    way = "negative" if turned and facts.one_of("the direction of the field", "out", "into") == "into" else "positive"
+    field_direction = (
+        "negative" if turned and facts.one_of("the direction of the field", "out", "into") == "into" else "positive"
+    )
     if facts.has("enters"):
         facts.missing.append("how far the field extends that it enters")
     force = abs(charge.value) * speed * field if charge is not None else 0.0
@@ -25,7 +27,7 @@ def _charge(facts: Facts) -> str:
         facts.missing.append("that there is no gravity")
     of = "a negative charge of magnitude" if negative else "a positive charge of"
     return (
-        f"A uniform magnetic field of strength {facts.number('field', '')} points in the {way} z direction. At t = 0 a"
+        f"A uniform magnetic field of strength {facts.number('field', '')} points in the {field_direction} z direction. At t = 0 a"
         f" small bead of mass {facts.number('mass', '')} with {of} {amount} leaves the origin of the x-y plane at speed"
         f" {facts.number('speed', '')} in the positive x direction. There is no gravity."
     )
@@ -86,11 +88,11 @@ def _collision(facts: Facts) -> str:
     if noun == "block":
         facts.one_of("that the surface is frictionless", "smooth")
     facts.has("smooth")
-    way = facts.one_of("how the second body moves", "still", "toward", "ahead")
+    motion = facts.one_of("how the second body moves", "still", "toward", "ahead")
     second = "at rest"
-    if way in ("toward", "ahead"):
-        second = f"moving with velocity {'−' if way == 'toward' else ''}{facts.number('v2', OTHER)}"
-    if way == "ahead" and facts.value("v2", OTHER) >= facts.value("v1", ONE):
+    if motion in ("toward", "ahead"):
+        second = f"moving with velocity {'−' if motion == 'toward' else ''}{facts.number('v2', OTHER)}"
+    if motion == "ahead" and facts.value("v2", OTHER) >= facts.value("v1", ONE):
         facts.missing.append("a first body that is faster than the second")
     result = facts.one_of("what the collision is like, elastic or not", "stick", "elastic", "e")
     ends = {"stick": "All collisions are perfectly inelastic.", "elastic": "Every collision is elastic."}
@@ -150,8 +152,8 @@ EQUILIBRIUM = r"(?:its |the )?(?:equilibrium|relaxed|rest|natural)(?: position| 
 def _level(facts: Facts) -> str:
     facts.one_of("that the surface is frictionless", "smooth")
     facts.one_of("how the block starts", "rest")
-    way = facts.one_of("whether the spring is stretched or compressed", "out", "inwards")
-    strain = "compressed" if way == "inwards" else "stretched"
+    sense = facts.one_of("whether the spring is stretched or compressed", "out", "inwards")
+    strain = "compressed" if sense == "inwards" else "stretched"
     return (
         f"A block of mass {facts.number('mass', 'the mass of the block')} stands on a straight smooth horizontal track."
         f" A light spring of stiffness {facts.number('k', 'the stiffness of the spring')} runs from a fixed wall on the"
@@ -198,10 +200,10 @@ def _hanging(facts: Facts) -> str:
         at = length + facts.value("out", "")
     elif start == "below":
         at = length + mass * facts.g / stiffness + facts.value("below", "")
-    said = facts.number("mass", ""), facts.number("k", ""), facts.number("natural", "")
+    numbers = facts.number("mass", ""), facts.number("k", ""), facts.number("natural", "")
     return (
-        f"A block of mass {said[0]} hangs from the ceiling by a light spring of stiffness {said[1]} and natural length"
-        f" {said[2]}. Initially the spring has a length of {format_amount(at)} m. "
+        f"A block of mass {numbers[0]} hangs from the ceiling by a light spring of stiffness {numbers[1]} and natural length"
+        f" {numbers[2]}. Initially the spring has a length of {format_amount(at)} m. "
         f"The motion starts from rest. {facts.gravity}"
     )
 

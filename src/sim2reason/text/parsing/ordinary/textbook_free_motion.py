@@ -56,9 +56,9 @@ def _rocket(facts: Facts) -> str:
         dry = f"{format_amount(mass - facts.value('fuel', ''))} kg"
     else:
         dry = facts.number("dry", "") if facts.has("dry") else "?"
-    place = facts.one_of("where the rocket is, in deep space or on level ground", "space", "ground")
+    setting = facts.one_of("where the rocket is, in deep space or on level ground", "space", "ground")
     stands = "is at rest in deep space, far from all other bodies"
-    if place == "ground":
+    if setting == "ground":
         stands = "stands upright on level ground in a uniform gravitational field, without air"
     facts.has("rest")
     rate = facts.number("rate", "the rate at which it burns fuel")
@@ -66,7 +66,7 @@ def _rocket(facts: Facts) -> str:
     return (
         f"A rocket of mass {facts.number('mass', '')} ({dry} without its fuel) {stands}. At t = 0 the engine starts: it"
         f" burns fuel at a rate of {rate} and ejects the gas backwards at speed {exhaust} relative to the rocket until"
-        f" no fuel is left.{f' {facts.gravity}' if place == 'ground' else ''}"
+        f" no fuel is left.{f' {facts.gravity}' if setting == 'ground' else ''}"
     )
 
 
@@ -113,27 +113,27 @@ ABOVE = rf"above (?:{GROUND}|(?:the )?(?:water|sea))"
 
 
 def _way(facts: Facts) -> str:
-    way = facts.one_of("the direction of the throw", "level", "up", "down", "above", "below", "raised")
-    if way in ("above", "below", "raised"):
+    heading = facts.one_of("the direction of the throw", "level", "up", "down", "above", "below", "raised")
+    if heading in ("above", "below", "raised"):
         angle = facts.number("angle", "the angle of the throw")
-        if way == "raised" and not facts.has("ground"):
+        if heading == "raised" and not facts.has("ground"):
             facts.missing.append("the direction of the throw, above or below the horizontal")
-        return f"at an angle of {angle} {'below' if way == 'below' else 'above'} the horizontal"
-    return {"level": "horizontally", "down": "straight down"}.get(way, "straight up")
+        return f"at an angle of {angle} {'below' if heading == 'below' else 'above'} the horizontal"
+    return {"level": "horizontally", "down": "straight down"}.get(heading, "straight up")
 
 
 def _throw(facts: Facts) -> str:
     mass = facts.or_symbol("mass", "m")
-    place = "a point on level ground"
+    start = "a point on level ground"
     if facts.one_of("the height from which it starts", "ground", "height") == "height":
-        place = f"a point {facts.number('height', '')} above level ground"
+        start = f"a point {facts.number('height', '')} above level ground"
     axes = "Let the x axis point forward and the y axis straight up. Air resistance is negligible."
     if facts.has("drop"):
         facts.one_of("how it starts", "drop", "speed", "level", "up", "down", "above", "below", "raised")
-        return f"A small ball of mass {mass} is held at {place}. {axes} The motion starts from rest. {facts.gravity}"
-    way = _way(facts)
+        return f"A small ball of mass {mass} is held at {start}. {axes} The motion starts from rest. {facts.gravity}"
+    heading = _way(facts)
     speed = facts.number("speed", "the speed of the throw")
-    return f"At t = 0 a small ball of mass {mass} is thrown from {place} at speed {speed} {way}. {axes} {facts.gravity}"
+    return f"At t = 0 a small ball of mass {mass} is thrown from {start} at speed {speed} {heading}. {axes} {facts.gravity}"
 
 
 TEXTBOOK_SCENES.add(

@@ -7,23 +7,23 @@ BOB = r"bob|ball|sphere|mass|object|particle|body|weight|stone"
 
 
 def _pendulum(facts: Facts) -> str:
-    held = facts.one_of("what the bob hangs on, a string or a rod", "cord", "rod")
+    suspension = facts.one_of("what the bob hangs on, a string or a rod", "cord", "rod")
     length = facts.number("length", "the length of the pendulum")
-    hanger = "light rigid rod" if held == "rod" else "light inextensible string"
+    hanger = "light rigid rod" if suspension == "rod" else "light inextensible string"
     mass = facts.or_symbol("mass", "m")
     text = f"A small ball of mass {mass} hangs from a fixed point by a {hanger} of length {length}."
     start = facts.one_of("how the bob starts", "rest", "speed")
     low = facts.one_of("the angle to the vertical at the start", "angle", "low") == "low"
     at = "the ball hangs straight down"
     if not low:
-        taut = "the rod makes" if held == "rod" else "the string is taut and makes"
+        taut = "the rod makes" if suspension == "rod" else "the string is taut and makes"
         at = f"{taut} an angle of {facts.number('angle', '')} with the downward vertical"
     sent = "The motion starts from rest."
     if start == "speed":
         if not low:
             facts.missing.append("in which direction the bob is sent along its arc")
         sent = f"At t = 0 the ball is set moving horizontally at speed {facts.number('speed', '')}."
-        if held == "cord":
+        if suspension == "cord":
             sent += " Whenever the string becomes taut again, the velocity along it is lost."
     elif low:
         facts.missing.append("an angle at which the pendulum is released")
