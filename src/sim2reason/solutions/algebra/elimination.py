@@ -28,6 +28,7 @@ class Equation:
     """An equation of motion, `forces` = `inertia`; its acceleration, `moves`, gives its weight in sums of equations.
 
     `told` has the forces as written; `links` has, by name, the labels of the equations that eliminated names from them.
+    `key` identifies a sum without a label among the steps of its solution.
     """
 
     label: str
@@ -36,6 +37,7 @@ class Equation:
     moves: Polynomial
     told: Polynomial = NIL
     links: Mapping[str, frozenset[str]] = field(default_factory=dict[str, frozenset[str]])
+    key: str = ""
 
     @cached_property
     def zero(self) -> Polynomial:
@@ -99,7 +101,7 @@ class Elimination:
     def _solve_single(self, equation: Equation, name: str) -> None:
         """Write the step that solves an equation for its only unknown."""
         step = self._open("solve")
-        step.rest_on(_key(equation) if not equation.label else "")
+        step.rest_on(equation.key)
         formula = solve_linear(equation.zero, name, grouped=True)
         where = (
             f"From {join_words(sorted({equation.label, *equation.substituted_labels}))}, " if equation.label else "So "
@@ -167,10 +169,11 @@ class Elimination:
         links = (labels for e, _ in weighted for name, labels in e.links.items() if name in left)
         among = sorted(frozenset[str]().union(*links))
         how += f", with {join_words(among)}" if among else ""
-        equation = Equation(self.book.labels.next() if labelled else "", forces, inertia, NIL)
+        label = self.book.labels.next() if labelled else ""
+        equation = Equation(label, forces, inertia, NIL, key="" if labelled else f"sum {len(self.book.steps)}")
         law = step.derived(forces.expression(), inertia.collected(names))
         step.add_text(f"{how}: {f'{equation.label} {law}'.strip()}.")
-        step.label(_key(equation))
+        step.label(equation.label or equation.key)
         step.close()
         return equation
 
@@ -199,7 +202,7 @@ class Elimination:
             kept = {n: part for n, part in before.items() if self.book.value(part)}
             numeric.append(NumericEquation(self.book.labels.next(), kept, rest))
             step = self._open("solve")
-            step.rest_on(_key(equation))
+            step.rest_on(equation.label or equation.key)
             step.label(numeric[-1].label)
             step.add_text(f"{how}{numeric[-1].label} {step.derived(numeric[-1].sum, rest)}.")
             step.close()
@@ -269,11 +272,6 @@ class Elimination:
         )
         step.close()
         return difference
-
-
-def _key(equation: Equation) -> str:
-    """Return the label of an equation, or an internal key for an unlabelled sum."""
-    return f"sum {id(equation)}" if not equation.label else equation.label
 
 
 def _times(weight: Polynomial, label: str) -> str:
