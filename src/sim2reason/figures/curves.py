@@ -128,8 +128,8 @@ def instants(trace: Trace, duration: float) -> Array:
 def panels(state: State, mentions: dict[str, str], stated: frozenset[str] | None = None) -> tuple[Panel, ...]:
     """Return a panel for each plotted quantity that the text mentions; some quantities share a panel.
 
-    Curves that are always zero are omitted. `stated` contains the addresses of the stated numbers: a quantity that needs
-    others is omitted; None allows all.
+    Curves that are always zero are omitted. `stated` contains the addresses of the stated numbers: a quantity that
+    needs others is omitted; None allows all.
     """
     curves_by_title: dict[str, list[tuple[str, Curve]]] = {}
     for quantity in ordered():

@@ -159,20 +159,15 @@ class Arranger:
         """Return the groups of pieces that are mirrored together because an inclined or level string joins them."""
         leader = {name: name for name in self.names}
         for strand in self.outer:
-            if (
-                strand.way is not None
-                and abs(strand.way.real) > 1e-9
-                and self._directed(strand.a.piece)
-                and self._directed(strand.b.piece)
-            ):
-                old, new = leader[strand.a.piece], leader[strand.b.piece]
+            ends = strand.a.piece, strand.b.piece
+            if strand.way is not None and abs(strand.way.real) > 1e-9 and all(map(self._directed, ends)):
+                old, new = (leader[name] for name in ends)
                 leader = {name: new if root == old else root for name, root in leader.items()}
         groups: dict[str, set[str]] = {}
         for name, root in leader.items():
             groups.setdefault(root, set()).add(name)
-        bare = {
-            name: self.make(name, self._bent(self.plan, [s.way or RIGHT for s in self.strands])) for name in self.names
-        }
+        plan = self._bent(self.plan, [strand.way or RIGHT for strand in self.strands])
+        bare = {name: self.make(name, plan) for name in self.names}
         shaped = [group for group in groups.values() if any(type(bare[n]).__name__ == "FacePiece" for n in group)]
         return [frozenset(g) for g in shaped if all(bare[n].mirrors or not self._directed(n) for n in g)]
 

@@ -37,7 +37,7 @@ def exclude_opposite_sign(
 ) -> bool:
     """Write why the goal with the opposite sign allows no value of the unknown; return whether a reason was found.
 
-    `inverse_chain` has the chain of formulas from the goal to the unknown: each name with its formula, the unknown last.
+    `inverse_chain` has the formulas from the goal to the unknown: each name with its formula, the unknown last.
     """
     values: dict[str, Expression] = {goal: -Symbol(goal)}
     for number, (name, original) in enumerate(inverse_chain):

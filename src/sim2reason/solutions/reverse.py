@@ -192,11 +192,8 @@ class Inversion:
         """Return both sides of the equation to show before its root; None if inverse operations alone give the root."""
         if isinstance(found, NumericRoot):
             already_stated = self.book.in_symbols or formula is self._defined or isinstance(formula, ImplicitRoot)
-            return (
-                None
-                if already_stated or len(formula.latex()) > MAX_FORMULA_LENGTH or value == ZERO
-                else (value, formula)
-            )
+            hidden = already_stated or len(formula.latex()) > MAX_FORMULA_LENGTH or value == ZERO
+            return None if hidden else (value, formula)
         if not any(part in found.latex() for part in (r"\sqrt", r"\arctan")):
             return self._put_together(name, found, formula, value)
         if next(numeric_parts(found), None) is None:

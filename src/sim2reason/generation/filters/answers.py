@@ -34,8 +34,8 @@ class Agreement(Filter):
         if certificate is not None and certificate.agreement:
             worst = max(certificate.agreement, key=lambda channel: certificate.agreement[channel])
             yield (
-                f"the worst difference of the engines is {certificate.agreement[worst]:.2g} of the largest value, on the "
-                f"{worst.quantity} of {worst.subject}; up to {certificate.tolerance:g} is allowed"
+                f"the worst difference of the engines is {certificate.agreement[worst]:.2g} of the largest value, on "
+                f"the {worst.quantity} of {worst.subject}; up to {certificate.tolerance:g} is allowed"
             )
             yield f"they agree until {certificate.stable_until:.4g} s; events that both saw: {len(certificate.matched)}"
 

@@ -215,8 +215,9 @@ class Sensitivity(Filter):
     def findings(self, candidate: Candidate) -> Iterator[str]:
         """Yield report lines: the sensitivity of the answer to each stated number."""
         for elasticity in elasticities(candidate):
+            paths = ", ".join(elasticity.given.paths)
             moved = "matters" if matters(candidate, elasticity) else "does not matter"
-            yield f"{', '.join(elasticity.given.paths)}: |d ln answer / d ln number| = {elasticity.size:.3g}; it {moved}"
+            yield f"{paths}: |d ln answer / d ln number| = {elasticity.size:.3g}; it {moved}"
 
 
 def _paths(numbers: list[Given]) -> str:

@@ -165,7 +165,8 @@ class FitsLabel(Filter):
         """Yield a report line with the laws, phases, unknowns and difficulty score of the worked solution."""
         difficulty = candidate.measured
         if difficulty is not None:
-            yield f"laws {difficulty.laws}, phases {difficulty.phases}, unknowns together {difficulty.unknowns}, score {difficulty.score}"
+            sizes = f"laws {difficulty.laws}, phases {difficulty.phases}, unknowns together {difficulty.unknowns}"
+            yield f"{sizes}, score {difficulty.score}"
 
 
 FILTERS.add("difficulty", FitsLabel())

@@ -107,11 +107,8 @@ def swinging_lines(words: Words) -> Iterable[Ranked]:
         for part in welded_to(mechanism, name):
             if part.name in words.mentions and inner(heavy, part.at) > 0.0:
                 to = rf"(?:(?:the )?centre (?:of mass )?of )?{_end(words.mentions[part.name])}"
-                yield (
-                    2500,
-                    phrase,
-                    rf"\b(?:[Tt]he )?(?:line|arm) (?:from|between) (?:the )?axle (?:to|and) {to}(?! [A-Z]\b)",
-                )
+                pattern = rf"\b(?:[Tt]he )?(?:line|arm) (?:from|between) (?:the )?axle (?:to|and) {to}(?! [A-Z]\b)"
+                yield 2500, phrase, pattern
 
 
 def _named(name: str, noun: str, words: Words) -> NamedLine:
@@ -127,14 +124,10 @@ def _named(name: str, noun: str, words: Words) -> NamedLine:
     ends = line.through[0], line.through[-1]
     pulled = isinstance(line.law, ConstantTension)
     phrases = tuple(phrase(site) or ("the hand" if pulled else "") for site in ends)
-    axles = tuple(
-        "pulley" in end_phrase and not site.endswith((".left", ".right", ".in", ".out"))
-        for end_phrase, site in zip(phrases, ends, strict=True)
-    )
+    rims = ".left", ".right", ".in", ".out"
+    axles = tuple("pulley" in end and not site.endswith(rims) for end, site in zip(phrases, ends, strict=True))
     over = dict.fromkeys(filter(None, (phrase(site) for site in line.through[1:-1])))
-    over |= {
-        end_phrase: None for end_phrase, axle in zip(phrases, axles, strict=True) if "pulley" in end_phrase and not axle
-    }
+    over |= {end: None for end, axle in zip(phrases, axles, strict=True) if "pulley" in end and not axle}
     return NamedLine(name, "", noun, (phrases[0], phrases[1]), (axles[0], axles[1]), tuple(over))
 
 
@@ -157,11 +150,8 @@ def _by_ends(line: NamedLine, lines: list[NamedLine]) -> Iterable[Ranked]:
             continue
         yield 1450, line.phrase, rf"{string} {_THAT}(?:{_CARRYING}) {end_pattern}(?! [A-Z]\b)"
         yield 1450, line.phrase, rf"{string} {_FROM.format(end=end_pattern)}"
-        yield (
-            1450,
-            line.phrase,
-            rf"{string} (?:(?:that|which) )?{end_pattern} (?:hangs|is hanging|is hung) (?:from|on|by)\b",
-        )
+        hung = "(?:hangs|is hanging|is hung) (?:from|on|by)"
+        yield 1450, line.phrase, rf"{string} (?:(?:that|which) )?{end_pattern} {hung}\b"
         tied = end_pattern if not axle else rf"(?:the )?axle of {end_pattern}"
         if not axle:
             yield 1350, line.phrase, rf"{string} (?:on|at|above|beside|next to) {end_pattern}(?! [A-Z]\b)"

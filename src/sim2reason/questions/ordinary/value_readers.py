@@ -214,12 +214,8 @@ def signed(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
 
 def of_orbit(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:
     """Yield the period of a body, presuming that the body that it orbits attracts it."""
-    yield Main(
-        "period",
-        sentence.subject(match["s"]),
-        needs=FREE,
-        ways=((sentence.subject(match["s"]), f"{ROUND}{sentence.subject(match['t'])}"),),
-    )
+    of = sentence.subject(match["s"])
+    yield Main("period", of, needs=FREE, ways=((of, f"{ROUND}{sentence.subject(match['t'])}"),))
 
 
 def time(match: re.Match[str], sentence: TokenizedSentence) -> Iterator[Main]:

@@ -53,7 +53,8 @@ def _numbers(exclusions: Sequence[Exclusion]) -> str:
 
 def _meet_later(exclusions: Sequence[Exclusion]) -> str:
     """Return the clause about discs that would touch only after the end of the interval."""
-    return f"{_pairs(exclusions)} would meet, with their centres ${exclusions[0].limit}$ apart, only at {_numbers(exclusions)}"
+    limit = exclusions[0].limit
+    return f"{_pairs(exclusions)} would meet, with their centres ${limit}$ apart, only at {_numbers(exclusions)}"
 
 
 def _meet_later_in_line(exclusions: Sequence[Exclusion]) -> str:
@@ -70,12 +71,14 @@ def _reach_later(exclusions: Sequence[Exclusion]) -> str:
 
 def _pass(exclusions: Sequence[Exclusion]) -> str:
     """Return the clause about discs whose least distance exceeds the sum of their radii."""
-    return f"the centres of {_pairs(exclusions)} would be {_numbers(exclusions)} apart where closest, more than ${exclusions[0].limit}$"
+    pairs, numbers, limit = _pairs(exclusions), _numbers(exclusions), exclusions[0].limit
+    return f"the centres of {pairs} would be {numbers} apart where closest, more than ${limit}$"
 
 
 def _part(exclusions: Sequence[Exclusion]) -> str:
     """Return the clause about discs that separate: relative position times relative velocity is positive."""
-    return f"{_pairs(exclusions)} move apart, since {_numbers(exclusions)} {'is' if len(exclusions) == 1 else 'are'} positive"
+    verb = "is" if len(exclusions) == 1 else "are"
+    return f"{_pairs(exclusions)} move apart, since {_numbers(exclusions)} {verb} positive"
 
 
 def _part_in_line(exclusions: Sequence[Exclusion]) -> str:
@@ -85,7 +88,8 @@ def _part_in_line(exclusions: Sequence[Exclusion]) -> str:
 
 def _slide_off(exclusions: Sequence[Exclusion]) -> str:
     """Return the clause about discs with only tangential relative velocity since an inelastic collision."""
-    return f"{_pairs(exclusions)} keep only a relative velocity perpendicular to their line of centres, which takes them apart"
+    pairs = _pairs(exclusions)
+    return f"{pairs} keep only a relative velocity perpendicular to their line of centres, which takes them apart"
 
 
 def _go_together(exclusions: Sequence[Exclusion]) -> str:

@@ -132,10 +132,8 @@ def directions_of_friction(dynamics: Dynamics, rows: Sequence[Row]) -> list[str]
     sticking: list[str] = []
     for face, side in dynamics.newton.slip_directions.items():
         body = dynamics.mechanism.faces[face].subject
-        if (
-            side and dynamics.newton.single_slip_coordinate(face) is None
-        ):  # round bodies: written with the point of contact
-            continue
+        if side and dynamics.newton.single_slip_coordinate(face) is None:
+            continue  # round bodies: written with the point of contact
         if side and f"N{face}" in used:
             ways.setdefault(slip_direction_text(dynamics, face, -side), []).append(body)
         elif f"f{face}" in used:
@@ -205,23 +203,19 @@ def _tell_accelerated(dynamics: Dynamics, relative: Expression, faces: Sequence[
     free = _without_friction(dynamics, relative) if isinstance(relative, Symbol) else None
     if free is not None and book.value(free) > 0.0:
         record_inequality(book, step, free, ZERO)
-        acceleration_text = step.verified(book.fresh("a", r"\text{free}"), free, ACCELERATION)
-        step.add_text(
-            f"Without friction the acceleration would be {acceleration_text}, which is positive; friction can only reduce it,"
-        )
-        step.add_text(f"so {join_words(_slides(dynamics, faces))}.")
+        text = step.verified(book.fresh("a", r"\text{free}"), free, ACCELERATION)
+        step.add_text(f"Without friction the acceleration would be {text}, which is positive; friction can only")
+        step.add_text(f"reduce it, so {join_words(_slides(dynamics, faces))}.")
         step.close()
         return
     record_inequality(book, step, relative, ZERO)
     if isinstance(relative, Symbol):
-        acceleration_text = f"the acceleration ${relative.latex()}$"
+        text = f"the acceleration ${relative.latex()}$"
     else:
         own = None if under else _unvalued(dynamics, faces[0])
         name = own or book.fresh("a", r"\text{rel}" if under else setting.subscript_of(bodies[0]))
-        acceleration_text = (
-            f"the {'relative ' if under else ''}acceleration {step.verified(name, relative, ACCELERATION)}"
-        )
-    step.add_text(f"Even against friction {acceleration_text} is positive, so {join_words(_slides(dynamics, faces))}.")
+        text = f"the {'relative ' if under else ''}acceleration {step.verified(name, relative, ACCELERATION)}"
+    step.add_text(f"Even against friction {text} is positive, so {join_words(_slides(dynamics, faces))}.")
     step.close()
 
 
@@ -237,9 +231,8 @@ def _without_friction(dynamics: Dynamics, acceleration: Symbol) -> Expression | 
         return None
     if any(isinf(dynamics.mechanism.faces[face].friction) for face in dynamics.newton.slip_directions):
         return None  # an unlimited constraint may also act along the motion
-    formula = substitute_all(
-        formula, {name: book.formulas[name] for name in reversed(book.formulas) if name != acceleration.name}
-    )
+    others = {name: book.formulas[name] for name in reversed(book.formulas) if name != acceleration.name}
+    formula = substitute_all(formula, others)
     coefficients = (dynamics.newton.coefficient(face) for face in dynamics.newton.slip_directions)
     return substitute_all(formula, {name: ZERO for coefficient in coefficients for name in coefficient.names()})
 
@@ -250,9 +243,8 @@ def _unvalued(dynamics: Dynamics, face: int) -> Symbol | None:
     if len(slips) != 1:
         return None
     ((k, factor),) = slips
-    acceleration = (
-        factor.scaled(dynamics.newton.slip_directions[face]) * dynamics.names.get(f"q{k}", NIL)
-    ).expression()
+    signed_factor = factor.scaled(dynamics.newton.slip_directions[face])
+    acceleration = (signed_factor * dynamics.names.get(f"q{k}", NIL)).expression()
     return acceleration if isinstance(acceleration, Symbol) and acceleration.name in dynamics.bound else None
 
 
@@ -260,18 +252,13 @@ def _slides(dynamics: Dynamics, faces: Sequence[int]) -> list[str]:
     """Return phrases with the sliding bodies and the directions in which these bodies slide."""
     ways: dict[tuple[str, str], list[str]] = {}
     for face in faces:
-        body, direction = (
-            dynamics.mechanism.faces[face].subject,
-            slip_direction_text(dynamics, face, dynamics.newton.slip_directions[face]),
-        )
+        body = dynamics.mechanism.faces[face].subject
+        direction = slip_direction_text(dynamics, face, dynamics.newton.slip_directions[face])
         under = carriers(dynamics, body)
         on = f" on {dynamics.setting.display_name(under[0])}" if under else ""
         ways.setdefault((direction, on), []).append(body)
     called = dynamics.setting.bodies_phrase
-    return [
-        f"{called(who)} {'slides' if len(who) == 1 else 'slide'} {direction}{on}"
-        for (direction, on), who in ways.items()
-    ]
+    return [f"{called(who)} {'slides' if len(who) == 1 else 'slide'} {way}{on}" for (way, on), who in ways.items()]
 
 
 def slip_direction_text(dynamics: Dynamics, face: int, sense: float) -> str:
@@ -283,12 +270,10 @@ def slip_direction_text(dynamics: Dynamics, face: int, sense: float) -> str:
 def _relative(dynamics: Dynamics, face: int) -> Expression | None:
     """Return the acceleration of slip at a contact, in its direction; None if it is unknown."""
     parts = _parts(dynamics, face)
-    slip_acceleration: Expression = ZERO
+    total: Expression = ZERO
     for _, factor, acceleration in parts or []:
-        slip_acceleration = added(
-            slip_acceleration, multiplied(factor.expression(), acceleration) if factor.number != 1.0 else acceleration
-        )
-    return slip_acceleration if parts is not None else None
+        total = added(total, multiplied(factor.expression(), acceleration) if factor.number != 1.0 else acceleration)
+    return total if parts is not None else None
 
 
 def _parts(dynamics: Dynamics, face: int) -> list[tuple[int, Polynomial, Expression]] | None:
@@ -315,11 +300,8 @@ def _tell_carriers(dynamics: Dynamics, step: StepBuilder, face: int) -> None:
     own = dynamics.mechanism.faces[face].subject
     for n, _, acceleration in parts if len(parts) > 1 else []:
         body = dynamics.mechanism.coordinates[n].body
-        if (
-            body == own
-            or not book.value(acceleration)
-            or isinstance(-acceleration if acceleration.negative else acceleration, Symbol)
-        ):
+        size = -acceleration if acceleration.negative else acceleration
+        if body == own or not book.value(acceleration) or isinstance(size, Symbol):
             continue
         sense = 1 if book.value(acceleration) > 0.0 else -1
         name = book.fresh("a", dynamics.setting.subscript_of(body))

@@ -54,7 +54,8 @@ def _tell(dynamics: Dynamics, number: int, friction: Expression, normal: Express
     if any(dynamics.segment.start < start < dynamics.setting.time for start in starts):
         who = f"in this phase {who}"
     step.add_text(
-        f"{capitalized(who)}: the friction required, {equations[0]}, is within the limit of static friction, {equations[1]}."
+        f"{capitalized(who)}: the friction required, {equations[0]}, "
+        f"is within the limit of static friction, {equations[1]}."
     )
     step.close()
 

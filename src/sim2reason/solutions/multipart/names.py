@@ -90,9 +90,8 @@ def unit_of(name: str, solution: Solution) -> str:
     """Return the unit of a name, in LaTeX; empty if the text states none."""
     if name == solution.goal:
         return solution.unit
-    return next(
-        (r.unit for r in solution.relations if isinstance(r.left, Symbol) and r.left.name == name and r.unit), ""
-    )
+    units = (r.unit for r in solution.relations if isinstance(r.left, Symbol) and r.left.name == name and r.unit)
+    return next(units, "")
 
 
 def names_of(steps: Sequence[Step]) -> Iterator[str]:
@@ -142,11 +141,7 @@ def _known(
 ) -> NamedQuantity | None:
     """Return the quantity of earlier parts that a name denotes, by meaning, formula, name or value; None if new."""
     alike = [q for q in earlier if part not in q.members and q.stem == quantity.stem and q.has(quantity)]
-    alike = [
-        q
-        for q in alike
-        if not (q.meaning and quantity.meaning) or q.meaning == quantity.meaning or _same(q, quantity, name)
-    ]
+    alike = [q for q in alike if _same(q, quantity, name)]
     by_words = [q for q in alike if quantity.meaning and q.meaning == quantity.meaning]
     by_formula = [q for q in alike if quantity.formula is not None and q.formula == quantity.formula]
     by_name = [q for q in alike if name in q.members.values()]
@@ -154,21 +149,20 @@ def _known(
         if group:
             return group[0]
     alone = len(alike) == 1 and not any(other.stem == quantity.stem and other.has(quantity) for other in rest)
-    by_value = (
-        alone and quantity.value is not None and all(_marks_agree(name, each) for each in alike[0].members.values())
-    )
-    return alike[0] if by_value else None
+    by_value = alone and all(_marks_agree(name, each) for each in alike[0].members.values())
+    return alike[0] if by_value and quantity.value is not None else None
 
 
 def _same(quantity: NamedQuantity, other: NamedQuantity, name: str) -> bool:
+    if not (quantity.meaning and other.meaning) or quantity.meaning == other.meaning:
+        return True
     return name in quantity.members.values() and are_same_meaning(name, quantity.meaning, other.meaning)
 
 
 def _marks_agree(one: str, other: str) -> bool:
     """Return whether the subscripts of two names allow them to denote one quantity."""
-    marks = [
-        {part for part in split_name(name)[1].split(",") if part.isalpha() and len(part) == 1} for name in (one, other)
-    ]
+    subscripts = (split_name(name)[1].split(",") for name in (one, other))
+    marks = [{part for part in parts if part.isalpha() and len(part) == 1} for parts in subscripts]
     return not all(marks) or marks[0] == marks[1]
 
 
@@ -225,9 +219,8 @@ def rename_in_formula(formula: Expression, names: Names) -> Expression:
 
 def in_relation(relation: Relation, names: Names) -> Relation:
     """Return a relation with names replaced."""
-    return replace(
-        relation, left=rename_in_formula(relation.left, names), right=rename_in_formula(relation.right, names)
-    )
+    left, right = (rename_in_formula(side, names) for side in (relation.left, relation.right))
+    return replace(relation, left=left, right=right)
 
 
 def rename_in_text(text: str, names: Names, relations: Sequence[Relation] = ()) -> str:

@@ -151,7 +151,7 @@ def _introduced(solution: Solution) -> Iterator[str]:
 
 
 def _needed(solution: Solution, known: Collection[str], known_texts: Container[str]) -> list[Step]:
-    """Return the steps from known names to the goal, and the reasons for these steps whose texts are not in `known_texts`.
+    """Return the steps from known names to the goal, and their reasons whose texts are not in `known_texts`.
 
     The steps that exclude earlier collisions are kept with everything on which they depend.
     """

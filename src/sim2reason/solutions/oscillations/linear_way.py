@@ -254,7 +254,8 @@ class LinearMotionModel(StraightMotion):
         assert unknown_impulse.symbol is not None
         formula = solve_linear(pushed - gain, unknown_impulse.symbol.name)
         step.add_text(
-            f"The impulse on {who} is its change in momentum: {law}, so {step.result(unknown_impulse.symbol, formula, IMPULSE)}."
+            f"The impulse on {who} is its change in momentum: {law}, "
+            f"so {step.result(unknown_impulse.symbol, formula, IMPULSE)}."
         )
         step.close()
         return unknown_impulse.symbol

@@ -152,9 +152,8 @@ class ModeLaws:
             forces = (self.motion.load(number) if loaded else NIL) - pull
             equations.append(f"${inertia.expression().latex()} = {forces.expression().latex()}$")
         step = self.book.begin_step("equations of motion")
-        step.add_text(
-            f"The {'equations of motion are' if len(equations) > 1 else 'equation of motion is'} {join_words(equations)}."
-        )
+        subject = "equations of motion are" if len(equations) > 1 else "equation of motion is"
+        step.add_text(f"The {subject} {join_words(equations)}.")
         step.close()
 
     @cached_property
@@ -262,9 +261,8 @@ class ModeLaws:
             clause = accelerations if driven else "the forces of the springs do not change"
             step.add_text(f"In normal mode {mode.number + 1} {self._shares(mode)}, and {clause}:")
         else:
-            step.add_text(
-                f"The acceleration is {f'{rate} times the displacement from equilibrium' if driven else 'zero'}:"
-            )
+            acceleration = f"{rate} times the displacement from equilibrium" if driven else "zero"
+            step.add_text(f"The acceleration is {acceleration}:")
         laws: list[str] = []
         for i in range(self.size) if driven else unknown:
             pulls, inertia = self.row(mode, i)

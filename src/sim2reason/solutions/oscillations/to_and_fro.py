@@ -79,7 +79,7 @@ def tell_beyond(
     *,
     later: bool,
 ) -> None:
-    """Write that a body would come to rest only beyond the position `position`, so that friction is constant until there.
+    """Write that a body would come to rest only beyond `position`, so that friction is constant until there.
 
     In symbols, this is assumed. With `later`, the body has come to rest before.
     """

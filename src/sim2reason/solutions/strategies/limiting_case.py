@@ -165,8 +165,8 @@ class LimitingBalance(LimitingDynamics):
             return ""
         unknown = f"${self.book.sought}$"
         return (
-            f"The equations below are for slipping{direction}; for slipping the other way {unknown} has the opposite sign in "
-            f"them, so that the magnitude of {unknown} is the answer in both cases."
+            f"The equations below are for slipping{direction}; for slipping the other way {unknown} has the opposite "
+            f"sign in them, so that the magnitude of {unknown} is the answer in both cases."
         )
 
     def _way(self) -> str:

@@ -189,10 +189,12 @@ class GreatestRange(Strategy):
         step = book.begin_step("derivative")
         rest = step.law(horizontal_range - gravity * Power(horizontal_range, 2) * tangent / Power(speed, 2), ZERO)
         step.add_text(
-            f"Where ${horizontal_range.name}$ is greatest, it does not change to first order as ${theta.name}$ grows. So there"
+            f"Where ${horizontal_range.name}$ is greatest, it does not change to first order as ${theta.name}$ grows. "
+            "So there"
         )
         step.add_text(
-            f"the derivative of this equation by ${theta.name}$, with ${horizontal_range.name}$ constant, vanishes. Multiplied by"
+            f"the derivative of this equation by ${theta.name}$, with ${horizontal_range.name}$ constant, vanishes. "
+            "Multiplied by"
         )
         step.add_text(f"$\\cos^2{theta.name}$, that is {rest}.")
         step.close()

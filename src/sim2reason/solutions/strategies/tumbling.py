@@ -201,10 +201,8 @@ class _Tumbling:
         self.book.stated[name.name] = rf"{moment.value:g}{DEGREES}"
         if not self.edges:
             return name
-        text, completed_angle = (
-            "Since the last landing it has turned through",
-            Number(2.0 * self.edges / self.sides) * PI,
-        )
+        text = "Since the last landing it has turned through"
+        completed_angle = Number(2.0 * self.edges / self.sides) * PI
         return self.book.add_step("angle", text, self.book.fresh(r"\phi"), name - completed_angle, DEGREES)
 
     @property

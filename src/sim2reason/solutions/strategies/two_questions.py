@@ -164,7 +164,7 @@ def _with_found(part: Solution, moment: Moment, value: float) -> Solution:
 
 
 def _after_givens(steps: list[Step], moment_step: Step) -> Iterator[Step]:
-    """Yield steps with the step `moment_step` inserted after the given numbers; steps that use its name depend on it."""
+    """Yield steps with `moment_step` inserted after the given numbers; steps that use its name depend on it."""
     (name,) = moment_step.gives
     first = [step for step in steps if step.kind == "givens"]
     rest = [step for step in steps if step.kind != "givens"]

@@ -181,7 +181,7 @@ class Carriage:
                 direction = self.setting.direction_words((x, y, z) if self.towards(pull.line) > 0.0 else (-x, -y, -z))
                 mass, weight = (expression.latex() for expression in (self.mass(pull.body), self._weight(pull.body)))
                 yield (
-                    f"{capitalized(self.setting.display_name(pull.body))} moves "
-                    f"vertically as fast as {self.noun} along the "
-                    f"rail, so it acts as a mass ${mass}$ fixed to {self.noun} that a force ${weight}$ pulls {direction}."
+                    f"{capitalized(self.setting.display_name(pull.body))} moves vertically as fast as {self.noun} "
+                    f"along the rail, so it acts as a mass ${mass}$ fixed to {self.noun} "
+                    f"that a force ${weight}$ pulls {direction}."
                 )

@@ -55,7 +55,7 @@ def separating_contacts(problem: Problem, heave: list[Row], solution: Solution, 
 def _rises(
     problem: Problem, heave: list[Row], mode: ContactMode, separating: tuple[int, ...], small: float
 ) -> tuple[tuple[int, ...], frozenset[int]]:
-    """Return the contacts that open if those in `separating` are free to, and the contacts that contradict this choice."""
+    """Return the contacts that open if those in `separating` are free to, and the contacts that contradict this."""
     opened, kept = _opened(problem, heave, separating)
     rubbing = tuple(
         side for grip, side in zip(problem.grips, mode.rubbing, strict=True) if grip.contact not in separating
@@ -69,7 +69,7 @@ def _rises(
 
 
 def _opened(problem: Problem, heave: list[Row], separating: tuple[int, ...]) -> tuple[Problem, list[int]]:
-    """Return the problem with the gaps of contacts in `separating` as coordinates, and the indices of other contacts."""
+    """Return the problem with gaps of contacts in `separating` as coordinates, and the indices of other contacts."""
     kept = [number for number in range(len(problem.press)) if number not in separating]
     new_index = {number: new for new, number in enumerate(kept)}
 

@@ -92,7 +92,7 @@ def system(
     mode: ContactMode,
     acts: ActiveSet,
 ) -> tuple[Array, Array]:
-    """Return a contact mode's matrix and right side for accelerations, `row_gradients` rows, normal forces and friction."""
+    """Return a contact mode's matrix and right side: accelerations, `row_gradients` rows, normal forces, friction."""
     n, first, second = len(loads), len(row_gradients), len(row_gradients) + len(acts.closed)
     size = n + second + len(acts.sticking)
     matrix, wanted = np.zeros((size, size)), np.zeros(size)

@@ -27,9 +27,9 @@ def _charge(facts: Facts) -> str:
         facts.missing.append("that there is no gravity")
     of = "a negative charge of magnitude" if negative else "a positive charge of"
     return (
-        f"A uniform magnetic field of strength {facts.number('field', '')} points in the {field_direction} z direction. At t = 0 a"
-        f" small bead of mass {facts.number('mass', '')} with {of} {amount} leaves the origin of the x-y plane at speed"
-        f" {facts.number('speed', '')} in the positive x direction. There is no gravity."
+        f"A uniform magnetic field of strength {facts.number('field', '')} points in the {field_direction} z direction."
+        f" At t = 0 a small bead of mass {facts.number('mass', '')} with {of} {amount} leaves the origin of the x-y"
+        f" plane at speed {facts.number('speed', '')} in the positive x direction. There is no gravity."
     )
 
 
@@ -202,8 +202,8 @@ def _hanging(facts: Facts) -> str:
         at = length + mass * facts.g / stiffness + facts.value("below", "")
     numbers = facts.number("mass", ""), facts.number("k", ""), facts.number("natural", "")
     return (
-        f"A block of mass {numbers[0]} hangs from the ceiling by a light spring of stiffness {numbers[1]} and natural length"
-        f" {numbers[2]}. Initially the spring has a length of {format_amount(at)} m. "
+        f"A block of mass {numbers[0]} hangs from the ceiling by a light spring of stiffness {numbers[1]} and natural"
+        f" length {numbers[2]}. Initially the spring has a length of {format_amount(at)} m. "
         f"The motion starts from rest. {facts.gravity}"
     )
 

@@ -133,7 +133,8 @@ def _throw(facts: Facts) -> str:
         return f"A small ball of mass {mass} is held at {start}. {axes} The motion starts from rest. {facts.gravity}"
     heading = _way(facts)
     speed = facts.number("speed", "the speed of the throw")
-    return f"At t = 0 a small ball of mass {mass} is thrown from {start} at speed {speed} {heading}. {axes} {facts.gravity}"
+    thrown = f"At t = 0 a small ball of mass {mass} is thrown from {start} at speed {speed} {heading}."
+    return f"{thrown} {axes} {facts.gravity}"
 
 
 TEXTBOOK_SCENES.add(
