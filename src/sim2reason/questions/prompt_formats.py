@@ -1,4 +1,7 @@
-"""Formats of prompts: several parts with references to earlier moments, and multiple choice."""
+"""Formats of prompts: several parts with references to earlier moments, and multiple choice.
+
+Several parts are read back part by part: the scene with one of the questions is a prompt like any other.
+"""
 
 import re
 from collections.abc import Iterator, Sequence

@@ -1,4 +1,13 @@
-"""Simulation and certification of scenes, and truncation of traces by statistics of their samples."""
+"""Simulation and certification of scenes, and truncation of traces by statistics of their samples.
+
+An engine ends a trace by physics, and two engines by certificate (`certify`). The third method, by statistics, is for a
+trace of one engine alone: an outlier in a window of samples indicates a transition. On whole traces it finds every
+collision; between the events that an engine reports it should find nothing, and any finding there is an alarm.
+
+A smooth motion has outliers, too, as at the perihelion of a long orbit. A smooth function becomes straight under
+magnification, and a transition does not: if an engine can evaluate its motion at other times, this is tested before a
+sample counts.
+"""
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace

@@ -1,4 +1,7 @@
-"""The motion of a mechanism as arrays over time, and its initial state: checks, and changes of it."""
+"""The motion of a mechanism as arrays over time, and its initial state: checks, and changes of it.
+
+A two-sided constraint has no jerk at the start, unlike a string: no impulse could have caused inconsistent speeds.
+"""
 
 import math
 from collections.abc import Callable, Mapping, Sequence

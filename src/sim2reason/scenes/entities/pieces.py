@@ -1,4 +1,7 @@
-"""Pieces of a rigid body on an arm: bodies with their positions and orientations."""
+"""Pieces of a rigid body on an arm: bodies with their positions and orientations.
+
+In an arm's own axes x points along the arm, away from the axle, y along the axle, and z at right angles to both.
+"""
 
 from collections.abc import Sequence
 from math import cos, radians, sin

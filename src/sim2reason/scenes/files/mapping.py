@@ -1,4 +1,14 @@
-"""Reading and writing of scene files: `load` reads what `dump` writes as an equal scene; the bytes never vary."""
+"""Reading and writing of scene files: `load` reads what `dump` writes as an equal scene; the bytes never vary.
+
+    scene:
+      entities:
+      - {name: hook, type: FixedSupport}
+      …
+      connections:
+      - tendon: [{entity: …, direction: …}, {entity: …, direction: …}]
+
+Files are untrusted input: every fault is one SceneError with the path in the file, the line and the remedy.
+"""
 
 from difflib import get_close_matches
 from functools import cache

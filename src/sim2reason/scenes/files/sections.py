@@ -1,4 +1,13 @@
-"""Sections of scene files with their own syntax: strings between pairs of ends, the wording, and the question."""
+"""Sections of scene files with their own syntax: strings between pairs of ends, the wording, and the question.
+
+A file names the two ends of each straight segment. A string that passes a movable pulley is several pairs, which meet
+at the pulley's two sides; in a scene it is one connection, a path through ports. A wording is
+
+    text:
+      wording: 1234
+      symbols: [ramp.plane.angle]
+      without: [start]
+"""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass

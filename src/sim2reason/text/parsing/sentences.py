@@ -1,4 +1,7 @@
-"""Sentences and tables of a text: division, and the proof that the parsed scene reproduces them."""
+"""Sentences and tables of a text: division, and the proof that the parsed scene reproduces them.
+
+In the comparison trailing zeros of decimals and SI prefixes are ignored: *1.20 km* equals *1.2 km* and *1200 m*.
+"""
 
 import re
 from collections.abc import Collection, Iterator, Mapping
