@@ -57,7 +57,7 @@ QUICK := tests/acceptance/test_same_items.py tests/evaluation/benchmarks/test_fi
 	tests/evaluation/policies/test_samples.py \
 	tests/text/prose tests/simulation/quantities tests/questions/test_asked_by_people.py tests/questions/test_moments.py \
 	tests/generation/recipes/test_momentum.py tests/evaluation/reports/test_statistics.py tests/scenes/files/test_files.py \
-	tests/simulation tests/solutions/algebra tests/solutions/laws tests/test_house.py tests/testing/test_spoiled.py \
+	tests/simulation tests/solutions/algebra tests/solutions/laws tests/test_conventions.py tests/testing/test_spoiled.py \
 	tests/training/test_rewards.py
 
 test-quick: .venv/dev ## a cross-section of the tests; a minute on two cores

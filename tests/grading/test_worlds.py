@@ -99,8 +99,8 @@ def test_the_source_runs_nothing_that_it_reads(path: Path) -> None:
     assert not (names - {"compile"} | modules) & banned
     compiled = [node for node in ast.walk(tree) if isinstance(node, ast.Attribute) and node.attr == "compile"]
     assert all(isinstance(node.value, ast.Name) and node.value.id == "re" for node in compiled)
-    house = {module for module in modules if module and module.startswith("sim2reason")}
-    assert all(module.startswith(("sim2reason.grading", "sim2reason.scenes.dsl.unit")) for module in house)
+    own = {module for module in modules if module and module.startswith("sim2reason")}
+    assert all(module.startswith(("sim2reason.grading", "sim2reason.scenes.dsl.unit")) for module in own)
 
 
 def test_importing_the_grader_loads_nothing_heavy() -> None:

