@@ -79,7 +79,10 @@ def first_step(rate: Rate, time: float, values: Values, first: Values, tolerance
 
 
 def _norm(values: Sequence[float], scales: Sequence[float]) -> float:
-    return sqrt(sum((value / scale) ** 2 for value, scale in zip(values, scales, strict=True)) / max(len(scales), 1))
+    total = 0.0  # no `sum`, which compensates rounding from Python 3.12 on
+    for value, scale in zip(values, scales, strict=True):
+        total += (value / scale) ** 2
+    return sqrt(total / max(len(scales), 1))
 
 
 # ---- the code of a step

@@ -10,10 +10,13 @@ from sim2reason.simulation.engines.exact.flow import Flow
 from sim2reason.simulation.engines.exact.glide import REST_RATE, ConstantEquations, halt
 from sim2reason.simulation.engines.exact.margins import ENDS, Margin, StopReason
 from sim2reason.simulation.engines.exact.motion import BEGINS, STOPS, TIE, Motion
+from sim2reason.simulation.engines.exact.native import core
+from sim2reason.simulation.engines.exact.native_flow import NativeFlow
 from sim2reason.simulation.engines.exact.settling import REST_SPEED, Settling
 from sim2reason.simulation.engines.exact.system import Instant
 from sim2reason.simulation.trace import ENGINES, FINEST, Trace
 
+FLOW = Flow if core is None else NativeFlow
 SEGMENTS = 500  # largest number of motion segments
 SETTLING = 5_000  # operations of an event for each coordinate
 
@@ -117,7 +120,7 @@ class _Run(Settling):
 
     def _flow(self, instant: Instant, found: Balance, left: float) -> StopReason:
         assert self.curved is not None
-        flow = Flow(self.curved, instant, self.phase, found, self.tolerance)
+        flow = FLOW(self.curved, instant, self.phase, found, self.tolerance)
         stop = flow.advance(left, self.duration)
         self.append(found, flow)
         n = self.system.size

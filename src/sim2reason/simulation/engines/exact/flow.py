@@ -65,10 +65,30 @@ class Flow:
         """Return whether the integration has made any progress in time."""
         return bool(self.steps or self.stretches)
 
+    @property
+    def step_times(self) -> list[float]:
+        """Return the times at which the integrator steps start, s."""
+        return [step.time for step in self.steps]
+
     @cached_property
     def table(self) -> StepTable:
         """Return all steps as arrays, once the integration is complete."""
         return StepTable(self.steps)
+
+    def on_steps(self, times: Array) -> Array:
+        """Return coordinates and rates at times within integrator steps, (m, 2n)."""
+        table = self.table
+        at = np.maximum(table.starts.searchsorted(times, side="right") - 1, 0)
+        numbers = set[int](at.tolist())
+        table.fill(self.steps, numbers)
+        if len(numbers) == 1:  # as where an instant is closed in on: NumPy repeats the one step by itself
+            at = at[:1]
+        x = ((times - table.starts[at]) / table.lengths[at])[:, None]
+        y = 1.0 - x
+        a, b, c, d, e, f, g = table.polynomials[:, at]
+        rise = x * (a + y * (b + x * (c + y * (d + x * (e + y * (f + x * g))))))
+        found: Array = table.values[at] + rise
+        return found
 
     def advance(self, duration: float, longest: float) -> StopReason:
         """Integrate for `duration`, s, or to the first event, or to where the linear equations need new pivots.
@@ -266,7 +286,7 @@ class Flow:
 
 def sampled(flow: Flow, times: Array) -> Array:
     """Return coordinates and rates at times within an integrated motion, (m, 2n)."""
-    found = _on_steps(flow, times) if flow.steps else np.empty((len(times), len(flow.values)))
+    found = flow.on_steps(times) if flow.steps else np.empty((len(times), len(flow.values)))
     for linear in flow.stretches:
         inside = (times >= linear.time) & (times <= linear.time + linear.length)
         if inside.any():
@@ -274,18 +294,3 @@ def sampled(flow: Flow, times: Array) -> Array:
             found[inside] = linear.modes.at(times[inside])
     return found
 
-
-def _on_steps(flow: Flow, times: Array) -> Array:
-    """Return coordinates and rates at times within integrator steps, (m, 2n), or (1, 2n) for a single step."""
-    table = flow.table
-    at = np.maximum(table.starts.searchsorted(times, side="right") - 1, 0)
-    numbers = set[int](at.tolist())
-    table.fill(flow.steps, numbers)
-    if len(numbers) == 1:  # as where an instant is closed in on: NumPy repeats the one step by itself
-        at = at[:1]
-    x = ((times - table.starts[at]) / table.lengths[at])[:, None]
-    y = 1.0 - x
-    a, b, c, d, e, f, g = table.polynomials[:, at]
-    rise = x * (a + y * (b + x * (c + y * (d + x * (e + y * (f + x * g))))))
-    found: Array = table.values[at] + rise
-    return found

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from sim2reason.scenes.dsl.vectors import Number
 from sim2reason.simulation.budget import Budget
+from sim2reason.simulation.engines.exact.native import core
 from sim2reason.simulation.engines.exact.tape import value_of
 
 Row = list[float]
@@ -33,6 +34,12 @@ def solve(rows: list[Row]) -> Solved:
     There may be more or fewer equations than unknowns. Free unknowns are 0 in `x`, and each is 1 in one of the `nulls`.
     The list of rows is modified.
     """
+    if core is not None:
+        return Solved(*core.solve(rows))
+    return _solve(rows)
+
+
+def _solve(rows: list[Row]) -> Solved:
     size = len(rows[0]) - 1 if rows else 0
     pending = [_scaled(row, size) for row in rows]
     pivots: list[tuple[int, Row]] = []

@@ -1,5 +1,6 @@
 """Event functions of a contact mode, each zero at its event, and the code that evaluates them."""
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -7,8 +8,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from sim2reason.base.lazy import cached_property
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact.affine import LinearEquations
 from sim2reason.simulation.engines.exact.dop853 import Rate
+from sim2reason.simulation.engines.exact.native import core
+from sim2reason.simulation.engines.exact.tape import ArrayMaths
 
 ZERO_COEFFICIENT_TOL = 1e-12  # smaller coefficients count as zero
 MAX_CONDITIONS = 4000  # largest number of combined conditions
@@ -90,12 +94,24 @@ class Formulas:
     braced: tuple[Margin, ...] = ()
 
     @cached_property
-    def sampled_forces(self) -> Callable[..., tuple[Any, ...]]:
-        """Return the function for accelerations, constraint, normal and friction forces on arrays of samples.
+    def _force_code(self) -> Callable[..., tuple[Any, ...]]:
+        return self.write_forces()(ArrayMaths if core is None else math)
 
-        Its code is generated on demand.
+    def forces(self, times: Array, values: Array) -> Array:
+        """Return accelerations, constraint, normal and friction forces, (k, m), at times (m,) and values (m, 2n).
+
+        Their code is generated on demand. Where a force has no value, it is infinite or NaN.
         """
-        return self.write_forces()(np)
+        if core is not None and isinstance(self._force_code, core.Program):
+            found = np.empty((self._force_code.outputs, len(times)))
+            self._force_code.sample(np.ascontiguousarray(times), np.ascontiguousarray(values), found)
+            return found
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            columns = self._force_code(times, tuple(values.T))
+        found = np.empty((len(columns), len(times)))
+        for number, column in enumerate(columns):
+            found[number] = column
+        return found
 
     @cached_property
     def linear(self) -> LinearEquations | None:

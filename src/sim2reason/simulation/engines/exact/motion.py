@@ -176,7 +176,7 @@ class Motion:
     def knots(self) -> Array:
         """Return the start times of segments and of integrator steps, between which the motion is smooth, s."""
         found = [segment.start for segment in self.segments]
-        found += [step.time for segment in self.segments if segment.flow for step in segment.flow.steps]
+        found += [time for segment in self.segments if segment.flow for time in segment.flow.step_times]
         linear = (stretch for segment in self.segments if segment.flow for stretch in segment.flow.stretches)
         found += [time for stretch in linear for time in stretch.knots.tolist()]
         return in_order(np.array([*(time for time in found if time <= self.end), self.end]))
@@ -223,7 +223,7 @@ class Motion:
         table = self._table[at]
         a, forces = table[:, 2 * n : 3 * n], table[:, 3 * n :].T
         for segment, flow, here in self._flows(at):
-            found = _forces(flow, np.minimum(times[here], flow.time), (*q[here].T, *v[here].T))
+            found = flow.formulas.forces(np.minimum(times[here], flow.time), np.concatenate([q[here], v[here]], axis=1))
             a[here] = found[:n].T
             rows = found[n : n + len(segment.kinds)][:lines]
             borne = np.concatenate([rows, found[n + len(segment.kinds) :]])
@@ -237,13 +237,3 @@ class Motion:
             dict(zip(contacts, forces[lines : lines + faces], strict=True)),
             dict(zip(contacts, forces[lines + faces :], strict=True)),
         )
-
-
-def _forces(flow: Flow, times: Array, values: tuple[Array, ...]) -> Array:
-    """Return accelerations, multipliers of rows, normal forces and friction along a flow, one row each."""
-    with np.errstate(divide="ignore", invalid="ignore"):  # what has no value is not a number
-        found = flow.formulas.sampled_forces(times, values)
-    columns = np.empty((len(found), len(times)))
-    for number, column in enumerate(found):
-        columns[number] = column
-    return columns
