@@ -336,4 +336,4 @@ class _Writer:
 
 def value_of(number: Number) -> float:
     """Return the value of a number or symbol as a float."""
-    return number.value if isinstance(number, Symbol) else float(cast("float", number))
+    return number.value if isinstance(number, (Symbol, PlainSymbol)) else float(cast("float", number))

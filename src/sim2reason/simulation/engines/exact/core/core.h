@@ -9,9 +9,14 @@
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
+#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
+
+#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
+#error "results would not be those of Python: arithmetic has excess precision"
+#endif
 
 /* ---- faults: why arithmetic has no result, each the exception that Python raises */
 
