@@ -36,10 +36,11 @@ def solve(rows: list[Row]) -> Solved:
     """
     if core is not None:
         return Solved(*core.solve(rows))
-    return _solve(rows)
+    return eliminated(rows)
 
 
-def _solve(rows: list[Row]) -> Solved:
+def eliminated(rows: list[Row]) -> Solved:
+    """Solve as `solve` does, in Python."""
     size = len(rows[0]) - 1 if rows else 0
     pending = [_scaled(row, size) for row in rows]
     pivots: list[tuple[int, Row]] = []

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
 from math import nan
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +16,12 @@ from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.flow import Flow, sampled
 from sim2reason.simulation.engines.exact.lengths import RowKind
 from sim2reason.simulation.engines.exact.linear import ContactMode, RoughContact, Row
+from sim2reason.simulation.engines.exact.native import core
+from sim2reason.simulation.engines.exact.native_flow import NativeFlow
 from sim2reason.simulation.trace import EVENT_KINDS, Event, in_order
+
+if TYPE_CHECKING:
+    from sim2reason.simulation.engines.exact._core import Integration
 
 CROWD = 5e-3  # s; repeated impacts of one body, or jerks of one string, within this time end the motion
 DUPLICATE_WINDOW = 8  # latest events that are compared to avoid duplicates
@@ -183,8 +189,7 @@ class Motion:
 
     def state(self, times: Array) -> State:
         """Return the motion at times ≥ 0, s, shape (m,); the last segment is extrapolated beyond the end."""
-        at = self._belonging(times)
-        return State(self.mechanism, times, partial(self._kinematics, times, at), partial(self._dynamics, times, at))
+        return State(self.mechanism, times, partial(self._kinematics, times), partial(self._dynamics, times))
 
     def _belonging(self, times: Array) -> NDArray[np.intp]:
         """Return the index of the segment that contains each instant."""
@@ -200,13 +205,29 @@ class Motion:
             if segment.flow is not None and segment.flow.moves:
                 yield segment, segment.flow, at == number
 
-    def _kinematics(self, times: Array, at: NDArray[np.intp]) -> tuple[Array, Array]:
+    @cached_property
+    def _integrations(self) -> "tuple[Integration | None, ...] | None":
+        """Return the native integration of each segment, None for closed forms; None if Python has part of the motion."""
+        found = list["Integration | None"]()
+        for segment in self.segments:
+            run = segment.flow.integration if isinstance(segment.flow, NativeFlow) else None
+            if run is None and segment.flow is not None and segment.flow.moves:
+                return None
+            found.append(run if run else None)
+        return None if core is None else tuple(found)
+
+    def _kinematics(self, times: Array) -> tuple[Array, Array]:
         """Return coordinates and their rates at the given times."""
         n, lone = self._widths[0], len(self.segments) == 1  # whose one row NumPy repeats by itself
         flow = self.segments[0].flow if lone else None
         if flow is not None and flow.moves:
             values = sampled(flow, np.minimum(times, flow.time))
             return values[:, :n], values[:, n:]
+        if core is not None and self._integrations is not None:
+            q, v = np.empty((len(times), n)), np.empty((len(times), n))
+            core.sample_segments(self._starts, self._table, self._integrations, np.ascontiguousarray(times), q, v)
+            return q, v
+        at = self._belonging(times)
         table = self._table if lone else self._table[at]
         since = (times - (self._starts if lone else self._starts[at]))[:, None]
         q0, v0 = table[:, :n], table[:, n : 2 * n]
@@ -217,8 +238,9 @@ class Motion:
             q[here], v[here] = values[:, :n], values[:, n:]
         return q, v
 
-    def _dynamics(self, times: Array, at: NDArray[np.intp], q: Array, v: Array) -> Dynamics:
+    def _dynamics(self, times: Array, q: Array, v: Array) -> Dynamics:
         """Return accelerations and constraint forces at the given times."""
+        at = self._belonging(times)
         n, lines, faces = self._widths
         table = self._table[at]
         a, forces = table[:, 2 * n : 3 * n], table[:, 3 * n :].T

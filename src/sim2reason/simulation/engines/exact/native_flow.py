@@ -66,6 +66,12 @@ class NativeFlow(Flow):
             self.steps = _as_steps(run)
 
     @property
+    def integration(self) -> "Integration | None":
+        """Return the native integration if it has all of the motion, else None."""
+        whole = not isinstance(self.steps, list) and not self.stretches
+        return cast("Integration", self.steps) if whole else None
+
+    @property
     def step_times(self) -> list[float]:
         """Return the times at which the integrator steps start, s."""
         return cast("Integration", self.steps).times() if not isinstance(self.steps, list) else super().step_times

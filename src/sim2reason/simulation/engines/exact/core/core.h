@@ -168,6 +168,7 @@ extern const double ARMED;
 /* ---- integration.c and linear.c */
 
 int add_integration_type(PyObject *module);
+PyObject *sample_segments(PyObject *module, PyObject *arguments);
 PyObject *solve(PyObject *module, PyObject *rows);
 
 #endif

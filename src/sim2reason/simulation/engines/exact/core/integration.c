@@ -407,6 +407,30 @@ static PyObject *integration_take_turns(PyObject *object, PyObject *unused) {
     return found;
 }
 
+/* Return how many of `count` increasing times, `width` numbers apart, are not after a time. */
+static Py_ssize_t rank(const double *times, Py_ssize_t count, Py_ssize_t width, double time) {
+    Py_ssize_t low = 0, high = count;
+    while (low < high) {
+        Py_ssize_t middle = low + (high - low) / 2;
+        if (times[middle * width] <= time) low = middle + 1;
+        else high = middle;
+    }
+    return low;
+}
+
+/* Evaluate coordinates and rates at a time; there must be steps. */
+static Fault sampled_at(Integration *self, double time, double *q, double *v) {
+    Py_ssize_t width = stride(self), at = rank(self->table, self->count, width, time), half = self->n / 2;
+    if (at > 0) at--;
+    Step step = step_in(self->table + at * width, self->dense + at, self->n);
+    Fault fault = step_dense(&step, self->rate, self->n, self->work);
+    if (fault) return fault;
+    double x = (time - step.time) / step.length;
+    for (Py_ssize_t i = 0; i < self->n; i++)
+        (i < half ? q : v - half)[i] = step_at(step.values[i], step.polynomial + i * COEFFICIENTS, x);
+    return OK;
+}
+
 /* sample(times, into): all unknowns at m instants within the steps, (m, n). */
 static PyObject *integration_sample(PyObject *object, PyObject *arguments) {
     Integration *self = (Integration *)object;
@@ -418,32 +442,95 @@ static PyObject *integration_sample(PyObject *object, PyObject *arguments) {
         return NULL;
     }
     if (get_doubles(times, &t, -1, 0) < 0) return NULL;
-    Py_ssize_t count = t.len / (Py_ssize_t)sizeof(double), n = self->n, width = stride(self);
+    Py_ssize_t count = t.len / (Py_ssize_t)sizeof(double), n = self->n;
     if (get_doubles(into, &found, count * n, 1) < 0) {
         PyBuffer_Release(&t);
         return NULL;
     }
     Fault fault = OK;
-    for (Py_ssize_t k = 0; !fault && k < count; k++) {
-        double time = ((double *)t.buf)[k];
-        Py_ssize_t low = 0, high = self->count; /* the number of steps that start no later */
-        while (low < high) {
-            Py_ssize_t middle = low + (high - low) / 2;
-            if (self->table[middle * width] <= time) low = middle + 1;
-            else high = middle;
-        }
-        Py_ssize_t at = low > 0 ? low - 1 : 0;
-        Step step = step_in(self->table + at * width, self->dense + at, n);
-        if ((fault = step_dense(&step, self->rate, n, self->work))) break;
-        double x = (time - step.time) / step.length;
-        for (Py_ssize_t i = 0; i < n; i++)
-            ((double *)found.buf)[k * n + i] = step_at(step.values[i], step.polynomial + i * COEFFICIENTS, x);
-    }
+    for (Py_ssize_t k = 0; !fault && k < count; k++)
+        fault = sampled_at(self, ((double *)t.buf)[k], (double *)found.buf + k * n, (double *)found.buf + k * n + n / 2);
     PyBuffer_Release(&t);
     PyBuffer_Release(&found);
     if (!fault) Py_RETURN_NONE;
     raise_fault(fault);
     return NULL;
+}
+
+/* The segments of a motion: `starts` (s), and of each a row of a table that begins with q, v and a. */
+typedef struct {
+    const double *starts, *table;
+    Py_ssize_t count, width, n;
+    PyObject *flows; /* of each segment an integration, or None */
+} Segments;
+
+/* Evaluate coordinates and rates at a time; an integration counts no further than to its end. */
+static Fault segment_at(const Segments *segments, double time, double *q, double *v) {
+    Py_ssize_t n = segments->n, at = rank(segments->starts, segments->count, 1, time);
+    if (at > 0) at--;
+    PyObject *flow = PyTuple_GET_ITEM(segments->flows, at);
+    if (flow != Py_None) {
+        Integration *run = (Integration *)flow;
+        return sampled_at(run, lesser(time, run->time), q, v);
+    }
+    const double *row = segments->table + at * segments->width;
+    double since = time - segments->starts[at];
+    for (Py_ssize_t i = 0; i < n; i++) {
+        double gained = since * row[2 * n + i];
+        q[i] = row[i] + since * (row[n + i] + 0.5 * gained);
+        v[i] = row[n + i] + gained;
+    }
+    return OK;
+}
+
+static int check_flows(PyObject *flows, Py_ssize_t count, Py_ssize_t n) {
+    if (PyTuple_GET_SIZE(flows) != count || !count) {
+        PyErr_SetString(PyExc_ValueError, "each segment has an integration or None");
+        return -1;
+    }
+    for (Py_ssize_t i = 0; i < count; i++) {
+        PyObject *flow = PyTuple_GET_ITEM(flows, i);
+        if (flow == Py_None) continue;
+        if (Py_TYPE(flow) != IntegrationType || !((Integration *)flow)->count || ((Integration *)flow)->n != 2 * n) {
+            PyErr_SetString(PyExc_ValueError, "an integration has no steps, or another number of unknowns");
+            return -1;
+        }
+    }
+    return 0;
+}
+
+/* sample_segments(starts, table, flows, times, q, v): the motion at m instants, q and v (m, n). */
+PyObject *sample_segments(PyObject *module, PyObject *arguments) {
+    PyObject *objects[5], *flows;
+    Py_buffer views[5]; /* starts, table, times, q, v */
+    int got = 0;
+    Fault fault = NO_MEMORY;
+    (void)module;
+    if (!PyArg_ParseTuple(arguments, "OOO!OOO", objects, objects + 1, &PyTuple_Type, &flows, objects + 2, objects + 3,
+                          objects + 4))
+        return NULL;
+    for (; got < 5; got++) {
+        Py_ssize_t expected = got == 4 ? views[3].len / (Py_ssize_t)sizeof(double) : -1;
+        if (get_doubles(objects[got], views + got, expected, got > 2) < 0) goto done;
+    }
+    Py_ssize_t sizes[5];
+    for (int i = 0; i < 5; i++) sizes[i] = views[i].len / (Py_ssize_t)sizeof(double);
+    Py_ssize_t count = sizes[0], instants = sizes[2], n = instants ? sizes[3] / instants : 0;
+    Segments segments = {views[0].buf, views[1].buf, count, count ? sizes[1] / count : 0, n, flows};
+    if (sizes[3] != n * instants || sizes[1] != count * segments.width || segments.width < 3 * n) {
+        PyErr_SetString(PyExc_ValueError, "the arrays do not fit each other");
+        goto done;
+    }
+    if (instants && check_flows(flows, count, n) < 0) goto done;
+    fault = OK;
+    for (Py_ssize_t k = 0; !fault && k < instants; k++)
+        fault = segment_at(&segments, ((double *)views[2].buf)[k], (double *)views[3].buf + k * n,
+                           (double *)views[4].buf + k * n);
+    if (fault) raise_fault(fault);
+done:
+    while (got > 0) PyBuffer_Release(views + --got);
+    if (fault) return NULL;
+    Py_RETURN_NONE;
 }
 
 static Py_ssize_t integration_count(PyObject *object) { return ((Integration *)object)->count; }
