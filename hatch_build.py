@@ -13,7 +13,7 @@ from typing import Any
 
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
-ENGINE = "sim2reason/simulation/engines/exact"
+CORE = "sim2reason/simulation/engines/exact/core"
 SWITCH = "SIM2REASON_BUILD_NATIVE"
 # Without contraction to fused operations and without the compiler's own versions of libm, results are those of Python.
 FLAGS = ["-std=c99", "-O2", "-fno-fast-math", "-ffp-contract=off", "-fno-builtin", "-fvisibility=hidden", "-g0"]
@@ -28,10 +28,10 @@ class NativeCoreHook(BuildHookInterface[Any]):
         """Compile the core; an editable install gets it in the source tree, from which the package is imported."""
         if self.target_name != "wheel" or os.environ.get(SWITCH) == "0":
             return
-        engine = Path(self.root, "src", ENGINE)
+        sources = Path(self.root, "src", CORE)
         scratch = self._scratch = Path(tempfile.mkdtemp())
         try:
-            built = compiled(engine / "core", engine if version == "editable" else scratch / "built", scratch)
+            built = compiled(sources, sources if version == "editable" else scratch / "built", scratch)
         except (Exception, SystemExit) as error:  # setuptools has errors of many kinds
             if os.environ.get(SWITCH) == "1":
                 raise
@@ -40,7 +40,7 @@ class NativeCoreHook(BuildHookInterface[Any]):
         build_data["pure_python"] = False
         build_data["infer_tag"] = True
         if version != "editable":
-            build_data["force_include"][str(built)] = f"{ENGINE}/{built.name}"
+            build_data["force_include"][str(built)] = f"{CORE}/{built.name}"
 
     def finalize(self, version: str, build_data: dict[str, Any], artifact_path: str) -> None:
         """Remove what the compiler left."""

@@ -3,8 +3,8 @@
     python benchmarks/native.py [simulations] [--rounds N] [--scipy]
 
 Five systems: a pendulum, an elliptic orbit, a double pendulum, a scene of pulleys and a chain of carts that is struck.
-Each simulation is of another mechanism of the same shape and counts from a mechanism to its states at 101 instants, with
-accelerations and events. CPU time of processes turn about; of each system the best of all rounds.
+Each simulation is of another mechanism of the same shape and lasts from a mechanism to its states at 101 instants,
+with accelerations and events. CPU time of processes turn about; of each system the best of all rounds.
 
 SciPy's DOP853 integrates the same accelerations, as straight-line Python, with the reversals of coordinates as events,
 at the largest of its relative tolerances by which its error at the 101 instants is not above the engine's (or 1e-12).
@@ -108,8 +108,8 @@ def measured(count: int) -> dict[str, float]:
     return found | {PHASE: fixed_loop()}
 
 
-def in_a_process(native: bool, count: int) -> dict[str, float]:  # noqa: FBT001 - one of two
-    environment = os.environ | {"SIM2REASON_NATIVE": str(int(native)), "PYTHONPATH": path()}
+def in_a_process(switch: str, count: int) -> dict[str, float]:
+    environment = os.environ | {"SIM2REASON_NATIVE": switch, "PYTHONPATH": path()}
     command = [sys.executable, __file__, str(count), "--figures"]
     return json.loads(subprocess.run(command, env=environment, check=True, capture_output=True).stdout)
 
@@ -176,7 +176,7 @@ def main() -> None:
     if given.figures or given.compared:
         print(json.dumps(measured(given.count) if given.figures else {name: compared(name) for name in SYSTEMS}))
         return
-    rounds = [(in_a_process(True, given.count), in_a_process(False, given.count)) for _ in range(given.rounds)]
+    rounds = [(in_a_process("1", given.count), in_a_process("0", given.count)) for _ in range(given.rounds)]
     scipy = dict[str, tuple[float, float, float]]()
     if given.scipy:
         environment = os.environ | {"SIM2REASON_NATIVE": "0", "PYTHONPATH": path()}

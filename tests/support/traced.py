@@ -2,13 +2,14 @@
 
     python tests/support/traced.py FAMILY [FAMILY...] [--count N]
 
-A family is a recipe, of which scenes of all difficulties are drawn, or one of random mechanisms. Each motion is followed
-at two tolerances; its digest is of all samples, events, knots and the end, or of the error.
+A family is a recipe, of which scenes of all difficulties are drawn, or one of random mechanisms. Each motion is
+followed at two tolerances; its digest is of all samples, events, knots and the end, or of the error.
 """
 
 import argparse
 import hashlib
 import json
+import sys
 from collections.abc import Callable
 
 import numpy as np
@@ -72,7 +73,7 @@ def main() -> None:
             mechanism = RANDOM[family](index) if family in RANDOM else drawn(family, index)
             for tolerance in (FINEST, 1e-6):
                 found[f"{family} {index} {tolerance}"] = digest(mechanism, tolerance)
-    print(json.dumps(found))
+    sys.stdout.write(json.dumps(found))
 
 
 if __name__ == "__main__":

@@ -61,7 +61,7 @@ def test_motions_and_errors_are_among_what_is_compared(both: list[dict[str, obje
 
 
 def test_without_the_extension_python_is_used() -> None:
-    code = "import sys; sys.modules['sim2reason.simulation.engines.exact._core'] = None\n"
+    code = "import sys; sys.modules['sim2reason.simulation.engines.exact.core._core'] = None\n"
     code += "from sim2reason.simulation.engines.exact.native import uses_native_core; print(uses_native_core())"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "False"
@@ -105,7 +105,7 @@ def recorded(tape: Tape, operations: list[tuple[str, int, int]], constants: list
 def outcome(
     kind: type[Tape], operations: list[tuple[str, int, int]], constants: list[float], point: list[float]
 ) -> str:
-    """All that a tape of a kind makes of arithmetic, as text: the record, values at a point, and results or the error."""
+    """All that a kind of tape makes of arithmetic, as text: the record, values at a point, and results or the error."""
     tape = kind(["t", "a", "b"])
     try:
         numbers = recorded(tape, operations, constants)
@@ -195,7 +195,7 @@ def test_sizes_are_checked() -> None:
 def test_arrays_are_checked(times: np.ndarray, into: np.ndarray) -> None:
     run = flow_of(spinning()).steps
     with pytest.raises((ValueError, BufferError)):
-        run.sample(times, into)  # pyright: ignore
+        run.sample(times, into)
 
 
 @compiled

@@ -17,9 +17,12 @@ from sim2reason.simulation.engines.exact.linear import (
     RoughContact,
     Row,
     Solution,
+    Solved,
     dot,
     solve,
+    total,
 )
+from sim2reason.simulation.engines.exact.native import core
 from sim2reason.simulation.engines.exact.redundant_supports import admissible_forces
 
 TOLERANCE = 1e-10  # fraction of the largest load or velocity: values below count as zero
@@ -81,6 +84,8 @@ def _searched(problem: Problem, guess: ContactMode, *, lenient: bool) -> Solutio
     mode = linked(problem, guess)
     for _ in range(FLIPS):
         solution = evaluate(problem, mode)
+        if solution.consistent and solution.obeys and not lenient:
+            return solution
         flips = _flips(problem, solution, lenient=lenient)
         if solution.consistent and not flips.count():
             return solution
@@ -128,19 +133,18 @@ def evaluate(problem: Problem, mode: ContactMode) -> Solution:
     n = len(problem.force)
     active = [number for number, acts in enumerate(mode.acting) if acts]
     problem.budget.spend(EVALUATION + (n + len(active)) ** 3)
-    found = solve(_system(problem, mode, active, 0.0))
+    found, forces, obeys = _solved(problem, mode, active, 0.0)
     loose = any(any(abs(part) > TOLERANCE for part in null[:n]) for null in found.nulls)
     if loose:
         faint = ARTIFICIAL_MASS_RATIO * (
             max((row[number] for number, row in enumerate(problem.mass)), default=0.0) or 1.0
         )
-        found = solve(_system(problem, mode, active, faint))
+        found, forces, obeys = _solved(problem, mode, active, faint)
     x = found.x[:n]
-    forces = _forces(problem, mode, x, _spread(found.x[n:], active, len(mode.acting)), 1.0)
     spare = [
         _forces(problem, mode, [0.0] * n, _spread(null[n:], active, len(mode.acting)), 0.0) for null in found.nulls
     ]
-    solution = Solution(mode, x, forces, spare, loose, found.consistent)
+    solution = Solution(mode, x, forces, spare, loose, found.consistent, obeys)
     if not spare or loose or not found.consistent or not _flips(problem, solution).count():
         return solution
     problem.budget.spend(BEARING)
@@ -153,6 +157,16 @@ def evaluate(problem: Problem, mode: ContactMode) -> Solution:
     ]
     acting = _spread([*rows, *held], active, len(mode.acting))
     return Solution(mode, x, _forces(problem, mode, x, acting, 1.0), spare, loose)
+
+
+def _solved(problem: Problem, mode: ContactMode, active: list[int], faint: float) -> tuple[Solved, Forces, bool | None]:
+    """Return the solution of a mode's equations, its forces, and whether these obey the mode; None if not checked."""
+    if core is not None:
+        x, nulls, consistent, forces, obeys = core.evaluate_mode(problem, mode.acting, mode.rubbing, faint)
+        return Solved(x, nulls, consistent), Forces(*forces), obeys
+    found, n = solve(_system(problem, mode, active, faint)), len(problem.force)
+    acting = _spread(found.x[n:], active, len(mode.acting))
+    return found, _forces(problem, mode, found.x[:n], acting, 1.0), None
 
 
 def _extra(grip: RoughContact, side: int) -> bool:
@@ -204,7 +218,7 @@ def _forces(problem: Problem, mode: ContactMode, x: Row, multipliers: Row, load:
     acting, held = multipliers[:count], iter(multipliers[count:])
     pulls = [(value, row) for value, row in zip(acting, problem.rows, strict=True) if value != 0.0]
     normal = [
-        dot(mass, x) - load * press + sum(value * row.lift[i] for value, row in pulls)
+        dot(mass, x) - load * press + total(value * row.lift[i] for value, row in pulls)
         for i, (mass, press) in enumerate(zip(problem.lifted, problem.press, strict=True))
     ]
     friction: Row = []
@@ -216,7 +230,7 @@ def _forces(problem: Problem, mode: ContactMode, x: Row, multipliers: Row, load:
             friction.append(next(held))
         else:
             needed = dot(problem.mass[k], x) - load * problem.force[k]
-            friction.append(needed + sum(value * row.along[k] for value, row in pulls))
+            friction.append(needed + total(value * row.along[k] for value, row in pulls))
     return Forces(acting, friction, normal)
 
 

@@ -293,4 +293,3 @@ def sampled(flow: Flow, times: Array) -> Array:
             found = np.broadcast_to(found, (len(times), found.shape[1])).copy()
             found[inside] = linear.modes.at(times[inside])
     return found
-

@@ -1,8 +1,10 @@
 """Small linear systems that may be singular, and the linear complementarity problem of forces at one instant."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
+from functools import reduce
 from math import inf
-from operator import mul
+from operator import add, mul
 from typing import NamedTuple
 
 from sim2reason.scenes.dsl.vectors import Number
@@ -25,7 +27,12 @@ class Solved:
 
 def dot(a: Row, b: Row) -> float:
     """Return the scalar product of two rows; the shorter row determines the number of terms."""
-    return sum(map(mul, a, b))
+    return reduce(add, map(mul, a, b), 0.0)
+
+
+def total(values: Iterable[float]) -> float:
+    """Return the sum of numbers from left to right; `sum` compensates rounding from Python 3.12 on."""
+    return reduce(add, values, 0.0)
 
 
 def solve(rows: list[Row]) -> Solved:
@@ -183,6 +190,7 @@ class Solution:
     spare: list[Forces]
     loose: bool  # whether nothing holds some massless part, so that its x is meaningless
     consistent: bool = True
+    obeys: bool | None = None  # whether the forces obey the inequalities of the mode; None if not checked
 
 
 Equation = list[Number]  # coefficients, the right side last

@@ -21,7 +21,7 @@ from sim2reason.simulation.engines.exact.native_flow import NativeFlow
 from sim2reason.simulation.trace import EVENT_KINDS, Event, in_order
 
 if TYPE_CHECKING:
-    from sim2reason.simulation.engines.exact._core import Integration
+    from sim2reason.simulation.engines.exact.core import _core
 
 CROWD = 5e-3  # s; repeated impacts of one body, or jerks of one string, within this time end the motion
 DUPLICATE_WINDOW = 8  # latest events that are compared to avoid duplicates
@@ -206,14 +206,14 @@ class Motion:
                 yield segment, segment.flow, at == number
 
     @cached_property
-    def _integrations(self) -> "tuple[Integration | None, ...] | None":
-        """Return the native integration of each segment, None for closed forms; None if Python has part of the motion."""
-        found = list["Integration | None"]()
+    def _integrations(self) -> "tuple[_core.Integration | None, ...] | None":
+        """Return the native integration of each segment, None for closed forms; None if Python integrated a part."""
+        found = list["_core.Integration | None"]()
         for segment in self.segments:
             run = segment.flow.integration if isinstance(segment.flow, NativeFlow) else None
             if run is None and segment.flow is not None and segment.flow.moves:
                 return None
-            found.append(run if run else None)
+            found.append(run or None)
         return None if core is None else tuple(found)
 
     def _kinematics(self, times: Array) -> tuple[Array, Array]:

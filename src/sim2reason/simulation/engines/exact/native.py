@@ -15,7 +15,7 @@ SWITCH = "SIM2REASON_NATIVE"  # environment variable; 0 selects Python
 core = None
 if os.environ.get(SWITCH) != "0":
     try:
-        from sim2reason.simulation.engines.exact import _core as core
+        from sim2reason.simulation.engines.exact.core import _core as core
     except ImportError:  # installed without a compiler
         core = None
     else:

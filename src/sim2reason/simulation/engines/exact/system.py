@@ -16,7 +16,7 @@ from sim2reason.scenes.dsl.vectors import Distance, Number, Triple, dot, minus
 from sim2reason.simulation.budget import Budget
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.lengths import RowKind, RowTerms, SwitchState, row_kinds
-from sim2reason.simulation.engines.exact.linear import Gradient, RoughContact, Row, gradient, solve
+from sim2reason.simulation.engines.exact.linear import Gradient, RoughContact, Row, gradient, solve, total
 
 TOUCHING = 1e-9  # m; lengths with a smaller difference are equal
 
@@ -49,7 +49,7 @@ class Near:
 
     def second(self, a: Row) -> float:
         """Return the second derivative of the gap, m/s²."""
-        return self.bias + sum(part * a[number] for number, part in self.along.items())
+        return self.bias + total(part * a[number] for number, part in self.along.items())
 
     def closing(self, size: int, count: int) -> Gradient:
         """Return the negative gradient of the gap over all coordinates and contacts."""

@@ -43,6 +43,9 @@ int read_doubles(PyObject *sequence, double *into, Py_ssize_t count);
 /* Return a tuple of floats. */
 PyObject *tuple_of(const double *values, Py_ssize_t count);
 
+/* Return a list of floats. */
+PyObject *list_of(const double *values, Py_ssize_t count);
+
 /* Get a C-contiguous buffer of exactly `count` doubles; -1 and an exception otherwise. */
 int get_doubles(PyObject *object, Py_buffer *view, Py_ssize_t count, int writable);
 
@@ -165,10 +168,35 @@ Fault first_crossing(Function function, void *context, const double *values, int
 
 extern const double ARMED;
 
-/* ---- integration.c and linear.c */
+/* ---- linear.c: small systems that may be singular */
+
+/* `count` rows of `size` coefficients, the right side and its scale, with the solution and the free unknowns. */
+typedef struct {
+    Py_ssize_t size, count, width, pivots, frees;
+    double *cells, *x;
+    Py_ssize_t *pivot_row, *pivot_column, *free;
+    char *used;
+    int consistent;
+} System;
+
+/* Allocate a system; -1 and an exception if that fails. In any case it is to be freed. */
+int system_allocate(System *system, Py_ssize_t count, Py_ssize_t size);
+void system_free(System *system);
+
+/* Solve a system whose rows (coefficients, then the right side) are set. */
+void system_solve(System *system);
+
+/* Return the null vectors of a solved system. */
+PyObject *system_nulls(const System *system);
+
+double dot(const double *one, const double *other, Py_ssize_t count);
+
+/* ---- integration.c, linear.c and contact.c */
 
 int add_integration_type(PyObject *module);
 PyObject *sample_segments(PyObject *module, PyObject *arguments);
 PyObject *solve(PyObject *module, PyObject *rows);
+PyObject *evaluate_mode(PyObject *module, PyObject *arguments);
+int intern_names(void);
 
 #endif

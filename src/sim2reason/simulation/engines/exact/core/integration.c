@@ -704,7 +704,7 @@ static PyType_Slot integration_slots[] = {
 };
 
 static PyType_Spec integration_spec = {
-    "sim2reason.simulation.engines.exact._core.Integration", sizeof(Integration), 0, Py_TPFLAGS_DEFAULT,
+    "sim2reason.simulation.engines.exact.core._core.Integration", sizeof(Integration), 0, Py_TPFLAGS_DEFAULT,
     integration_slots,
 };
 
@@ -713,7 +713,7 @@ static PyStructSequence_Field step_fields[] = {
 };
 
 static PyStructSequence_Desc step_description = {
-    "sim2reason.simulation.engines.exact._core.Step", "One integrator step.", step_fields, 4,
+    "sim2reason.simulation.engines.exact.core._core.Step", "One integrator step.", step_fields, 4,
 };
 
 int add_integration_type(PyObject *module) {

@@ -88,6 +88,16 @@ PyObject *tuple_of(const double *values, Py_ssize_t count) {
     return found;
 }
 
+PyObject *list_of(const double *values, Py_ssize_t count) {
+    PyObject *found = PyList_New(count);
+    for (Py_ssize_t i = 0; found && i < count; i++) {
+        PyObject *item = PyFloat_FromDouble(values[i]);
+        if (!item) Py_CLEAR(found);
+        else PyList_SET_ITEM(found, i, item);
+    }
+    return found;
+}
+
 int get_doubles(PyObject *object, Py_buffer *view, Py_ssize_t count, int writable) {
     int flags = PyBUF_C_CONTIGUOUS | PyBUF_FORMAT | (writable ? PyBUF_WRITABLE : 0);
     if (PyObject_GetBuffer(object, view, flags) < 0) return -1;
@@ -102,6 +112,7 @@ int get_doubles(PyObject *object, Py_buffer *view, Py_ssize_t count, int writabl
 static PyMethodDef functions[] = {
     {"set_coefficients", set_coefficients, METH_VARARGS, NULL},
     {"sample_segments", sample_segments, METH_VARARGS, NULL},
+    {"evaluate_mode", evaluate_mode, METH_VARARGS, NULL},
     {"solve", solve, METH_O, NULL},
     {NULL, NULL, 0, NULL},
 };
@@ -113,7 +124,7 @@ static struct PyModuleDef definition = {
 PyMODINIT_FUNC PyInit__core(void) {
     PyObject *module = PyModule_Create(&definition);
     if (!module) return NULL;
-    if (add_tape_types(module) < 0 || add_program_type(module) < 0 || add_integration_type(module) < 0)
+    if (intern_names() < 0 || add_tape_types(module) < 0 || add_program_type(module) < 0 || add_integration_type(module) < 0)
         Py_CLEAR(module);
     return module;
 }

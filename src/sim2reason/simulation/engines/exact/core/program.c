@@ -330,7 +330,7 @@ static PyType_Slot program_slots[] = {
 };
 
 static PyType_Spec program_spec = {
-    "sim2reason.simulation.engines.exact._core.Program", sizeof(Program), 0,
+    "sim2reason.simulation.engines.exact.core._core.Program", sizeof(Program), 0,
     Py_TPFLAGS_DEFAULT | Py_TPFLAGS_DISALLOW_INSTANTIATION, program_slots,
 };
 

@@ -287,7 +287,7 @@ static PyType_Slot symbol_slots[] = {
 };
 
 static PyType_Spec symbol_spec = {
-    "sim2reason.simulation.engines.exact._core.Symbol", sizeof(Symbol), 0, Py_TPFLAGS_DEFAULT, symbol_slots,
+    "sim2reason.simulation.engines.exact.core._core.Symbol", sizeof(Symbol), 0, Py_TPFLAGS_DEFAULT, symbol_slots,
 };
 
 /* ---- the tape */
@@ -452,7 +452,7 @@ static PyType_Slot tape_slots[] = {
 };
 
 static PyType_Spec tape_spec = {
-    "sim2reason.simulation.engines.exact._core.Tape", sizeof(Tape), 0, Py_TPFLAGS_DEFAULT | Py_TPFLAGS_BASETYPE,
+    "sim2reason.simulation.engines.exact.core._core.Tape", sizeof(Tape), 0, Py_TPFLAGS_DEFAULT | Py_TPFLAGS_BASETYPE,
     tape_slots,
 };
 
