@@ -6,6 +6,7 @@ import math
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -19,7 +20,7 @@ from sim2reason.scenes.dsl.mechanism import Mechanism, X, Y
 from sim2reason.scenes.dsl.vectors import Number
 from sim2reason.simulation.engines.exact import motion
 from sim2reason.simulation.engines.exact.flow import Flow
-from sim2reason.simulation.engines.exact.linear import eliminated
+from sim2reason.simulation.engines.exact.linear import Problem, RoughContact, eliminated, gradient
 from sim2reason.simulation.engines.exact.native import core
 from sim2reason.simulation.engines.exact.tape import PlainTape, Tape
 from traced import RANDOM
@@ -227,6 +228,27 @@ def test_segments_are_checked() -> None:
         core.sample_segments(np.zeros(1), np.zeros((1, 2)), (None,), times, q, q.copy())
     with pytest.raises(ValueError, match="fit"):
         core.sample_segments(np.zeros(1), np.zeros((1, 9)), (None,), times, np.zeros((3, 1)), np.zeros((3, 1)))
+
+
+@compiled
+def test_problems_are_checked() -> None:
+    assert core is not None
+    row, grip = gradient([1.0], [0.5]), RoughContact(0, gradient([1.0], [0.0]), 0.3, 0)
+    given = ([[2.0]], [[0.1]], [1.0], [3.0], (row,), [0.0], (grip,), (0,), (False,), (-1,), ())
+    sound = Problem(*given)
+    assert len(core.evaluate_mode(sound, (True,), (0,), 0.0)[0]) == 2
+    for wrong, mode in [
+        (sound, ((True, True), (0,))),
+        (sound, ((True,), ())),
+        (replace(sound, mass=[[2.0], [1.0]]), ((True,), (0,))),
+        (replace(sound, mass=[[2.0, 1.0]]), ((True,), (0,))),
+        (replace(sound, lifted=[]), ((True,), (0,))),
+        (replace(sound, rows=(gradient([1.0, 2.0], [0.0]),)), ((True,), (0,))),
+        (replace(sound, grips=(replace(grip, contact=1),)), ((True,), (0,))),
+        (replace(sound, grips=(replace(grip, coordinate=-2),)), ((True,), (0,))),
+    ]:
+        with pytest.raises((ValueError, IndexError)):
+            core.evaluate_mode(wrong, *mode, 0.0)
 
 
 @compiled
