@@ -19,9 +19,10 @@ from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.mechanism import Mechanism, X, Y
 from sim2reason.scenes.dsl.vectors import Number
 from sim2reason.simulation.engines.exact import motion
+from sim2reason.simulation.engines.exact.dop853_table import DENSE, ERROR_3, ERROR_5, NODES, STAGES
 from sim2reason.simulation.engines.exact.flow import Flow
 from sim2reason.simulation.engines.exact.linear import Problem, RoughContact, eliminated, gradient
-from sim2reason.simulation.engines.exact.native import core
+from sim2reason.simulation.engines.exact.native import API, core
 from sim2reason.simulation.engines.exact.tape import PlainTape, Tape
 from traced import RANDOM
 
@@ -66,6 +67,14 @@ def test_without_the_extension_python_is_used() -> None:
     code += "from sim2reason.simulation.engines.exact.native import uses_native_core; print(uses_native_core())"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "False"
+
+
+@compiled
+def test_an_extension_of_another_version_is_not_used() -> None:
+    assert core is not None
+    with pytest.raises(ImportError, match="another version"):
+        core.set_up(0, NODES, STAGES, ERROR_5, ERROR_3, DENSE)
+    core.set_up(API, NODES, STAGES, ERROR_5, ERROR_3, DENSE)
 
 
 # ---- parts

@@ -78,7 +78,8 @@ class Integration:
     def sample(self, times: Array, into: Array, /) -> None: ...
     def times(self) -> list[float]: ...
 
-def set_coefficients(
+def set_up(
+    api: int,
     nodes: tuple[float, ...],
     stages: tuple[Mapping[int, float], ...],
     fifth: Mapping[int, float],

@@ -214,7 +214,7 @@ static void set_row(System *system, Py_ssize_t at, const double *along, Py_ssize
     row[system->size] = right;
 }
 
-static void set_up(const Contacts *self, System *system, double faint) {
+static void set_equations(const Contacts *self, System *system, double faint) {
     Py_ssize_t n = self->n;
     for (Py_ssize_t k = 0; k < n; k++) {
         double *row = system->cells + k * system->width;
@@ -327,7 +327,7 @@ PyObject *evaluate_mode(PyObject *module, PyObject *arguments) {
     if (read_problem(&self, problem, acting, rubbing) == 0) {
         Py_ssize_t size = self.n + self.active + self.extra;
         if (system_allocate(&system, size, size) == 0) {
-            set_up(&self, &system, faint);
+            set_equations(&self, &system, faint);
             system_solve(&system);
             memcpy(self.x, system.x, sizeof(double) * (size_t)size);
             set_forces(&self);

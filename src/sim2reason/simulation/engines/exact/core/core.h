@@ -125,8 +125,8 @@ typedef struct {
     int *dense;                                /* whether the polynomial is known */
 } Step;
 
-/* Store the coefficients of the method: nodes, stages, both error estimates and dense output. */
-PyObject *set_coefficients(PyObject *module, PyObject *arguments);
+/* Check the API and store the coefficients of the method: nodes, stages, both error estimates and dense output. */
+PyObject *set_up(PyObject *module, PyObject *arguments);
 int has_coefficients(void);
 
 /* Attempt a step; `step` has its time, length, values and first rates. `room` has space for (STAGES, n) doubles. */

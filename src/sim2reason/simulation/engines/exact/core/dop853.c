@@ -1,6 +1,7 @@
 /* One step of the method of Dormand and Prince, its error and its dense output; see dop853.py and motion_scale. */
 #include "core.h"
 
+#define API 1 /* the same as in native.py; another one with every change of what the core does */
 #define ORDER 8
 #define SAFETY 0.9
 #define MIN_STEP_RATIO 0.2
@@ -54,13 +55,18 @@ static int read_rows(PyObject *rows, Weights *weights, Py_ssize_t count, long li
     return 0;
 }
 
-PyObject *set_coefficients(PyObject *module, PyObject *arguments) {
+PyObject *set_up(PyObject *module, PyObject *arguments) {
     PyObject *nodes, *stages, *fifth, *third, *dense;
+    int api;
     (void)module;
     table.known = 0;
-    if (!PyArg_ParseTuple(arguments, "O!O!OOO!", &PyTuple_Type, &nodes, &PyTuple_Type, &stages, &fifth, &third,
+    if (!PyArg_ParseTuple(arguments, "iO!O!OOO!", &api, &PyTuple_Type, &nodes, &PyTuple_Type, &stages, &fifth, &third,
                           &PyTuple_Type, &dense))
         return NULL;
+    if (api != API) {
+        PyErr_SetString(PyExc_ImportError, "the native core is of another version: install the package again");
+        return NULL;
+    }
     if (read_doubles(nodes, table.node, STAGES) < 0 || read_rows(stages, table.stage, STAGES - 1, 0, 1) < 0 ||
         read_weights(fifth, &table.fifth, LAST) < 0 || read_weights(third, &table.third, LAST) < 0 ||
         read_rows(dense, table.dense, COEFFICIENTS - 3, STAGES, 0) < 0)

@@ -110,7 +110,7 @@ int get_doubles(PyObject *object, Py_buffer *view, Py_ssize_t count, int writabl
 }
 
 static PyMethodDef functions[] = {
-    {"set_coefficients", set_coefficients, METH_VARARGS, NULL},
+    {"set_up", set_up, METH_VARARGS, NULL},
     {"sample_segments", sample_segments, METH_VARARGS, NULL},
     {"evaluate_mode", evaluate_mode, METH_VARARGS, NULL},
     {"solve", solve, METH_O, NULL},
