@@ -21,9 +21,15 @@ from sim2reason.scenes.dsl.vectors import Number
 from sim2reason.simulation.engines.exact import motion
 from sim2reason.simulation.engines.exact.dop853_table import DENSE, ERROR_3, ERROR_5, NODES, STAGES
 from sim2reason.simulation.engines.exact.flow import Flow
-from sim2reason.simulation.engines.exact.linear import Problem, RoughContact, eliminated, gradient
+from sim2reason.simulation.engines.exact.linear import (
+    Problem,
+    RoughContact,
+    eliminated,
+    eliminated_symbols,
+    gradient,
+)
 from sim2reason.simulation.engines.exact.native import API, core
-from sim2reason.simulation.engines.exact.tape import PlainTape, Tape
+from sim2reason.simulation.engines.exact.tape import PlainTape, Tape, value_of
 from traced import RANDOM
 
 SUPPORT = Path(__file__).parents[3] / "support"
@@ -154,6 +160,35 @@ def test_elimination_is_the_same_also_for_singular_systems(data: st.DataObject, 
         rows[-1] = [2.0 * entry for entry in rows[0]]
     plain = eliminated([list(row) for row in rows])
     assert repr(core.solve(rows)) == repr((plain.x, plain.nulls, plain.consistent))
+
+
+def eliminated_on(kind: type[Tape], matrix: list[list[float]]) -> str:
+    """Elimination on the symbols of a kind of tape, as text: the record with all values."""
+    tape = kind(["t"])
+    tape.stand([0.7])
+    t = tape.inputs["t"]
+    equations = [[entry * t if 0.1 < abs(entry) < 1.0 else entry for entry in row] for row in matrix]
+    solve = core.solve_symbols if kind is Tape and core is not None else eliminated_symbols
+    found, free, pivots = solve(equations)
+    told = [[getattr(n, "id", n), value_of(n)] for n in [*found, *(n for _, f in free for n in f), *pivots]]
+    return repr([tape.nodes, tape.constants, told, [column for column, _ in free]])
+
+
+@compiled
+@given(data=st.data(), count=st.integers(1, 5), size=st.integers(1, 5))
+def test_elimination_on_symbols_records_the_same(data: st.DataObject, count: int, size: int) -> None:
+    matrix = [data.draw(st.lists(ENTRIES, min_size=size + 1, max_size=size + 1)) for _ in range(count)]
+    assert eliminated_on(Tape, matrix) == eliminated_on(PlainTape, matrix)
+
+
+@compiled
+def test_equations_are_checked() -> None:
+    assert core is not None
+    for wrong in ([], [[]], [[1.0, 2.0], [1.0]]):
+        with pytest.raises(ValueError, match="equations"):
+            core.solve_symbols(wrong)
+    with pytest.raises(TypeError):
+        core.solve_symbols([["x", 1.0]])
 
 
 def spinning() -> Mechanism:

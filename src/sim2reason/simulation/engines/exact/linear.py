@@ -218,6 +218,20 @@ def solve_symbolic(equations: list[Equation], size: int, active: list[int], stic
 
     An unknown that redundant constraints leave undetermined is zero.
     """
+    solve = core.solve_symbols if core is not None and equations else eliminated_symbols
+    found, free, pivots = solve(equations)
+    rows, friction = _named(found, size, active, sticking)
+    spare = tuple(FreeForces(*_named(numbers, size, active, sticking)) for column, numbers in free if column >= size)
+    return Unknowns(found[:size], rows, friction, pivots, spare)
+
+
+def eliminated_symbols(
+    equations: list[Equation],
+) -> tuple[list[Number], list[tuple[int, list[Number]]], list[Number]]:
+    """Return all unknowns, the unknowns for each free one, with its index, if that is 1, and the pivots.
+
+    The equations are modified.
+    """
     width = len(equations[0]) - 1 if equations else 0
     scales = [max((abs(value_of(entry)) for entry in row[:width]), default=0.0) or 1.0 for row in equations]
     pending = list(zip(equations, scales, strict=True))
@@ -233,11 +247,11 @@ def solve_symbolic(equations: list[Equation], size: int, active: list[int], stic
             _reduce(row, best[0], column)
         solved.append((column, best[0]))
     found = _symbols_substituted(solved, [0.0] * width, load=True)
-    free = [_symbols_substituted(solved, [float(i == column) for i in range(width)], load=False) for column in left]
-    free = [numbers for column, numbers in zip(left, free, strict=True) if column >= size]
-    rows, friction = _named(found, size, active, sticking)
-    spare = tuple(FreeForces(*_named(numbers, size, active, sticking)) for numbers in free)
-    return Unknowns(found[:size], rows, friction, [row[column] for column, row in solved], spare)
+    free = [
+        (column, _symbols_substituted(solved, [float(i == column) for i in range(width)], load=False))
+        for column in left
+    ]
+    return found, free, [row[column] for column, row in solved]
 
 
 def _symbols_substituted(solved: list[tuple[int, Equation]], found: list[Number], *, load: bool) -> list[Number]:

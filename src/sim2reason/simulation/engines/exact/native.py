@@ -11,7 +11,7 @@ import os
 from sim2reason.simulation.engines.exact.dop853_table import DENSE, ERROR_3, ERROR_5, NODES, STAGES
 
 SWITCH = "SIM2REASON_NATIVE"  # environment variable; 0 selects Python
-API = 1  # the same as in core/dop853.c; an extension left by an earlier version is not used
+API = 2  # the same as in core/dop853.c; an extension left by an earlier version is not used
 
 core = None
 if os.environ.get(SWITCH) != "0":

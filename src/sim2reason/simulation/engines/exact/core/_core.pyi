@@ -87,6 +87,9 @@ def set_up(
     dense: tuple[Mapping[int, float], ...],
     /,
 ) -> None: ...
+def solve_symbols(
+    equations: Sequence[Sequence[Number]], /
+) -> tuple[list[Number], list[tuple[int, list[Number]]], list[Number]]: ...
 def solve(rows: Sequence[Sequence[float]], /) -> tuple[list[float], list[list[float]], bool]: ...
 def sample_segments(
     starts: Array, table: Array, flows: tuple[Integration | None, ...], times: Array, q: Array, v: Array, /

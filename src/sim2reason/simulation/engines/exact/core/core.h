@@ -191,11 +191,12 @@ PyObject *system_nulls(const System *system);
 
 double dot(const double *one, const double *other, Py_ssize_t count);
 
-/* ---- integration.c, linear.c and contact.c */
+/* ---- what Python calls beside methods */
 
 int add_integration_type(PyObject *module);
 PyObject *sample_segments(PyObject *module, PyObject *arguments);
 PyObject *solve(PyObject *module, PyObject *rows);
+PyObject *solve_symbols(PyObject *module, PyObject *equations);
 PyObject *evaluate_mode(PyObject *module, PyObject *arguments);
 int intern_names(void);
 

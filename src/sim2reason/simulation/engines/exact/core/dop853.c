@@ -1,7 +1,7 @@
 /* One step of the method of Dormand and Prince, its error and its dense output; see dop853.py and motion_scale. */
 #include "core.h"
 
-#define API 1 /* the same as in native.py; another one with every change of what the core does */
+#define API 2 /* the same as in native.py; another one with every change of what the core does */
 #define ORDER 8
 #define SAFETY 0.9
 #define MIN_STEP_RATIO 0.2

@@ -113,6 +113,7 @@ static PyMethodDef functions[] = {
     {"set_up", set_up, METH_VARARGS, NULL},
     {"sample_segments", sample_segments, METH_VARARGS, NULL},
     {"evaluate_mode", evaluate_mode, METH_VARARGS, NULL},
+    {"solve_symbols", solve_symbols, METH_O, NULL},
     {"solve", solve, METH_O, NULL},
     {NULL, NULL, 0, NULL},
 };
