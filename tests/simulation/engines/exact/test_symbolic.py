@@ -27,7 +27,6 @@ def recorded(matrix: np.ndarray) -> tuple[Tape, list[list[Number]]]:
     tape = Tape(["t"])
     tape.stand([1.0])
     t = tape.inputs["t"]
-    tape.values[t.id] = 1.0
     return tape, [[float(entry) * t if entry else 0.0 for entry in row] for row in matrix.tolist()]
 
 

@@ -11,9 +11,10 @@ from hypothesis import strategies as st
 
 from sim2reason.scenes.dsl.vectors import Maths, Number
 from sim2reason.simulation.engines.exact import tape as module
-from sim2reason.simulation.engines.exact.tape import Symbol, Tape, value_of
+from sim2reason.simulation.engines.exact.tape import PlainSymbol, PlainTape, Symbol, Tape, value_of
 
 Formula = Callable[[list[Number], Maths], Number]
+TAPES = pytest.mark.parametrize("kind", [Tape, PlainTape])  # the native one, where it is compiled, and Python's
 VALUES = st.floats(-3.0, 3.0)
 LEAF: st.SearchStrategy[Formula] = st.one_of(
     st.integers(0, 2).map(lambda i: lambda x, _: x[i]),
@@ -36,15 +37,18 @@ def _more(parts: st.SearchStrategy[Formula]) -> st.SearchStrategy[Formula]:
 FORMULAS = st.recursive(LEAF, _more, max_leaves=30)
 
 
-def recorded(formulas: list[Formula]) -> tuple[Tape, list[Number]]:
-    tape = Tape(["t", "a", "b"])
+def recorded(formulas: list[Formula], kind: type[Tape] = Tape) -> tuple[Tape, list[Number]]:
+    tape = kind(["t", "a", "b"])
     inputs: list[Any] = list(tape.inputs.values())
     return tape, [formula(inputs, tape) for formula in formulas]
 
 
+@TAPES
 @given(formulas=st.lists(FORMULAS, min_size=1, max_size=4), point=st.tuples(VALUES, VALUES, VALUES))
-def test_code_values_and_plain_arithmetic_are_one(formulas: list[Formula], point: tuple[float, float, float]) -> None:
-    tape, outputs = recorded(formulas)
+def test_code_values_and_plain_arithmetic_are_one(
+    kind: type[Tape], formulas: list[Formula], point: tuple[float, float, float]
+) -> None:
+    tape, outputs = recorded(formulas, kind)
     wanted = [formula(list(point), math) for formula in formulas]
     assert tape.code(outputs)(math)(point[0], point[1:]) == pytest.approx(wanted, rel=1e-12, abs=1e-12)
     tape.stand(point)
@@ -54,16 +58,18 @@ def test_code_values_and_plain_arithmetic_are_one(formulas: list[Formula], point
         assert np.broadcast_to(found, 2) == pytest.approx(value, rel=1e-12, abs=1e-12)
 
 
-def test_what_is_computed_twice_is_kept_once() -> None:
-    tape = Tape(["t", "a"])
+@TAPES
+def test_what_is_computed_twice_is_kept_once(kind: type[Tape]) -> None:
+    tape = kind(["t", "a"])
     t, a = tape.inputs.values()
     before = len(tape.nodes)
     assert ((t + a) * tape.sin(t + a)).id == (tape.sin(a + t) * (a + t)).id
     assert len(tape.nodes) == before + 3
 
 
-def test_zero_and_one_leave_no_trace() -> None:
-    tape = Tape(["t"])
+@TAPES
+def test_zero_and_one_leave_no_trace(kind: type[Tape]) -> None:
+    tape = kind(["t"])
     t = tape.inputs["t"]
     assert t + 0.0 is t
     assert t * 1.0 is t
@@ -80,16 +86,18 @@ def test_numbers_are_no_part_of_the_code(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setattr(module, "compiled", lambda *a: texts.append(tuple(map(str, a))) or compiled(*a))
     for number in (3.7, 4.1):
         tape, outputs = recorded(
-            [lambda x, m, c=number: m.sin(m.cos(c * x[1])) + 2.0 * x[0], lambda *_, c=number: c + 1.0]
+            [lambda x, m, c=number: m.sin(m.cos(c * x[1])) + 2.0 * x[0], lambda *_, c=number: c + 1.0],
+            PlainTape,
         )
         found = tape.code(outputs)(math)(0.5, (0.3, 0.0))
         assert found == pytest.approx((math.sin(math.cos(number * 0.3)) + 1.0, number + 1.0))
     assert len(texts) == 1
 
 
-def test_equal_numbers_are_another_shape() -> None:
+@TAPES
+def test_equal_numbers_are_another_shape(kind: type[Tape]) -> None:
     for scale, bound in ((3.7, 4.1), (3.7, 3.7), (1.0, 3.7), (3.7, 1.0)):
-        tape = Tape(["t"])
+        tape = kind(["t"])
         t = tape.inputs["t"]
         code = tape.code([scale * t, bound], [(t, bound)])(math)
         assert code(5.0, ()) == (scale * 5.0, bound)
@@ -97,8 +105,9 @@ def test_equal_numbers_are_another_shape() -> None:
             code(0.9 * bound, ())
 
 
-def test_a_pivot_that_shrinks_is_lost() -> None:
-    tape = Tape(["t"])
+@TAPES
+def test_a_pivot_that_shrinks_is_lost(kind: type[Tape]) -> None:
+    tape = kind(["t"])
     t = tape.inputs["t"]
     code = tape.code([1.0 / t], [(t, 0.1)])(math)
     assert code(0.2, ()) == (5.0,)
@@ -106,17 +115,19 @@ def test_a_pivot_that_shrinks_is_lost() -> None:
         code(0.05, ())
 
 
-def test_what_has_no_value_at_a_point_is_nan_there() -> None:
-    tape = Tape(["t"])
+@TAPES
+def test_what_has_no_value_at_a_point_is_nan_there(kind: type[Tape]) -> None:
+    tape = kind(["t"])
     t = tape.inputs["t"]
     outputs = [1.0 / t, tape.sqrt(t - 1.0)]
     tape.stand([0.0])
-    assert all(isinstance(out, Symbol) and math.isnan(out.value) for out in outputs)
+    assert all(isinstance(out, (Symbol, PlainSymbol)) and math.isnan(out.value) for out in outputs)
 
 
-def test_deep_brackets_become_lines() -> None:
+@TAPES
+def test_deep_brackets_become_lines(kind: type[Tape]) -> None:
     """The parser of Python gives up on a hundred levels of brackets."""
-    tape = Tape(["t"])
+    tape = kind(["t"])
     total: Number = tape.inputs["t"]
     for number in range(300):
         total = tape.sin(total) + 0.01 * number

@@ -17,9 +17,12 @@ from sim2reason.simulation.engines.exact.linear import (
     RoughContact,
     Row,
     Solution,
+    Solved,
     dot,
     solve,
+    total,
 )
+from sim2reason.simulation.engines.exact.native import core
 from sim2reason.simulation.engines.exact.redundant_supports import admissible_forces
 
 TOLERANCE = 1e-10  # fraction of the largest load or velocity: values below count as zero
@@ -70,27 +73,29 @@ def search(problem: Problem, guess: ContactMode) -> Solution:
     Raises:
         NoForcesError: no mode is consistent, as can happen with strong friction.
     """
-    found = _searched(problem, guess, lenient=False) or _searched(problem, guess, lenient=True)
-    if found is None:
+    solution = _searched(problem, guess, lenient=False) or _searched(problem, guess, lenient=True)
+    if solution is None:
         raise NoForcesError("no forces are consistent with the strings and rough contacts")
-    return found
+    return solution
 
 
 def _searched(problem: Problem, guess: ContactMode, *, lenient: bool) -> Solution | None:
-    tried: set[ContactMode] = set()
+    attempted: set[ContactMode] = set()
     mode = linked(problem, guess)
     for _ in range(FLIPS):
         solution = evaluate(problem, mode)
+        if solution.consistent and solution.obeys and not lenient:
+            return solution
         flips = _flips(problem, solution, lenient=lenient)
         if solution.consistent and not flips.count():
             return solution
-        tried.add(mode)
+        attempted.add(mode)
         candidates = (linked(problem, each.apply(mode)) for each in (flips, *flips.each()))
-        fresh = next((candidate for candidate in candidates if candidate not in tried), None)
+        fresh = next((candidate for candidate in candidates if candidate not in attempted), None)
         if fresh is None:
             break
         mode = fresh
-    return _exhausted(problem, tried, lenient=lenient)
+    return _exhausted(problem, attempted, lenient=lenient)
 
 
 def linked(problem: Problem, mode: ContactMode) -> ContactMode:
@@ -103,9 +108,9 @@ def linked(problem: Problem, mode: ContactMode) -> ContactMode:
     return ContactMode(tuple(acting), mode.rubbing)
 
 
-def _exhausted(problem: Problem, tried: set[ContactMode], *, lenient: bool) -> Solution | None:
+def _exhausted(problem: Problem, attempted: set[ContactMode], *, lenient: bool) -> Solution | None:
     """Return the first consistent solution among all untried contact modes; None if none or if there are too many."""
-    choices: list[tuple[int, ...]] = [(True,) if held else (True, False) for held in problem.held]
+    choices: list[tuple[int, ...]] = [(True,) if two_sided else (True, False) for two_sided in problem.held]
     choices += [
         (0,) if grip.never else (side,) if side else (0, 1, -1)
         for grip, side in zip(problem.grips, problem.sliding, strict=True)
@@ -115,7 +120,7 @@ def _exhausted(problem: Problem, tried: set[ContactMode], *, lenient: bool) -> S
     for choice in product(*choices):
         acting, rubbing = choice[: len(problem.rows)], choice[len(problem.rows) :]
         mode = linked(problem, ContactMode(tuple(map(bool, acting)), tuple(rubbing)))
-        if mode in tried:
+        if mode in attempted:
             continue
         solution = evaluate(problem, mode)
         if solution.consistent and not _flips(problem, solution, lenient=lenient).count():
@@ -128,31 +133,41 @@ def evaluate(problem: Problem, mode: ContactMode) -> Solution:
     n = len(problem.force)
     active = [number for number, acts in enumerate(mode.acting) if acts]
     problem.budget.spend(EVALUATION + (n + len(active)) ** 3)
-    found = solve(_system(problem, mode, active, 0.0))
-    loose = any(any(abs(part) > TOLERANCE for part in null[:n]) for null in found.nulls)
+    linear_solution, forces, obeys = _solved(problem, mode, active, 0.0)
+    loose = any(any(abs(part) > TOLERANCE for part in null[:n]) for null in linear_solution.nulls)
     if loose:
         faint = ARTIFICIAL_MASS_RATIO * (
             max((row[number] for number, row in enumerate(problem.mass)), default=0.0) or 1.0
         )
-        found = solve(_system(problem, mode, active, faint))
-    x = found.x[:n]
-    forces = _forces(problem, mode, x, _spread(found.x[n:], active, len(mode.acting)), 1.0)
+        linear_solution, forces, obeys = _solved(problem, mode, active, faint)
+    x = linear_solution.x[:n]
     spare = [
-        _forces(problem, mode, [0.0] * n, _spread(null[n:], active, len(mode.acting)), 0.0) for null in found.nulls
+        _forces(problem, mode, [0.0] * n, _spread(null[n:], active, len(mode.acting)), 0.0)
+        for null in linear_solution.nulls
     ]
-    solution = Solution(mode, x, forces, spare, loose, found.consistent)
-    if not spare or loose or not found.consistent or not _flips(problem, solution).count():
+    solution = Solution(mode, x, forces, spare, loose, linear_solution.consistent, obeys)
+    if not spare or loose or not linear_solution.consistent or not _flips(problem, solution).count():
         return solution
     problem.budget.spend(BEARING)
     better = admissible_forces(problem, mode, x)
     if better is None:
         return solution
     rows, friction = better
-    held = [
+    sticking_forces = [
         value for grip, side, value in zip(problem.grips, mode.rubbing, friction, strict=True) if _extra(grip, side)
     ]
-    acting = _spread([*rows, *held], active, len(mode.acting))
+    acting = _spread([*rows, *sticking_forces], active, len(mode.acting))
     return Solution(mode, x, _forces(problem, mode, x, acting, 1.0), spare, loose)
+
+
+def _solved(problem: Problem, mode: ContactMode, active: list[int], faint: float) -> tuple[Solved, Forces, bool | None]:
+    """Return the solution of a mode's equations, its forces, and whether these obey the mode; None if not checked."""
+    if core is not None:
+        x, nulls, consistent, forces, obeys = core.evaluate_mode(problem, mode.acting, mode.rubbing, faint)
+        return Solved(x, nulls, consistent), Forces(*forces), obeys
+    found, n = solve(_system(problem, mode, active, faint)), len(problem.force)
+    acting = _spread(found.x[n:], active, len(mode.acting))
+    return found, _forces(problem, mode, found.x[:n], acting, 1.0), None
 
 
 def _extra(grip: RoughContact, side: int) -> bool:
@@ -167,26 +182,30 @@ def _system(problem: Problem, mode: ContactMode, active: list[int], faint: float
     its friction and is replaced by the condition of zero slip.
     """
     rows = problem.rows
-    held = [grip for grip, side in zip(problem.grips, mode.rubbing, strict=True) if _extra(grip, side)]
-    columns = [rows[number].along for number in active] + [[-part for part in g.slip.along] for g in held]
+    sticking_grips = [grip for grip, side in zip(problem.grips, mode.rubbing, strict=True) if _extra(grip, side)]
+    columns = [rows[number].along for number in active] + [[-part for part in g.slip.along] for g in sticking_grips]
     system = [[*mass, *[column[k] for column in columns], problem.force[k]] for k, mass in enumerate(problem.mass)]
     if faint:
         for k, row in enumerate(system):
             row[k] += faint
-    blank = [0.0] * (len(active) + len(held))
+    blank = [0.0] * (len(active) + len(sticking_grips))
     for grip, side in zip(problem.grips, mode.rubbing, strict=True):
         if side == 0:
             if grip.coordinate >= 0:
                 system[grip.coordinate] = [*grip.slip.along, *blank, 0.0]
             continue
         # f = −µN, with N as its own row of the equations of motion gives it
-        lift = [*problem.lifted[grip.contact], *(rows[i].lift[grip.contact] for i in active), *([0.0] * len(held))]
+        lift = [
+            *problem.lifted[grip.contact],
+            *(rows[i].lift[grip.contact] for i in active),
+            *([0.0] * len(sticking_grips)),
+        ]
         lift.append(problem.press[grip.contact])
         for k, part in grip.slip.terms:
             weight = grip.friction * side * part
             system[k] = [a + weight * b for a, b in zip(system[k], lift, strict=True)]
     system.extend([*rows[number].along, *blank, problem.targets[number]] for number in active)
-    system.extend([*grip.slip.along, *blank, 0.0] for grip in held)
+    system.extend([*grip.slip.along, *blank, 0.0] for grip in sticking_grips)
     return system
 
 
@@ -201,10 +220,10 @@ def _spread(values: Row, active: list[int], size: int) -> Row:
 def _forces(problem: Problem, mode: ContactMode, x: Row, multipliers: Row, load: float) -> Forces:
     """Return constraint, friction and normal forces from accelerations and multipliers; `load` 0 omits the loads."""
     count = len(problem.rows)
-    acting, held = multipliers[:count], iter(multipliers[count:])
+    acting, sticking_forces = multipliers[:count], iter(multipliers[count:])
     pulls = [(value, row) for value, row in zip(acting, problem.rows, strict=True) if value != 0.0]
     normal = [
-        dot(mass, x) - load * press + sum(value * row.lift[i] for value, row in pulls)
+        dot(mass, x) - load * press + total(value * row.lift[i] for value, row in pulls)
         for i, (mass, press) in enumerate(zip(problem.lifted, problem.press, strict=True))
     ]
     friction: Row = []
@@ -213,10 +232,10 @@ def _forces(problem: Problem, mode: ContactMode, x: Row, multipliers: Row, load:
         if side:
             friction.append(-grip.friction * side * normal[grip.contact])
         elif k < 0:
-            friction.append(next(held))
+            friction.append(next(sticking_forces))
         else:
             needed = dot(problem.mass[k], x) - load * problem.force[k]
-            friction.append(needed + sum(value * row.along[k] for value, row in pulls))
+            friction.append(needed + total(value * row.along[k] for value, row in pulls))
     return Forces(acting, friction, normal)
 
 

@@ -55,8 +55,8 @@ def dense(rate: Rate, time: float, values: Values, h: float, new: Values, stages
 
 def interpolated(values: Values, polynomial: tuple[Values, ...], x: float) -> Values:
     """Return all unknowns at a fraction `x` of the step."""
-    found: Values = _interpolation(len(values))(values, polynomial, x)
-    return found
+    unknowns: Values = _interpolation(len(values))(values, polynomial, x)
+    return unknowns
 
 
 def interpolated_one(start: float, coefficients: Values, x: float) -> float:
@@ -79,7 +79,10 @@ def first_step(rate: Rate, time: float, values: Values, first: Values, tolerance
 
 
 def _norm(values: Sequence[float], scales: Sequence[float]) -> float:
-    return sqrt(sum((value / scale) ** 2 for value, scale in zip(values, scales, strict=True)) / max(len(scales), 1))
+    total = 0.0  # no `sum`, which compensates rounding from Python 3.12 on
+    for value, scale in zip(values, scales, strict=True):
+        total += (value / scale) ** 2
+    return sqrt(total / max(len(scales), 1))
 
 
 # ---- the code of a step
@@ -128,11 +131,11 @@ def _extension(size: int) -> Callable[..., Stages]:
 def _interpolation(size: int) -> Callable[..., Values]:
     lines = [f"{_names('y', size)} = values", "z = 1.0 - x"]
     lines += [f"a{i}, b{i}, c{i}, d{i}, e{i}, f{i}, g{i} = polynomial[{i}]" for i in range(size)]
-    found = (
+    expressions = (
         f"y{i} + x * (a{i} + z * (b{i} + x * (c{i} + z * (d{i} + x * (e{i} + z * (f{i} + x * g{i})))))), "
         for i in range(size)
     )
-    lines.append(f"return ({''.join(found)})")
+    lines.append(f"return ({''.join(expressions)})")
     return compiled("values, polynomial, x", lines)
 
 

@@ -10,10 +10,13 @@ from sim2reason.simulation.engines.exact.flow import Flow
 from sim2reason.simulation.engines.exact.glide import REST_RATE, ConstantEquations, halt
 from sim2reason.simulation.engines.exact.margins import ENDS, Margin, StopReason
 from sim2reason.simulation.engines.exact.motion import BEGINS, STOPS, TIE, Motion
+from sim2reason.simulation.engines.exact.native import core
+from sim2reason.simulation.engines.exact.native_flow import NativeFlow
 from sim2reason.simulation.engines.exact.settling import REST_SPEED, Settling
 from sim2reason.simulation.engines.exact.system import Instant
 from sim2reason.simulation.trace import ENGINES, FINEST, Trace
 
+FLOW = Flow if core is None else NativeFlow
 SEGMENTS = 500  # largest number of motion segments
 SETTLING = 5_000  # operations of an event for each coordinate
 
@@ -28,10 +31,20 @@ def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> T
         UnsupportedError: the mechanism has a part that this engine does not model.
         SimulationError: no consistent forces, a singular motion, more than 500 events or operations than `budget` has.
     """
-    found = motion(mechanism, float(times[-1]), tolerance)
+    trajectory = motion(mechanism, float(times[-1]), tolerance)
     coarse = tolerance if tolerance > FINEST else 0.0
-    state = found.state(times)
-    return Trace("exact", state, found.events, found.end, found.cut, found.state, lambda: found.knots, coarse, found)
+    state = trajectory.state(times)
+    return Trace(
+        "exact",
+        state,
+        trajectory.events,
+        trajectory.end,
+        trajectory.cut,
+        trajectory.state,
+        lambda: trajectory.knots,
+        coarse,
+        trajectory,
+    )
 
 
 def motion(mechanism: Mechanism, duration: float, tolerance: float = FINEST) -> Motion:
@@ -70,8 +83,8 @@ class _Run(Settling):
                 before = f"{self.duration:g} {self.mechanism.units.time}"
                 raise SimulationError(f"more than {SEGMENTS} events before {before}; simulate a shorter time")
         if not self.segments:  # an impact at the start ended it
-            found = self.balance(self.instant(), set(), None)
-            self.append(found, None)
+            force_balance = self.balance(self.instant(), set(), None)
+            self.append(force_balance, None)
         return Motion(self.mechanism, tuple(self.segments), self.event_log.sorted(), self.now, self.event_log.cut)
 
     def step(self) -> bool:
@@ -82,10 +95,10 @@ class _Run(Settling):
         if snapped is None:
             return False
         instant = before if self.v is before.v else self.instant()
-        found = self.settle(instant, snapped, before.rates)
-        if found is None:
+        force_balance = self.settle(instant, snapped, before.rates)
+        if force_balance is None:
             return False
-        return self._advance(instant, found)
+        return self._advance(instant, force_balance)
 
     # -- the next event --------------------------------------------------------------------------
 
@@ -117,7 +130,7 @@ class _Run(Settling):
 
     def _flow(self, instant: Instant, found: Balance, left: float) -> StopReason:
         assert self.curved is not None
-        flow = Flow(self.curved, instant, self.phase, found, self.tolerance)
+        flow = FLOW(self.curved, instant, self.phase, found, self.tolerance)
         stop = flow.advance(left, self.duration)
         self.append(found, flow)
         n = self.system.size
@@ -164,7 +177,7 @@ class _Run(Settling):
         crossed = tuple(not within if i == side else within for i, within in enumerate(inside))
         if all(inside) != all(crossed):
             self.event_log.record(self.now, "enter" if all(crossed) else "exit", self.mechanism.forces[number].body)
-        everywhere = tuple(crossed if i == number else held for i, held in enumerate(self.phase.inside))
+        everywhere = tuple(crossed if i == number else flags for i, flags in enumerate(self.phase.inside))
         self.phase = self.phase._replace(inside=everywhere)
 
     def _strain(self, number: int) -> None:

@@ -65,10 +65,30 @@ class Flow:
         """Return whether the integration has made any progress in time."""
         return bool(self.steps or self.stretches)
 
+    @property
+    def step_times(self) -> list[float]:
+        """Return the times at which the integrator steps start, s."""
+        return [step.time for step in self.steps]
+
     @cached_property
     def table(self) -> StepTable:
         """Return all steps as arrays, once the integration is complete."""
         return StepTable(self.steps)
+
+    def on_steps(self, times: Array) -> Array:
+        """Return coordinates and rates at times within integrator steps, (m, 2n)."""
+        table = self.table
+        at = np.maximum(table.starts.searchsorted(times, side="right") - 1, 0)
+        numbers = set[int](at.tolist())
+        table.fill(self.steps, numbers)
+        if len(numbers) == 1:  # as where an instant is closed in on: NumPy repeats the one step by itself
+            at = at[:1]
+        x = ((times - table.starts[at]) / table.lengths[at])[:, None]
+        y = 1.0 - x
+        a, b, c, d, e, f, g = table.polynomials[:, at]
+        rise = x * (a + y * (b + x * (c + y * (d + x * (e + y * (f + x * g))))))
+        found: Array = table.values[at] + rise
+        return found
 
     def advance(self, duration: float, longest: float) -> StopReason:
         """Integrate for `duration`, s, or to the first event, or to where the linear equations need new pivots.
@@ -97,23 +117,23 @@ class Flow:
                 return self._singular()
             self._equations.system.budget.spend(self.formulas.cost)
             try:
-                tried = dop853.advance(rate, self.time, self.values, first, length, self._tolerance)
+                trial = dop853.advance(rate, self.time, self.values, first, length, self._tolerance)
             except (ZeroDivisionError, OverflowError, ValueError):  # somewhere ahead; nearer, a pivot is lost before
                 length *= 0.1
                 continue
-            if not tried.error <= 1.0:
-                length *= min(0.5, dop853.factor(tried.error)) if isfinite(tried.error) else 0.1
+            if not trial.error <= 1.0:
+                length *= min(0.5, dop853.factor(trial.error)) if isfinite(trial.error) else 0.1
                 continue
-            step = FlowStep(self.formulas, self.time, length, self.values, tried)
-            after = self.formulas.margins(step.time + length, tried.values)
+            step = FlowStep(self.formulas, self.time, length, self.values, trial)
+            after = self.formulas.margins(step.time + length, trial.values)
             due = self._due(step, before, after, TIE * longest)
             if due is not None:
                 return due
             self._keep(step)
             self._check_held()
-            first, before = tried.stages[-1], after
+            first, before = trial.stages[-1], after
             self._watch.passed(after)
-            length *= dop853.factor(tried.error)
+            length *= dop853.factor(trial.error)
             if len(self.steps) % STEPS_BEFORE_ESTIMATE == 0 and self._leap(end, (end - self.time) / length):
                 first, before = rate(self.time, self.values), self.formulas.margins(self.time, self.values)
                 self._watch.passed(before)
@@ -159,21 +179,21 @@ class Flow:
         if modes is None:
             return False
         left = np.array(self.formulas.margins(time, values))
-        found = stretch(modes, end - time, left, linear.margins, periods * 2.0 * pi / modes.fastest)
-        if found is None or found.time + found.length < self.time:
+        linear_stretch = stretch(modes, end - time, left, linear.margins, periods * 2.0 * pi / modes.fastest)
+        if linear_stretch is None or linear_stretch.time + linear_stretch.length < self.time:
             return False
-        self._equations.system.budget.spend(PIECE * self._equations.system.size * pieces(modes, found.length))
+        self._equations.system.budget.spend(PIECE * self._equations.system.size * pieces(modes, linear_stretch.length))
         if begin:
             self.steps, self.turns = [], []
-        self.stretches.append(found)
-        self.turns += turning_times(modes, found.length)
-        self.time, self.values = found.time + found.length, found.new
+        self.stretches.append(linear_stretch)
+        self.turns += turning_times(modes, linear_stretch.length)
+        self.time, self.values = linear_stretch.time + linear_stretch.length, linear_stretch.new
         return True
 
     def _check_held(self) -> None:
         """Raise SimulationError if redundant constraints block the motion, as equations of one instant cannot show."""
-        held = self.formulas.held
-        if held is not None and max(map(abs, held(self.time, self.values))) > OFF:
+        constraint_values = self.formulas.held
+        if constraint_values is not None and max(map(abs, constraint_values(self.time, self.values))) > OFF:
             problem = "strings and rods hold something so often that they contradict each other"
             raise SimulationError(f"{problem} once it moves, at {self.start:.6g} s", reached=self.start)
 
@@ -209,13 +229,13 @@ class Flow:
         crossings += self._passes(step, {number for number, _ in crossings})
         if not crossings:
             return None
-        found = [
+        roots = [
             (bracketed_root(lambda x, i=number, r=room: step.margins(x)[i] + r, low, high), number, room)
             for number, (low, high, room) in crossings
         ]
-        soonest, leader, room = min(found)
+        soonest, leader, room = min(roots)
         length = self._polished(step, soonest, leader, room)
-        near = [self.formulas.watched[i] for x, i, _ in found if (x - soonest) * step.length <= tie]
+        near = [self.formulas.watched[i] for x, i, _ in roots if (x - soonest) * step.length <= tie]
         due = [each for margin in near for each in self.formulas.due(margin, self.time, self.values)]
         return StopReason(self.time - self.start, tuple(due)) if length >= 0.0 else None
 
@@ -224,14 +244,14 @@ class Flow:
         passing = self.formulas.passing
         if not passing:
             return []
-        found: list[tuple[int, Crossing]] = []
+        passes: list[tuple[int, Crossing]] = []
         count, ends = len(passing), (step.closing(0.0), step.closing(1.0))
-        for place, (number, first, last) in enumerate(zip(passing, *(end[:count] for end in ends), strict=True)):
+        for index, (number, first, last) in enumerate(zip(passing, *(end[:count] for end in ends), strict=True)):
             if first < 0.0 < last and number not in known:
-                nearest = bracketed_root(lambda x, i=place: -step.closing(x)[i], 0.0, 1.0)
-                if step.closing(nearest)[count + place] <= 0.0:
-                    found.append((number, Crossing(0.0, nearest)))
-        return found
+                nearest = bracketed_root(lambda x, i=index: -step.closing(x)[i], 0.0, 1.0)
+                if step.closing(nearest)[count + index] <= 0.0:
+                    passes.append((number, Crossing(0.0, nearest)))
+        return passes
 
     def _polished(self, step: FlowStep, x: float, number: int, room: float) -> float:
         """Append a step that ends at an event, predicted at fraction `x` of `step`; return the length of that step."""
@@ -242,14 +262,14 @@ class Flow:
         for _ in range(POLISHES):
             if length <= 0.0:
                 return 0.0
-            tried = dop853.advance(rate, step.time, step.values, first, length, self._tolerance)
-            missed = self.formulas.margins(step.time + length, tried.values)[number] + room
+            trial = dop853.advance(rate, step.time, step.values, first, length, self._tolerance)
+            missed = self.formulas.margins(step.time + length, trial.values)[number] + room
             change = -missed / slope if slope else 0.0
             if abs(change) <= 1e-15 * (step.time + length) or not 0.0 < length + change <= 1.5 * step.length:
                 break
             length += change
-        tried = dop853.advance(rate, step.time, step.values, first, length, self._tolerance)
-        self._keep(FlowStep(self.formulas, step.time, length, step.values, tried))
+        trial = dop853.advance(rate, step.time, step.values, first, length, self._tolerance)
+        self._keep(FlowStep(self.formulas, step.time, length, step.values, trial))
         return length
 
     def _note_turns(self, step: FlowStep) -> None:
@@ -266,26 +286,10 @@ class Flow:
 
 def sampled(flow: Flow, times: Array) -> Array:
     """Return coordinates and rates at times within an integrated motion, (m, 2n)."""
-    found = _on_steps(flow, times) if flow.steps else np.empty((len(times), len(flow.values)))
+    values = flow.on_steps(times) if flow.steps else np.empty((len(times), len(flow.values)))
     for linear in flow.stretches:
         inside = (times >= linear.time) & (times <= linear.time + linear.length)
         if inside.any():
-            found = np.broadcast_to(found, (len(times), found.shape[1])).copy()
-            found[inside] = linear.modes.at(times[inside])
-    return found
-
-
-def _on_steps(flow: Flow, times: Array) -> Array:
-    """Return coordinates and rates at times within integrator steps, (m, 2n), or (1, 2n) for a single step."""
-    table = flow.table
-    at = np.maximum(table.starts.searchsorted(times, side="right") - 1, 0)
-    numbers = set[int](at.tolist())
-    table.fill(flow.steps, numbers)
-    if len(numbers) == 1:  # as where an instant is closed in on: NumPy repeats the one step by itself
-        at = at[:1]
-    x = ((times - table.starts[at]) / table.lengths[at])[:, None]
-    y = 1.0 - x
-    a, b, c, d, e, f, g = table.polynomials[:, at]
-    rise = x * (a + y * (b + x * (c + y * (d + x * (e + y * (f + x * g))))))
-    found: Array = table.values[at] + rise
-    return found
+            values = np.broadcast_to(values, (len(times), values.shape[1])).copy()
+            values[inside] = linear.modes.at(times[inside])
+    return values

@@ -1,11 +1,14 @@
 """Small linear systems that may be singular, and the linear complementarity problem of forces at one instant."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
+from functools import reduce
 from math import inf
-from operator import mul
+from operator import add, mul
 from typing import NamedTuple
 
 from sim2reason.scenes.dsl.vectors import Number
+from sim2reason.simulation.engines.exact.native import core
 from sim2reason.simulation.engines.exact.tape import value_of
 from sim2reason.simulation.trace import Budget
 
@@ -24,7 +27,12 @@ class Solved:
 
 def dot(a: Row, b: Row) -> float:
     """Return the scalar product of two rows; the shorter row determines the number of terms."""
-    return sum(map(mul, a, b))
+    return reduce(add, map(mul, a, b), 0.0)
+
+
+def total(values: Iterable[float]) -> float:
+    """Return the sum of numbers from left to right; `sum` compensates rounding from Python 3.12 on."""
+    return reduce(add, values, 0.0)
 
 
 def solve(rows: list[Row]) -> Solved:
@@ -33,6 +41,13 @@ def solve(rows: list[Row]) -> Solved:
     There may be more or fewer equations than unknowns. Free unknowns are 0 in `x`, and each is 1 in one of the `nulls`.
     The list of rows is modified.
     """
+    if core is not None:
+        return Solved(*core.solve(rows))
+    return eliminated(rows)
+
+
+def eliminated(rows: list[Row]) -> Solved:
+    """Solve as `solve` does, in Python."""
     size = len(rows[0]) - 1 if rows else 0
     pending = [_scaled(row, size) for row in rows]
     pivots: list[tuple[int, Row]] = []
@@ -175,6 +190,7 @@ class Solution:
     spare: list[Forces]
     loose: bool  # whether nothing holds some massless part, so that its x is meaningless
     consistent: bool = True
+    obeys: bool | None = None  # whether the forces obey the inequalities of the mode; None if not checked
 
 
 Equation = list[Number]  # coefficients, the right side last
@@ -202,6 +218,20 @@ def solve_symbolic(equations: list[Equation], size: int, active: list[int], stic
 
     An unknown that redundant constraints leave undetermined is zero.
     """
+    solve = core.solve_symbols if core is not None and equations else eliminated_symbols
+    unknowns, free, pivots = solve(equations)
+    rows, friction = _named(unknowns, size, active, sticking)
+    spare = tuple(FreeForces(*_named(numbers, size, active, sticking)) for column, numbers in free if column >= size)
+    return Unknowns(unknowns[:size], rows, friction, pivots, spare)
+
+
+def eliminated_symbols(
+    equations: list[Equation],
+) -> tuple[list[Number], list[tuple[int, list[Number]]], list[Number]]:
+    """Return all unknowns, the unknowns for each free one, with its index, if that is 1, and the pivots.
+
+    The equations are modified.
+    """
     width = len(equations[0]) - 1 if equations else 0
     scales = [max((abs(value_of(entry)) for entry in row[:width]), default=0.0) or 1.0 for row in equations]
     pending = list(zip(equations, scales, strict=True))
@@ -217,31 +247,31 @@ def solve_symbolic(equations: list[Equation], size: int, active: list[int], stic
             _reduce(row, best[0], column)
         solved.append((column, best[0]))
     found = _symbols_substituted(solved, [0.0] * width, load=True)
-    free = [_symbols_substituted(solved, [float(i == column) for i in range(width)], load=False) for column in left]
-    free = [numbers for column, numbers in zip(left, free, strict=True) if column >= size]
-    rows, friction = _named(found, size, active, sticking)
-    spare = tuple(FreeForces(*_named(numbers, size, active, sticking)) for numbers in free)
-    return Unknowns(found[:size], rows, friction, [row[column] for column, row in solved], spare)
+    free = [
+        (column, _symbols_substituted(solved, [float(i == column) for i in range(width)], load=False))
+        for column in left
+    ]
+    return found, free, [row[column] for column, row in solved]
 
 
-def _symbols_substituted(solved: list[tuple[int, Equation]], found: list[Number], *, load: bool) -> list[Number]:
+def _symbols_substituted(solved: list[tuple[int, Equation]], unknowns: list[Number], *, load: bool) -> list[Number]:
     """Return all unknowns by back substitution, given the free ones; without `load` the right sides are zero."""
-    width = len(found)
+    width = len(unknowns)
     for column, row in reversed(solved):
         total: Number = row[width] if load else 0.0
         for other in range(column + 1, width):
-            if not _is_zero(row[other]) and not _is_zero(found[other]):
-                total = total - row[other] * found[other]
-        found[column] = total / row[column]
-    return found
+            if not _is_zero(row[other]) and not _is_zero(unknowns[other]):
+                total = total - row[other] * unknowns[other]
+        unknowns[column] = total / row[column]
+    return unknowns
 
 
 def _named(
-    found: list[Number], size: int, active: list[int], sticking: list[int]
+    unknowns: list[Number], size: int, active: list[int], sticking: list[int]
 ) -> tuple[dict[int, Number], dict[int, Number]]:
     """Return the multipliers by row index, and the friction by index of the rough contact."""
-    rows = dict(zip(active, found[size : size + len(active)], strict=True))
-    return rows, dict(zip(sticking, found[size + len(active) :], strict=True))
+    rows = dict(zip(active, unknowns[size : size + len(active)], strict=True))
+    return rows, dict(zip(sticking, unknowns[size + len(active) :], strict=True))
 
 
 def _reduce(row: Equation, pivot: Equation, column: int) -> None:

@@ -1,5 +1,6 @@
 """Event functions of a contact mode, each zero at its event, and the code that evaluates them."""
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -7,8 +8,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from sim2reason.base.records import cached_property
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact.affine import LinearEquations
 from sim2reason.simulation.engines.exact.dop853 import Rate
+from sim2reason.simulation.engines.exact.native import core
+from sim2reason.simulation.engines.exact.tape import ArrayMaths
 
 ZERO_COEFFICIENT_TOL = 1e-12  # smaller coefficients count as zero
 MAX_CONDITIONS = 4000  # largest number of combined conditions
@@ -28,18 +32,18 @@ def greatest_least(bases: Sequence[float], parts: Sequence[Sequence[float]]) -> 
     Fourier–Motzkin elimination: any two conditions in which a free force has opposite signs combine, with weights of
     sum 1, into one without it.
     """
-    found = [Condition(b, tuple(p), frozenset({i})) for i, (b, p) in enumerate(zip(bases, parts, strict=True))]
-    for place in range(len(parts[0]) if parts else 0):
-        rising = [one for one in found if one.parts[place] > ZERO_COEFFICIENT_TOL]
-        falling = [one for one in found if one.parts[place] < -ZERO_COEFFICIENT_TOL]
-        kept = [one for one in found if abs(one.parts[place]) <= ZERO_COEFFICIENT_TOL]
-        found = [*kept, *(_combined(one, other, place) for one in rising for other in falling)][:MAX_CONDITIONS]
-    least = min(found, key=lambda one: one.base, default=Condition(float("inf"), (), frozenset()))
-    return least.base, least.of
+    conditions = [Condition(b, tuple(p), frozenset({i})) for i, (b, p) in enumerate(zip(bases, parts, strict=True))]
+    for index in range(len(parts[0]) if parts else 0):
+        rising = [one for one in conditions if one.parts[index] > ZERO_COEFFICIENT_TOL]
+        falling = [one for one in conditions if one.parts[index] < -ZERO_COEFFICIENT_TOL]
+        kept = [one for one in conditions if abs(one.parts[index]) <= ZERO_COEFFICIENT_TOL]
+        conditions = [*kept, *(_combined(one, other, index) for one in rising for other in falling)][:MAX_CONDITIONS]
+    smallest = min(conditions, key=lambda one: one.base, default=Condition(float("inf"), (), frozenset()))
+    return smallest.base, smallest.of
 
 
-def _combined(one: Condition, other: Condition, place: int) -> Condition:
-    up, down = one.parts[place], -other.parts[place]
+def _combined(one: Condition, other: Condition, index: int) -> Condition:
+    up, down = one.parts[index], -other.parts[index]
     first, second = down / (up + down), up / (up + down)
     parts = tuple(first * a + second * b for a, b in zip(one.parts, other.parts, strict=True))
     return Condition(first * one.base + second * other.base, parts, one.of | other.of)
@@ -90,12 +94,24 @@ class Formulas:
     braced: tuple[Margin, ...] = ()
 
     @cached_property
-    def sampled_forces(self) -> Callable[..., tuple[Any, ...]]:
-        """Return the function for accelerations, constraint, normal and friction forces on arrays of samples.
+    def _force_code(self) -> Callable[..., tuple[Any, ...]]:
+        return self.write_forces()(ArrayMaths if core is None else math)
 
-        Its code is generated on demand.
+    def forces(self, times: Array, values: Array) -> Array:
+        """Return accelerations, constraint, normal and friction forces, (k, m), at times (m,) and values (m, 2n).
+
+        Their code is generated on demand. Where a force has no value, it is infinite or NaN.
         """
-        return self.write_forces()(np)
+        if core is not None and isinstance(self._force_code, core.Program):
+            found = np.empty((self._force_code.outputs, len(times)))
+            self._force_code.sample(np.ascontiguousarray(times), np.ascontiguousarray(values), found)
+            return found
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            columns = self._force_code(times, tuple(values.T))
+        found = np.empty((len(columns), len(times)))
+        for number, column in enumerate(columns):
+            found[number] = column
+        return found
 
     @cached_property
     def linear(self) -> LinearEquations | None:
@@ -104,8 +120,8 @@ class Formulas:
 
     def margins(self, time: float, values: Sequence[float]) -> tuple[float, ...]:
         """Return all event functions in the order of `watched`."""
-        found = self.code(time, values)
-        return (*found[: len(self.watched) - 1], self._brace(found)[0]) if self.braced else found
+        outputs = self.code(time, values)
+        return (*outputs[: len(self.watched) - 1], self._brace(outputs)[0]) if self.braced else outputs
 
     def due(self, margin: Margin, time: float, values: Sequence[float]) -> tuple[Margin, ...]:
         """Return the event functions that are zero; several if `margin` combines those of undetermined forces."""

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
 from math import nan
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +16,12 @@ from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.flow import Flow, sampled
 from sim2reason.simulation.engines.exact.lengths import RowKind
 from sim2reason.simulation.engines.exact.linear import ContactMode, RoughContact, Row
+from sim2reason.simulation.engines.exact.native import core
+from sim2reason.simulation.engines.exact.native_flow import NativeFlow
 from sim2reason.simulation.trace import EVENT_KINDS, Event, in_order
+
+if TYPE_CHECKING:
+    from sim2reason.simulation.engines.exact.core import _core
 
 CROWD = 5e-3  # s; repeated impacts of one body, or jerks of one string, within this time end the motion
 DUPLICATE_WINDOW = 8  # latest events that are compared to avoid duplicates
@@ -175,16 +181,15 @@ class Motion:
     @cached_property
     def knots(self) -> Array:
         """Return the start times of segments and of integrator steps, between which the motion is smooth, s."""
-        found = [segment.start for segment in self.segments]
-        found += [step.time for segment in self.segments if segment.flow for step in segment.flow.steps]
+        instants = [segment.start for segment in self.segments]
+        instants += [time for segment in self.segments if segment.flow for time in segment.flow.step_times]
         linear = (stretch for segment in self.segments if segment.flow for stretch in segment.flow.stretches)
-        found += [time for stretch in linear for time in stretch.knots.tolist()]
-        return in_order(np.array([*(time for time in found if time <= self.end), self.end]))
+        instants += [time for stretch in linear for time in stretch.knots.tolist()]
+        return in_order(np.array([*(time for time in instants if time <= self.end), self.end]))
 
     def state(self, times: Array) -> State:
         """Return the motion at times ≥ 0, s, shape (m,); the last segment is extrapolated beyond the end."""
-        at = self._belonging(times)
-        return State(self.mechanism, times, partial(self._kinematics, times, at), partial(self._dynamics, times, at))
+        return State(self.mechanism, times, partial(self._kinematics, times), partial(self._dynamics, times))
 
     def _belonging(self, times: Array) -> NDArray[np.intp]:
         """Return the index of the segment that contains each instant."""
@@ -200,13 +205,29 @@ class Motion:
             if segment.flow is not None and segment.flow.moves:
                 yield segment, segment.flow, at == number
 
-    def _kinematics(self, times: Array, at: NDArray[np.intp]) -> tuple[Array, Array]:
+    @cached_property
+    def _integrations(self) -> "tuple[_core.Integration | None, ...] | None":
+        """Return the native integration of each segment, None for closed forms; None if Python integrated a part."""
+        found = list["_core.Integration | None"]()
+        for segment in self.segments:
+            run = segment.flow.integration if isinstance(segment.flow, NativeFlow) else None
+            if run is None and segment.flow is not None and segment.flow.moves:
+                return None
+            found.append(run or None)
+        return None if core is None else tuple(found)
+
+    def _kinematics(self, times: Array) -> tuple[Array, Array]:
         """Return coordinates and their rates at the given times."""
         n, lone = self._widths[0], len(self.segments) == 1  # whose one row NumPy repeats by itself
         flow = self.segments[0].flow if lone else None
         if flow is not None and flow.moves:
             values = sampled(flow, np.minimum(times, flow.time))
             return values[:, :n], values[:, n:]
+        if core is not None and self._integrations is not None:
+            q, v = np.empty((len(times), n)), np.empty((len(times), n))
+            core.sample_segments(self._starts, self._table, self._integrations, np.ascontiguousarray(times), q, v)
+            return q, v
+        at = self._belonging(times)
         table = self._table if lone else self._table[at]
         since = (times - (self._starts if lone else self._starts[at]))[:, None]
         q0, v0 = table[:, :n], table[:, n : 2 * n]
@@ -217,16 +238,19 @@ class Motion:
             q[here], v[here] = values[:, :n], values[:, n:]
         return q, v
 
-    def _dynamics(self, times: Array, at: NDArray[np.intp], q: Array, v: Array) -> Dynamics:
+    def _dynamics(self, times: Array, q: Array, v: Array) -> Dynamics:
         """Return accelerations and constraint forces at the given times."""
+        at = self._belonging(times)
         n, lines, faces = self._widths
         table = self._table[at]
         a, forces = table[:, 2 * n : 3 * n], table[:, 3 * n :].T
         for segment, flow, here in self._flows(at):
-            found = _forces(flow, np.minimum(times[here], flow.time), (*q[here].T, *v[here].T))
-            a[here] = found[:n].T
-            rows = found[n : n + len(segment.kinds)][:lines]
-            borne = np.concatenate([rows, found[n + len(segment.kinds) :]])
+            samples = flow.formulas.forces(
+                np.minimum(times[here], flow.time), np.concatenate([q[here], v[here]], axis=1)
+            )
+            a[here] = samples[:n].T
+            rows = samples[n : n + len(segment.kinds)][:lines]
+            borne = np.concatenate([rows, samples[n + len(segment.kinds) :]])
             borne[np.isnan([*segment.found.rows[:lines], *segment.found.normal, *segment.found.friction])] = nan
             forces[:, here] = borne
         names = [line.name for line in self.mechanism.constraints]
@@ -237,13 +261,3 @@ class Motion:
             dict(zip(contacts, forces[lines : lines + faces], strict=True)),
             dict(zip(contacts, forces[lines + faces :], strict=True)),
         )
-
-
-def _forces(flow: Flow, times: Array, values: tuple[Array, ...]) -> Array:
-    """Return accelerations, multipliers of rows, normal forces and friction along a flow, one row each."""
-    with np.errstate(divide="ignore", invalid="ignore"):  # what has no value is not a number
-        found = flow.formulas.sampled_forces(times, values)
-    columns = np.empty((len(found), len(times)))
-    for number, column in enumerate(found):
-        columns[number] = column
-    return columns

@@ -15,7 +15,7 @@ from sim2reason.scenes.dsl.structure import ALIGNED, changing, steady
 from sim2reason.scenes.dsl.vectors import Distance, Number, Triple, dot, minus
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.lengths import RowKind, RowTerms, SwitchState, row_kinds
-from sim2reason.simulation.engines.exact.linear import Gradient, RoughContact, Row, gradient, solve
+from sim2reason.simulation.engines.exact.linear import Gradient, RoughContact, Row, gradient, solve, total
 from sim2reason.simulation.trace import Budget
 
 TOUCHING = 1e-9  # m; lengths with a smaller difference are equal
@@ -49,7 +49,7 @@ class Near:
 
     def second(self, a: Row) -> float:
         """Return the second derivative of the gap, m/s²."""
-        return self.bias + sum(part * a[number] for number, part in self.along.items())
+        return self.bias + total(part * a[number] for number, part in self.along.items())
 
     def closing(self, size: int, count: int) -> Gradient:
         """Return the negative gradient of the gap over all coordinates and contacts."""
@@ -128,8 +128,8 @@ class System:
         places = [
             (0.0, 0.0, 0.0) if name is None else self.frames.center(name).place for name in (meeting.a, meeting.b)
         ]
-        apart = minus(places[1], places[0])
-        gap = math.hypot(*apart) if meeting.normal is None else dot(meeting.normal, apart)
+        offset = minus(places[1], places[0])
+        gap = math.hypot(*offset) if meeting.normal is None else dot(meeting.normal, offset)
         if gap < meeting.distance - TOUCHING:
             other = "what is fixed" if meeting.a is None else meeting.b
             raise SceneError(meeting.a or meeting.b, f"it overlaps {other} at the start", "move them apart")
@@ -137,16 +137,16 @@ class System:
     @cached_property
     def runs(self) -> dict[tuple[str, str], Distance]:
         """Return the straight line segments whose ends move towards or away from each other."""
-        found: dict[tuple[str, str], Distance] = {}
+        segments: dict[tuple[str, str], Distance] = {}
         for line in self.mechanism.lines:
             if isinstance(line.law, Rigid):
                 continue
-            found |= {
+            segments |= {
                 ends: run
                 for ends, run in zip(pairwise(line.through), self.frames.pieces(line), strict=True)
-                if run.lift or any(math.hypot(*way) > ALIGNED for way in run.moved.values())
+                if run.lift or any(math.hypot(*direction) > ALIGNED for direction in run.moved.values())
             }
-        return found
+        return segments
 
     @cached_property
     def steady(self) -> dict[tuple[str, str], Triple]:
@@ -178,19 +178,19 @@ class System:
         phase = phase._replace(strained=(False,) * len(self.mechanism.half_springs))
         speeds = [float(coordinate.speed) for coordinate in self.mechanism.coordinates]
         begun = Assembly(self.mechanism, phase, ([0.0] * self.size, speeds, 0.0), math)
-        found: list[bool] = []
+        acting: list[bool] = []
         for line, law in self.mechanism.half_springs:
             length = begun.length(line)
             strain = law.side * float(length.value - law.length)
-            found.append(strain > TOUCHING or (abs(strain) <= TOUCHING and law.side * float(length.rate) > 0.0))
-        return tuple(found)
+            acting.append(strain > TOUCHING or (abs(strain) <= TOUCHING and law.side * float(length.rate) > 0.0))
+        return tuple(acting)
 
     def kinds(self, phase: SwitchState) -> list[RowKind]:
         """Return the kinds of all constraint rows for an on/off state (phase) of forces, engines, pairs and springs."""
-        found = self._kinds.get(phase.stuck)
-        if found is None:
-            found = self._kinds[phase.stuck] = row_kinds(self.mechanism, phase)
-        return found
+        cached = self._kinds.get(phase.stuck)
+        if cached is None:
+            cached = self._kinds[phase.stuck] = row_kinds(self.mechanism, phase)
+        return cached
 
     def instant(self, time: float, q: Row, v: Row, phase: SwitchState) -> Instant:
         """Return the numerical equations of one instant; the caller handles arithmetic errors."""
@@ -225,8 +225,15 @@ class System:
 
 
 def _near(assembly: Assembly, meeting: CollisionPair) -> Near:
-    apart = assembly.separation(meeting)
-    return Near(meeting, float(apart.gap), float(apart.rate), float(apart.bias), apart.along, apart.lift)
+    separation = assembly.separation(meeting)
+    return Near(
+        meeting,
+        float(separation.gap),
+        float(separation.rate),
+        float(separation.bias),
+        separation.along,
+        separation.lift,
+    )
 
 
 def spread(entries: Mapping[int, Number], size: int) -> Row:

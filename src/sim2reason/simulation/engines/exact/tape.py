@@ -9,12 +9,18 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
+import numpy as np
+
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.scenes.dsl.vectors import Number
 from sim2reason.simulation.engines.exact.code import compiled
+from sim2reason.simulation.engines.exact.native import core
 
 Node = tuple[str, int, int]
+Code = Callable[[Any], Callable[..., tuple[Any, ...]]]
+"""What compiles code for one kind of number."""
 Said = str | int
 """A constant: its text if it is part of the code, else its index among all parameters."""
 KEPT = 128  # number of cached codes, with their nodes
@@ -22,12 +28,12 @@ DEEPEST = 12  # largest depth of brackets in a line of code
 PLAIN = {0.0: "0.0", 1.0: "1.0", -1.0: "-1.0", 2.0: "2.0", 0.5: "0.5"}  # literals in the code
 
 
-class Symbol:
+class PlainSymbol:
     """A number whose value is known only when the generated code runs."""
 
     __slots__ = ("id", "tape")
 
-    def __init__(self, tape: "Tape", number: int) -> None:
+    def __init__(self, tape: "PlainTape", number: int) -> None:
         """Create the symbol of the node with the given index."""
         self.tape, self.id = tape, number
 
@@ -42,7 +48,7 @@ class Symbol:
 
     __radd__ = __add__
 
-    def __neg__(self) -> "Symbol":
+    def __neg__(self) -> "PlainSymbol":
         """Return the negative."""
         return self.tape.node("neg", self.id, -1)
 
@@ -78,7 +84,7 @@ class Symbol:
         return 0.0 if type(other) is float and other == 0.0 else self.tape.binary("/", other, self)
 
 
-class Tape:
+class PlainTape:
     """A record of arithmetic operations, which also provides the elementary functions of its symbols."""
 
     def __init__(self, inputs: Sequence[str]) -> None:
@@ -95,13 +101,13 @@ class Tape:
         self.written = 0  # operations, in the code that was written last
 
     @property
-    def inputs(self) -> dict[str, Symbol]:
+    def inputs(self) -> dict[str, PlainSymbol]:
         """Return the input symbols by name; they are created on each call to avoid a reference cycle."""
-        return {name: Symbol(self, number) for number, name in enumerate(self.names)}
+        return {name: PlainSymbol(self, number) for number, name in enumerate(self.names)}
 
     # ---- recording
 
-    def node(self, operation: str, a: int, b: int) -> Symbol:
+    def node(self, operation: str, a: int, b: int) -> PlainSymbol:
         """Return the symbol of an operation on earlier nodes, reusing an equal node."""
         key = (operation, a, b)
         number = self._known.get(key)
@@ -110,19 +116,19 @@ class Tape:
             self._known[key] = number
             self.nodes.append(key)
             self.values.append(self._value(key) if self._stands else 0.0)
-        return Symbol(self, number)
+        return PlainSymbol(self, number)
 
-    def binary(self, operation: str, a: Number, b: Number) -> Symbol:
+    def binary(self, operation: str, a: Number, b: Number) -> PlainSymbol:
         """Return the symbol of a binary operation on two numbers, at least one of them a symbol."""
         return self.node(operation, self._id(a), self._id(b))
 
-    def commuting(self, operation: str, a: Number, b: Number) -> Symbol:
+    def commuting(self, operation: str, a: Number, b: Number) -> PlainSymbol:
         """Return the symbol of a commutative operation, with its operands in canonical order."""
         one, other = self._id(a), self._id(b)
         return self.node(operation, min(one, other), max(one, other))
 
     def _id(self, number: Number) -> int:
-        if isinstance(number, Symbol):
+        if isinstance(number, PlainSymbol):
             return number.id
         value = float(number)
         if value not in self._constant:
@@ -132,15 +138,15 @@ class Tape:
 
     def sqrt(self, x: Number) -> Number:
         """Return the square root of a number or symbol."""
-        return self.node("sqrt", x.id, -1) if isinstance(x, Symbol) else math.sqrt(x)
+        return self.node("sqrt", x.id, -1) if isinstance(x, PlainSymbol) else math.sqrt(x)
 
     def sin(self, x: Number) -> Number:
         """Return the sine of a number or symbol."""
-        return self.node("sin", x.id, -1) if isinstance(x, Symbol) else math.sin(x)
+        return self.node("sin", x.id, -1) if isinstance(x, PlainSymbol) else math.sin(x)
 
     def cos(self, x: Number) -> Number:
         """Return the cosine of a number or symbol."""
-        return self.node("cos", x.id, -1) if isinstance(x, Symbol) else math.cos(x)
+        return self.node("cos", x.id, -1) if isinstance(x, PlainSymbol) else math.cos(x)
 
     # ---- values at one point
 
@@ -175,29 +181,65 @@ class Tape:
             case _:
                 return math.cos(values[a])
 
-    # ---- code
-
-    def code(
-        self, outputs: Sequence[Number], guards: Sequence[tuple[Symbol, float]] = ()
-    ) -> Callable[[Any], Callable[..., tuple[Any, ...]]]:
+    def code(self, outputs: Sequence[Number], guards: Sequence[tuple["PlainSymbol", float]] = ()) -> Code:
         """Return the function that compiles the code of `outputs` for one kind of number (`math` or `numpy`).
 
         The code is a function (t, y) of the first input and of a sequence with all others. A guard is a symbol whose
         absolute value must not fall below a bound; otherwise the code raises ArithmeticError.
         """
-        values: dict[float, int] = {}
+        made, self.written = _generated(self, outputs, guards)
+        return made
 
-        def said(value: float) -> Said:
-            return PLAIN.get(value) or values.setdefault(value, len(values))
 
-        constants = tuple(map(said, self.constants))
-        wanted = tuple((o.id, "") if isinstance(o, Symbol) else (-1, said(float(o))) for o in outputs)
-        held = tuple((guard.id, said(bound)) for guard, bound in guards)
-        code = _written(tuple(self.names), tuple(self.nodes), constants, wanted, held)
-        self.written = code.operations
-        every = list(values)
-        parameters = [every[place] for place in code.parameters]
-        return lambda maths: code.make(maths, *parameters)
+class ArrayMaths:
+    """The functions of arrays (m,): sine and cosine of the C library, since NumPy's vary with the processor."""
+
+    sqrt = np.sqrt
+
+    @staticmethod
+    def sin(x: Array) -> Array:
+        """Return the sine of angles; NaN for infinite ones."""
+        return np.array([math.sin(angle) if math.isfinite(angle) else math.nan for angle in x.tolist()])
+
+    @staticmethod
+    def cos(x: Array) -> Array:
+        """Return the cosine of angles; NaN for infinite ones."""
+        return np.array([math.cos(angle) if math.isfinite(angle) else math.nan for angle in x.tolist()])
+
+
+if TYPE_CHECKING or core is None:
+    Symbol = PlainSymbol
+    Tape = PlainTape
+else:
+    Symbol = core.Symbol
+
+    class Tape(core.Tape):
+        """A record of arithmetic operations in the native core."""
+
+        __slots__ = ()
+
+        def code(self, outputs: Sequence[Number], guards: Sequence[tuple[Symbol, float]] = ()) -> Code:
+            """Return what `PlainTape.code` does; for `math`, the code is a program of the native core."""
+            program = self.program(outputs, guards)
+            return lambda maths: program if maths is math else _generated(self, outputs, guards)[0](maths)
+
+
+def _generated(
+    tape: "PlainTape", outputs: Sequence[Number], guards: Sequence[tuple["PlainSymbol", float]]
+) -> tuple[Code, int]:
+    """Return the function that compiles the code of `outputs`, as `PlainTape.code` does, and its operation count."""
+    values: dict[float, int] = {}
+
+    def said(value: float) -> Said:
+        return PLAIN.get(value) or values.setdefault(value, len(values))
+
+    constants = tuple(map(said, tape.constants))
+    wanted = tuple((o.id, "") if isinstance(o, (Symbol, PlainSymbol)) else (-1, said(float(o))) for o in outputs)
+    held = tuple((guard.id, said(bound)) for guard, bound in guards)
+    code = _written(tuple(tape.names), tuple(tape.nodes), constants, wanted, held)
+    every = list(values)
+    parameters = [every[place] for place in code.parameters]
+    return lambda maths: code.make(maths, *parameters), code.operations
 
 
 @dataclass(frozen=True, slots=True)
@@ -225,10 +267,10 @@ def _written(
     lines = [f"{', '.join(names[1:])}, = y"] if len(names) > 1 else []
     lines += writer.lines
     for guard, bound in guards:
-        name, least = writer.name(guard), writer.constant(bound)
-        lines.append(f"if -{least} < {name} < {least}: raise ArithmeticError('a pivot is lost')")
-    said = [writer.name(node) if node >= 0 else writer.constant(number) for node, number in outputs]
-    lines.append(f"return ({', '.join(said)}{',' if len(said) == 1 else ''})")
+        name, threshold = writer.name(guard), writer.constant(bound)
+        lines.append(f"if -{threshold} < {name} < {threshold}: raise ArithmeticError('a pivot is lost')")
+    rendered = [writer.name(node) if node >= 0 else writer.constant(number) for node, number in outputs]
+    lines.append(f"return ({', '.join(rendered)}{',' if len(rendered) == 1 else ''})")
     make = compiled(f"{names[0]}, y", lines, ", ".join(["maths", *writer.parameters.values()]))
     return _Code(make, tuple(writer.parameters), writer.operations)
 
@@ -294,4 +336,4 @@ class _Writer:
 
 def value_of(number: Number) -> float:
     """Return the value of a number or symbol as a float."""
-    return number.value if isinstance(number, Symbol) else float(cast("float", number))
+    return number.value if isinstance(number, (Symbol, PlainSymbol)) else float(cast("float", number))
