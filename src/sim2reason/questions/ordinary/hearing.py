@@ -128,9 +128,7 @@ def tokenize(sentence: str, words: Words) -> TokenizedSentence:
         text = _HIT_IT.sub(lambda match: f"{match[1]} @{1 - int(match[1][1])}@", text)
     text = _ARTICLES.sub("", re.sub(r"(@\d+@)'(?= )", r"\1's", text.lower()).replace("'s", " 's").replace(",", " , "))
     text = _PARTICIPLES.sub("", text)
-    joint = {
-        number for number, subject in enumerate(subjects) if subject == EVERYTHING or subject.startswith(f"{ALL} ")
-    }
+    joint = {number for number, name in enumerate(subjects) if name == EVERYTHING or name.startswith(f"{ALL} ")}
     text = _CENTER_OF_ONE.sub(lambda center: center[0] if int(center[1]) in joint else f"@{center[1]}@", text)
     text = text if joint else _CENTER.sub(r"\1", text)
     if len(subjects) == 2:

@@ -224,12 +224,8 @@ def _statement(text: str, subject: str) -> str:
         statement,
     )
     statement = re.sub(rf"^((?:{_S}|it|\w+)) not to ", r"\1 not ", statement)
-    if (
-        subject
-        and not re.match(rf"(?:{_S}|it\b)", statement)
-        and not re.match(r"(?:\w+ ){0,3}(?:of|in) @", statement)
-        and "'s" not in statement[:8]
-    ):
+    has_subject = re.match(rf"(?:{_S}|it\b)|(?:\w+ ){{0,3}}(?:of|in) @", statement) is not None
+    if subject and not has_subject and "'s" not in statement[:8]:
         statement = f"{subject} {statement}" if _is_predicate(statement) else statement
     return " ".join(re.sub(r"^it\b", subject or "it", statement).split())
 

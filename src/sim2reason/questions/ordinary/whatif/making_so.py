@@ -163,9 +163,8 @@ def _by_result(
     for structured, unit in _askable(question_sentence, motion, words, reader):
         stated = _stated(condition, structured, unit, motion, words)
         given = f"{structured.find} = {stated}" + (f", {frame.end}" if frame.end else "")
-        wanted = StructuredQuestion(
-            path, structured.of, structured.when, structured.along, given, compare=frame.compare
-        )
+        of, when, along = structured.of, structured.when, structured.along
+        wanted = StructuredQuestion(path, of, when, along, given, compare=frame.compare)
         try:
             question = pose_question(wanted, motion, words)
         except TextError:
@@ -175,10 +174,8 @@ def _by_result(
             continue
         every = _distinct(values_giving(question.query, question.given, unknown, motion.study))
         values = _of_end(frame.end, every if frame.compare != VALUE else told_values(every, path, frame, motion))
-        stated_condition = condition._replace(stated=stated)
-        leading = [
-            value for value in values if _leads(value, path, question_sentence, stated_condition, motion, words, reader)
-        ]
+        variant = condition._replace(stated=stated)
+        leading = [value for value in values if _leads(value, path, question_sentence, variant, motion, words, reader)]
         leading = _with_taut_strings(leading, question, path, motion)
         if len(leading) > 1:
             several = ", ".join(f"{value:.6g} {unknown.unit}" for value in leading)
