@@ -36,7 +36,6 @@ NUMBERS: list[tuple[str, float, str | None]] = [
     (r"\boxed{10\text{ s}^{-1}}", 10.0, "rad/s"),
     (r"\boxed{10\text{ Hz}}", 10.0, "rad/s"),
     (r"\boxed{9\frac{4}{5}}", 9.8, "m"),
-    (r"\boxed{9^{9^{9^{9}}}}", 9.8, "m"),
     (r"\boxed{__import__('os').system('ls')}", 9.8, "m"),
     (r"\boxed{v^2 = 10.24 \Rightarrow v = 3.2}", 3.2, "m/s"),
     (r"\boxed{\text{Speed of A: } 3.2\text{ m/s (11.5 km/h)}}", 3.2, "m/s"),

@@ -6,7 +6,6 @@ import pytest
 from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.mechanism import Mechanism, X
-from sim2reason.simulation import budget
 from sim2reason.simulation.engines.exact.flow import Flow
 from sim2reason.simulation.engines.exact.formulas import VariableEquations
 from sim2reason.simulation.engines.exact.settling import Settling
@@ -45,7 +44,7 @@ def test_work_is_counted_alike_each_time() -> None:
 
 @pytest.mark.parametrize("name", ["exact", "mujoco"])
 def test_what_swings_too_fast_is_refused(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(budget.Budget.__init__, "__defaults__", (1_000_000,))
+    monkeypatch.setattr(Budget.__init__, "__defaults__", (1_000_000,))
     monkeypatch.setattr(model, "OPERATIONS", 1_000_000)
     with pytest.raises(SimulationError, match="million operations"):
         ENGINES[name](singing(), np.linspace(0.0, 2.0, 11))

@@ -96,7 +96,7 @@ def test_a_judge_sees_the_boxes_alone_and_says_yes_or_no() -> None:
 
 @pytest.mark.parametrize("name", list(SCORINGS))
 @pytest.mark.parametrize(
-    "response", ["", "\\boxed{", r"\boxed{" * 5000, r"\boxed{9^{9^{9^{9}}}}", "\ud800" * 10, "<think>"]
+    "response", ["", "\\boxed{", r"\boxed{" * 5000, r"\boxed{1/0}", "\ud800" * 10, "<think>"]
 )
 def test_no_response_makes_a_rule_raise_or_earns_a_point(name: str, response: str) -> None:
     if name == "math" and find_spec("math_verify") is None:
