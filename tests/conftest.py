@@ -1,4 +1,4 @@
-"""What all tests share."""
+"""Fixtures and hooks that all tests share."""
 
 import os
 import signal
@@ -24,20 +24,20 @@ settings.load_profile("busy")
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_finish() -> None:
-    """Let the collector of garbage pass over what was loaded, as workers do: most of a run is the making of items."""
+    """Exempt loaded objects from garbage collection, as workers do, since a run mostly makes items."""
     collect_seldom()
 
 
 @pytest.fixture(scope="session")
 def numeric_items(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> SharedItems:
-    """Items of every recipe and difficulty; each of several processes has a folder of its own in a common one."""
+    """Return items of every recipe and difficulty, in a folder that parallel test processes share."""
     own = tmp_path_factory.getbasetemp()
     return SharedItems((own.parent if hasattr(request.config, "workerinput") else own) / "numeric-items")
 
 
 @pytest.fixture
 def pictures() -> None:
-    """Whoever wants them; they cost more than all else of a small dataset."""
+    """Enable pictures in a test's datasets; they take longer than the rest of a small dataset."""
 
 
 @pytest.fixture(autouse=True)
@@ -48,7 +48,7 @@ def _no_pictures(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch
 
 @pytest.fixture
 def heed_interrupts() -> Iterator[None]:
-    """Restore SIGINT's default for a test and its children: jobs in the background, as under nohup, ignore it."""
+    """Restore SIGINT's default for a test and its children, since background jobs, as under nohup, ignore it."""
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, before)

@@ -1,4 +1,4 @@
-"""The scripts of benchmarks that take numbers say what they are."""
+"""Tests that benchmark scripts which take numbers describe them."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""The entity that CONTRIBUTING.md adds as an example works as it stands there."""
+"""Tests that the example entity in CONTRIBUTING.md works as written."""
 
 import re
 import subprocess
@@ -36,19 +36,22 @@ print("fine")
 
 
 def example() -> str:
-    """The Python block of the page."""
+    """Return the Python block of the page."""
     found = re.search(r"```python\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
     assert found is not None
     return found[1]
 
 
 def test_it_keeps_its_promise_of_length() -> None:
-    """About 60 lines, as the heading says."""
+    """The heading promises about 60 lines."""
     assert len(example().splitlines()) <= LONGEST
 
 
 def test_it_can_be_told_read_simulated_and_saved(tmp_path: Path) -> None:
-    """In a process of its own, since it enters the registry: a = g(m₂ − m₁(sin θ + µ cos θ))/(m₁ + m₂ + M/2)."""
+    """a = g(m₂ − m₁(sin θ + µ cos θ))/(m₁ + m₂ + M/2).
+
+    The example runs in a separate process, since it adds an entity to the registry.
+    """
     script = tmp_path / "block_over_edge.py"
     script.write_text(example() + TRY, encoding="utf-8")
     done = subprocess.run(
@@ -58,7 +61,7 @@ def test_it_can_be_told_read_simulated_and_saved(tmp_path: Path) -> None:
 
 
 def test_the_way_of_an_item_leads_past_files_that_exist() -> None:
-    """Every path in the table of steps is one of this package."""
+    """Every path in the table of steps exists in this package."""
     table = PAGE.read_text(encoding="utf-8").split("## The way of an item")[1].split("\n## ")[0]
     paths = re.findall(r"`([a-z0-9_/]+(?:\.py|/))`", table)
     assert len(paths) > 12

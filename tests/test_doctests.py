@@ -1,4 +1,4 @@
-"""Public objects are documented in full, and the examples in their docstrings run."""
+"""Tests that public objects are documented in full and that the examples in their docstrings run."""
 
 import doctest
 import inspect
@@ -43,19 +43,19 @@ def classes(names: list[str]) -> list[str]:
 
 
 def sections(documented: object) -> dict[str, str]:
-    """The sections of a docstring by their titles; the text before the first one has an empty title."""
+    """Return the sections of a docstring by their titles; the text before the first one has an empty title."""
     first, *others = SECTION.split(inspect.getdoc(documented) or "")
     return {"": first, **dict(zip(others[::2], others[1::2], strict=True))}
 
 
 def described(documented: object, *titles: str) -> set[str]:
-    """The names that some sections of a docstring describe."""
+    """Return the names that some sections of a docstring describe."""
     found = sections(documented)
     return {name for title in titles for name in ENTRY.findall(found.get(title, ""))}
 
 
 def parameters(function: object) -> set[str]:
-    """The names of the arguments that a caller can give."""
+    """Return the names of the arguments that a caller can give."""
     try:
         found = inspect.signature(function)  # type: ignore[arg-type]
     except ValueError:  # an error class, whose constructor is that of Exception
@@ -64,13 +64,13 @@ def parameters(function: object) -> set[str]:
 
 
 def fields(cls: type) -> set[str]:
-    """The public fields and properties that a class defines itself."""
+    """Return the public fields and properties that a class defines itself."""
     properties = {name for name, member in vars(cls).items() if isinstance(member, property | cached_property)}
     return {name for name in properties | set(inspect.get_annotations(cls)) if not name.startswith("_")}
 
 
 def functions(cls: type) -> Iterator[tuple[str, FunctionType]]:
-    """The public methods and properties that a class defines itself."""
+    """Return the public methods and properties that a class defines itself."""
     declared = inspect.get_annotations(cls)
     for name, member in vars(cls).items():
         own = member.fget if isinstance(member, property) else getattr(member, "__func__", member)
@@ -81,7 +81,7 @@ def functions(cls: type) -> Iterator[tuple[str, FunctionType]]:
 
 @pytest.fixture(scope="module")
 def problems(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The dataset that the examples generate, so that each of them finds it finished."""
+    """Generate the dataset of the examples, so that each of them finds it finished."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("sim2reason.datasets.build.put_pictures", lambda *_: ())
         out = tmp_path_factory.mktemp("doctests") / "problems"
@@ -90,7 +90,7 @@ def problems(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def _apart(problems: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Run an example in a folder of its own with the dataset, and forget the entities that it registers."""
+    """Run an example in a separate folder with the dataset, and remove the entities that it registers."""
     shutil.copytree(problems, tmp_path / "problems")
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(ENTITIES, "_members", dict(ENTITIES.items()))

@@ -1,4 +1,4 @@
-"""The pages at the root and in docs agree with the code, and their links resolve."""
+"""Tests that the pages at the root and in docs agree with the code, and that their links resolve."""
 
 import importlib
 import re
@@ -36,19 +36,19 @@ def read(name: str) -> str:
 
 
 def prose(text: str) -> str:
-    """The text without fenced and indented blocks of code."""
+    """Return the text without fenced and indented blocks of code."""
     without_fences = re.sub(r"^```.*?^```$", "", text, flags=re.DOTALL | re.MULTILINE)
     return "\n".join(line for line in without_fences.splitlines() if not line.startswith("    "))
 
 
 def anchors(path: Path) -> set[str]:
-    """The names that headings of a page have in links."""
+    """Return the link targets of the headings of a page."""
     headings = re.findall(r"^#+ (.*)$", path.read_text(encoding="utf-8"), re.MULTILINE)
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 
 
 def rows(name: str) -> list[list[str]]:
-    """The cells of all rows of tables whose first cell is code."""
+    """Return the cells of all table rows whose first cell is code."""
     return [line.strip("| ").split(" | ") for line in read(name).splitlines() if line.startswith("| `")]
 
 
@@ -149,13 +149,13 @@ def test_the_documented_completion_scripts_exist(shell: str) -> None:
 
 
 def kind(port: Port) -> str:
-    """The letter that the page for language models has for a kind of port."""
+    """Return the letter for a kind of port on the page for language models."""
     letters: tuple[tuple[type[Port], str], ...] = ((Pass, "P"), (Mount, "M"), (Base, "B"), (End, "E"))
     return next((letter for cls, letter in letters if isinstance(port, cls)), "S") + "!" * port.required
 
 
 def shown(cls: type[Entity]) -> str:
-    """The directions of an entity as the page for language models writes them."""
+    """Return the directions of an entity as the page for language models writes them."""
     ports = outer_ports(cls)
     names = [(name, ports[port]) for (name, point), (port, _) in directions(cls).items() if not point]
     return ", ".join(f"`{name}` {kind(port)}" for name, port in names) or "–"

@@ -1,4 +1,4 @@
-"""Every configuration under experiments can be read by the command that it is for, and the page's commands are such."""
+"""Tests that commands can read every configuration under experiments, and of the commands on their page."""
 
 import re
 import shlex
@@ -25,7 +25,7 @@ ABSENT = {"jsonl", "saved", "synthetic"}  # kinds of which no one else's benchma
 
 
 def reader(file: Path) -> Callable[[Path], object]:
-    """By the folder, and by what the name says."""
+    """Return the function that reads a configuration file, by its folder and its name."""
     folder = file.parent.name
     if file.stem == "teacher":
         return lambda path: policy_from(settings_in(path))
@@ -49,7 +49,7 @@ def test_every_benchmark_has_an_experiment() -> None:
 
 
 def test_the_commands_of_the_page_are_commands() -> None:
-    """Each is read as far as its options; what it names is an experiment, or what one leaves."""
+    """Each command accepts its options, and the files that it names are experiments or their results."""
     commands = [shlex.split(line) for line in re.findall(r"^    (sim2reason .*)$", PAGE, re.MULTILINE)]
     assert {tuple(words[1:3]) for words in commands} >= {("eval", "correlate"), ("eval", "compare"), ("train", "sft")}
     for words in commands:

@@ -1,4 +1,4 @@
-"""The names, version and signatures of the package."""
+"""Tests of the names, version and signatures of the package."""
 
 import builtins
 import inspect

@@ -1,4 +1,4 @@
-"""The repr of each public value is one short line, and its text a few lines for people."""
+"""Tests that the repr of each public value is one short line, and its text a few lines for people."""
 
 from collections.abc import Mapping
 
@@ -46,7 +46,7 @@ def frame() -> Frame:
 
 @pytest.fixture(scope="module")
 def values(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, object]:
-    """One value of each public class, and of each class that a public function returns."""
+    """Return one value of each public class and of each class that a public function returns."""
     folder = tmp_path_factory.mktemp("reprs")
     item = sim2reason.item(**ITEM, solutions=True)
     scene = sim2reason.sample("collision", "easy")

@@ -1,4 +1,4 @@
-"""The reader of formulas that the benchmark of symbolic problems has for itself."""
+"""Tests of the formula reader in the benchmark of symbolic problems."""
 
 import importlib.util
 from pathlib import Path
@@ -22,7 +22,7 @@ def benchmark() -> ModuleType:
 
 
 def test_no_symbol_is_found_in_what_stands_for_another(benchmark: ModuleType) -> None:
-    """Each is replaced by a name with the letter s, which may be a symbol, too."""
+    """Symbols are replaced by names with the letter s, which may be a symbol itself."""
     point = {"m_A": 3.6, "m_B": 1.6, "k": 65.0, "d": 0.22, "s": 0.19}
     wanted = (5.2 * 65.0 * 0.19 - 3.6 * 0.22 * 65.0) / (3.6 * 1.6)
     found = benchmark.value(r"\frac{m_A k s + m_B k s - m_A d k}{m_A m_B}", point)
@@ -30,7 +30,7 @@ def test_no_symbol_is_found_in_what_stands_for_another(benchmark: ModuleType) ->
 
 
 def test_a_coordinate_may_be_negative(benchmark: ModuleType) -> None:
-    """√(x²) is no x there, in whatever way it is rewritten."""
+    """√(x²) isn't rewritten as x."""
     bindings = tuple(Binding(numbers=(x,), answer=3.0 * abs(x)) for x in (-2.0, -1.5, 0.7))
     formula = FormulaRecord(latex=r"3 \sqrt{x^{2}}", symbols=("x",), units=("m",), unit="m", bindings=bindings)
     assert len(list(benchmark.rewritings(formula))) >= 3

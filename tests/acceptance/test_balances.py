@@ -1,7 +1,7 @@
-"""Energy, momentum and angular momentum of random mechanisms whose equations change, with what acts on them.
+"""Tests of the balances of energy, momentum and angular momentum in random mechanisms with events.
 
 Between two events the energy changes by the work of friction, damping, hands, winches and fields, the momentum by the
-impulse of every force from outside, the angular momentum of particles by that of the torques; and no event adds energy.
+impulse of all external forces, the angular momentum of particles by that of the torques; no event adds energy.
 """
 
 import numpy as np
@@ -58,5 +58,5 @@ def test_no_event_adds_energy(family: str) -> None:
 
 
 def _switched(mechanism: Mechanism) -> bool:
-    """Whether a potential begins or ends at a border."""
+    """Return whether any force acts within a region only, so that its potential begins or ends at a border."""
     return any(force.region is not None for force in mechanism.forces)

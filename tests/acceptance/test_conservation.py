@@ -1,4 +1,4 @@
-"""Energy and momentum of drawn scenes, where nothing takes them away: no friction, hands or inelastic impacts."""
+"""Tests of the conservation of energy and momentum in scenes without friction, hands or inelastic impacts."""
 
 from collections.abc import Iterator
 from itertools import count
@@ -33,7 +33,7 @@ def conserves(mechanism: Mechanism) -> bool:
 
 
 def motions(recipe: str, difficulty: Difficulty, seed: int) -> Iterator[Trace]:
-    """Motions that conserve energy for long enough to see; a string that snaps taut is an inelastic impact."""
+    """Yield motions that conserve energy for a while; a string that snaps taut is an inelastic impact."""
     for scene in drawn(recipe, difficulty, LIMIT, seed):
         if conserves(scene.mechanism):
             trace = simulate(scene)
@@ -46,12 +46,12 @@ def sampled(trace: Trace) -> State:
 
 
 def total(state: State, quantity: str) -> Array:
-    """The sum over all bodies of a scalar (n,) or vector (n, 3)."""
+    """Return the sum over all bodies of a scalar (n,) or vector (n, 3)."""
     return np.sum([QUANTITIES[quantity].evaluate(state, name) for name in state.mechanism.body], axis=0)
 
 
 def energy_drift(state: State) -> float:
-    """How far the total energy strays, relative to the largest energy that any body has or exchanges."""
+    """Return the largest change of the total energy relative to the largest energy of any body."""
     parts = ("kinetic energy", "potential energy")
     scale = max(np.abs(QUANTITIES[part].evaluate(state, name)).max() for part in parts for name in state.mechanism.body)
     energy = total(state, parts[0]) + total(state, parts[1])
@@ -59,7 +59,7 @@ def energy_drift(state: State) -> float:
 
 
 def free_directions(mechanism: Mechanism) -> list[Vector]:
-    """Room directions in which nothing outside pushes: no string ends in the room, and every root body can move so."""
+    """Return the horizontal axes along which all root bodies can move and no external force acts."""
     roots = [body for body in mechanism.bodies if body.parent is None]
     if any(mechanism.site[site].body is None for line in mechanism.lines for site in line.through):
         return []

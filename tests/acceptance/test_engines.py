@@ -1,4 +1,4 @@
-"""Two engines, one motion: what is drawn is certified before anything is drawn again."""
+"""Tests that both engines agree on the motion of random scenes."""
 
 import pytest
 

@@ -1,6 +1,6 @@
-"""What a program can check of the English of prompts; a physicist reads the rest.
+"""Automatic checks of the English of prompts; a physicist reads the rest.
 
-The usual tests read two prompts of each cell, those marked slow more than five hundred, whose words they count.
+The default tests read two prompts of each cell, the slow ones more than five hundred, whose words they count.
 """
 
 import re
@@ -182,7 +182,7 @@ def test_verbs_and_kinds_keep_their_quotas(batch: list[Sample]) -> None:
 
 @counted
 def test_every_shape_of_prompts_has_its_share(batch: list[Sample]) -> None:
-    """Over all recipes; how often each is drawn in one recipe is a matter of chances, which `test_shapes` adds up."""
+    """No shape has more than a quarter of all prompts; `test_shapes` checks the shares within each recipe."""
     shapes = Counter(s.item.shape for s in batch)
     assert len(shapes) >= 6
     assert max(shapes.values()) <= 0.25 * len(batch), shapes

@@ -1,4 +1,4 @@
-"""Numbers that are never said must not matter."""
+"""Tests that hidden numbers, which no text states, do not affect answers."""
 
 from itertools import islice
 
@@ -17,7 +17,7 @@ FREE_LENGTH = (2.0, 4.0)  # m, from which all that is hidden today is drawn
 
 
 def redrawn(scene: Scene, rng: np.random.Generator) -> Scene:
-    """The same scene with every hidden number drawn again."""
+    """Return the same scene with every hidden number drawn again."""
     for parameter in scene.parameters:
         if parameter.hidden:
             scene = scene.having(parameter.path, float(rng.uniform(*FREE_LENGTH)))

@@ -1,4 +1,4 @@
-"""Olympiad problems from files: the published results, and what follows from the statements in closed form."""
+"""Tests of olympiad problems in files, against published results and closed forms."""
 
 from functools import cache
 from math import cos, pi, radians, sqrt
@@ -21,7 +21,7 @@ G = 9.8
 
 @cache
 def problem(name: str) -> Scene:
-    """The scene of a problem."""
+    """Return the scene of a problem."""
     return load(TEXTS[name])
 
 
@@ -34,11 +34,11 @@ def test_a_problem_is_told_and_read_back(name: str) -> None:
 
 
 def test_fma_2024_17() -> None:
-    """Published answer E: 11 mg/6k. The rope pulls with mg; so does each spring.
+    """Published answer E: 11 mg/6k. The rope's tension is mg, and so is the force of each spring.
 
-    The rope that carries the block goes over the lower pulley to the spring of 2k: its stretch mg/2k sinks the block
-    by as much. Its hook draws with 2 mg at the upper pulley, whose rope ends at k and at 3k. They give way by mg/k and
-    mg/3k, their pulley by half the sum, the block by the sum: mg (1/k + 1/2k + 1/3k).
+    The rope that carries the block goes over the lower pulley to the spring of 2k, whose stretch mg/2k lowers the block
+    by as much. The pulley's hook pulls the upper pulley with 2 mg, whose rope ends at k and at 3k. They stretch by mg/k
+    and mg/3k, so their pulley sinks by half the sum, the block by the sum: mg (1/k + 1/2k + 1/3k).
     """
     name, mass, stiffness = "load.system.blocks.0.slide", 2.0, 100.0
     text = TEXTS["fma_2024_17"]
@@ -53,10 +53,10 @@ def test_fma_2024_17() -> None:
 
 
 def test_usapho_2019_b3() -> None:
-    """With θ from the upward vertical: R θ̇² = 4 g (cos θ₀ − cos θ)/(1 + sin² θ), for the centre of mass only falls.
+    """R θ̇² = 4 g (cos θ₀ − cos θ)/(1 + sin² θ), θ from the upward vertical: the centre of mass only falls.
 
-    Momentum along the rail is kept: the ball is at (R/2) sin θ from where the centre of mass falls, on an ellipse of
-    half-axes R/2 and R. Released from the top, both pass the lowest place with R θ̇/2 = √(2 g R).
+    Momentum along the rail is conserved: the ball is at (R/2) sin θ from the vertical of the centre of mass, on an
+    ellipse of half-axes R/2 and R. Released from the top, both pass the lowest position with R θ̇/2 = √(2 g R).
     """
     length, tilt = 0.8, radians(0.1)
     found = Followed(problem("usapho_2019_b3"), 2.6, count=4001)

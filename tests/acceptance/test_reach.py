@@ -1,4 +1,4 @@
-"""Randomisation reaches what it declares: over two hundred draws no range, count, choice or option stays constant."""
+"""Tests that every range, count, choice and option that recipes declare varies over two hundred draws."""
 
 from collections import defaultdict
 from collections.abc import Iterator
@@ -65,7 +65,7 @@ Aspect = tuple[str, str, str]  # class, field, and what of it varies
 
 
 def aspects(value: Model) -> Iterator[tuple[Aspect, object]]:
-    """Everything about a value and its parts that a recipe may draw."""
+    """Yield every aspect of a value and its parts that a recipe may draw."""
     for name, kind in field_types(type(value)).items():
         held, key = getattr(value, name), (type(value).__name__, name)
         if kind.optional:
@@ -106,7 +106,7 @@ def seldom(recipe: str) -> list[pytest.MarkDecorator]:
 
 @pytest.mark.parametrize("recipe", [pytest.param(name, marks=seldom(name)) for name in sorted(RECIPES)])
 def test_nothing_that_is_declared_stays_constant(recipe: str) -> None:
-    """Over all difficulties: what one of them leaves out on purpose another one has."""
+    """All difficulties count together, since one may deliberately omit what another has."""
     found = reached(recipe)
     constant = {aspect for aspect, values in found.items() if len(values) >= OFTEN and len(set(values)) == 1}
     assert not [aspect for aspect in sorted(constant) if not on_purpose(aspect, recipe)]
@@ -122,6 +122,6 @@ GROWN = [
 
 @pytest.mark.parametrize(("recipe", "difficulty", "tier"), GROWN)
 def test_every_entity_of_a_pool_is_drawn(recipe: str, difficulty: Difficulty, tier: Tier) -> None:
-    """None is always too long to tell, or never fits the others."""
+    """No entity of a pool is always too long to describe, or never compatible with the others."""
     scenes = drawn(recipe, difficulty, SCENES, seed=41)
     assert set(tier.pool) <= {type(named.entity).__name__ for scene in scenes for named in scene.entities}

@@ -1,4 +1,4 @@
-"""What bug reports and new users ran into that no other test holds: empty splits, plain scripts, lengths."""
+"""Regression tests of bug reports that no other test covers: empty splits, plain scripts, completion lengths."""
 
 import subprocess
 import sys
@@ -26,7 +26,7 @@ print("ends")
 
 
 def test_a_split_to_which_nothing_belongs_has_no_file_and_datasets_loads_the_rest(tmp_path: Path) -> None:
-    """A shard of no rows would end `load_dataset` with an error of Arrow."""
+    """A shard without rows would make `load_dataset` fail with an Arrow error."""
     out = tmp_path / "data"
     order = ["--items", "2", "--seed", "5", "--recipe", "rolling", "--difficulty", "easy"]
     made = CliRunner().invoke(main, ["generate", str(out), *order, "--split", "train=0.9,test=0.1"])
@@ -41,7 +41,7 @@ def test_a_split_to_which_nothing_belongs_has_no_file_and_datasets_loads_the_res
 
 
 def test_a_split_may_not_have_the_name_that_datasets_gives_to_all(tmp_path: Path) -> None:
-    """`all` is a word of the library *datasets*, and of ours."""
+    """The name `all` stands for all splits, both in `datasets` and in this library."""
     order = ["--items", "2", "--split", "all=0.5,test=0.5"]
     refused = CliRunner().invoke(main, ["generate", str(tmp_path / "data"), *order])
     assert refused.exit_code == 2
@@ -51,7 +51,7 @@ def test_a_split_may_not_have_the_name_that_datasets_gives_to_all(tmp_path: Path
 @pytest.mark.slow  # datasets/places/test_here does so with a maker that is fast
 @pytest.mark.parametrize("workers", [1, 2])
 def test_generate_runs_the_lines_of_a_plain_script_once(workers: int, tmp_path: Path) -> None:
-    """A script without a guard for its main program is run by no worker again."""
+    """Workers do not run a script without a `__main__` guard again."""
     script = tmp_path / "plain.py"
     script.write_text(SCRIPT, encoding="utf-8")
     command = [sys.executable, str(script), str(tmp_path / "data"), str(workers)]
@@ -60,13 +60,13 @@ def test_generate_runs_the_lines_of_a_plain_script_once(workers: int, tmp_path: 
 
 
 def test_every_page_on_trl_says_how_long_a_completion_may_be() -> None:
-    """TRL's default leaves no room for an answer."""
+    """TRL's default `max_completion_length` leaves no room for an answer."""
     with_trainer = [page for page in PAGES if "GRPOTrainer(" in page.read_text(encoding="utf-8")]
     assert len(with_trainer) >= 3
     assert all("max_completion_length" in page.read_text(encoding="utf-8") for page in with_trainer)
 
 
 def test_a_description_is_printed_as_its_text() -> None:
-    """`str` of a description is its text, not the fields of an object."""
+    """The `str` of a description is its text, not the fields of an object."""
     described = sim2reason.describe(ramp())
     assert str(described) == described.text

@@ -1,4 +1,4 @@
-"""A prompt alone leads back to its answer: every given is in it, and it means one scene and one question."""
+"""Tests that a prompt alone gives its answer: it contains every given, and means one scene and one question."""
 
 import numpy as np
 import pytest
@@ -18,7 +18,7 @@ ITEMS = [2, pytest.param(6, marks=pytest.mark.slow)]  # of each cell; benchmarks
 @pytest.mark.parametrize("difficulty", DIFFICULTIES)
 @pytest.mark.parametrize("recipe", RECIPES)
 def test_the_answer_follows_from_the_text(recipe: str, difficulty: str, count: int, numeric_items: SharedItems) -> None:
-    """The scene is rebuilt from the words, its hidden numbers are drawn anew, and it is solved and asked again."""
+    """The scene is rebuilt from the text, its hidden numbers are redrawn, and the question is answered again."""
     items = numeric_items.of((recipe, difficulty), count)
     assert len(items) == count
     for index, item in enumerate(items):

@@ -1,4 +1,4 @@
-"""The real maker: a set is the same to the byte on any number of workers, and after kills."""
+"""Tests that the real maker gives byte-identical datasets with any number of workers, and after kills."""
 
 import hashlib
 import os
@@ -32,7 +32,7 @@ def finish(out: Path, workers: int, items: int = ITEMS) -> None:
 
 
 def digest(folder: Path) -> str:
-    """SHA-256 over the names and bytes of all files."""
+    """Return the SHA-256 over the names and bytes of all files."""
     found = hashlib.sha256()
     for path in sorted(path for path in folder.rglob("*") if path.is_file()):
         found.update(str(path.relative_to(folder)).encode() + b"\0" + path.read_bytes())
@@ -44,7 +44,7 @@ def shards(out: Path) -> int:
 
 
 def killed(out: Path, rng: random.Random) -> None:
-    """Start, wait for one more shard and a moment, kill."""
+    """Start a run, wait for one more shard and a short random time, and kill it."""
     wanted, run, end = shards(out) + 1, start(out, rng.choice((1, 2))), time.monotonic() + 60
     while shards(out) < wanted and run.poll() is None and time.monotonic() < end:
         time.sleep(0.002)
@@ -63,7 +63,7 @@ def test_one_and_two_workers_give_one_digest(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_one_two_and_four_workers_and_kills_give_one_digest(tmp_path: Path) -> None:
-    """A run that kills interrupt is the one of two workers, and of one or two between its kills."""
+    """The run that is killed several times, with one or two workers, finishes with two."""
     for workers in (1, 4):
         finish(tmp_path / f"by{workers}", workers)
     rng = random.Random(5)

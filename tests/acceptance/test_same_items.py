@@ -1,7 +1,7 @@
-"""Refactoring changes no item: digests of 300 items with their solutions.
+"""Tests that refactoring changes no item: digests of 300 items with their solutions.
 
-The usual tests compare one of each recipe, those marked slow a quarter. ``python tests/acceptance/test_same_items.py``
-compares all, and with ``--write`` writes the digests anew, after a change that is meant to change items.
+The default tests compare one of each recipe, the slow ones a quarter. ``python tests/acceptance/test_same_items.py``
+compares all, and with ``--write`` writes new digests, after a change that is meant to change items.
 """
 
 import json
@@ -30,7 +30,7 @@ def requests(recipe: str) -> list[Request]:
 
 
 def digest(request: Request) -> str:
-    """Return a digest of an item, but for the versions of the libraries that made it."""
+    """Return a digest of an item without the versions of the libraries that made it."""
     item = make(request).item
     if item is None:
         return ""
@@ -50,7 +50,7 @@ def differing(recipe: str, compared: list[Request]) -> list[str]:
 
 @pytest.mark.parametrize("recipe", RECIPES)
 def test_an_item_of_each_recipe_is_the_same_byte_for_byte(recipe: str) -> None:
-    """Their modes and difficulties take turns."""
+    """Modes and difficulties alternate from recipe to recipe."""
     held = requests(recipe)
     assert not differing(recipe, [held[4 * list(RECIPES).index(recipe) % len(held)]])
 

@@ -1,4 +1,4 @@
-"""Files that are there whole or not at all, and folders that are held while something is made in them."""
+"""Tests of atomic files, written whole or not at all, and of the locks of folders in which something is made."""
 
 from pathlib import Path
 

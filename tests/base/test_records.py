@@ -1,4 +1,4 @@
-"""A value that is worked out when it is first read."""
+"""Tests of values that are computed when they are first read."""
 
 from dataclasses import dataclass, field
 

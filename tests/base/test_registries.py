@@ -1,4 +1,4 @@
-"""One contract for each registry, held by every member, present and future."""
+"""Contract tests of the registries, which every member has to pass."""
 
 from collections import Counter
 from collections.abc import Mapping
@@ -65,7 +65,7 @@ SOURCE = Path(sim2reason.__file__).parent
 
 
 def all_bodies() -> list[type[Body]]:
-    """Every registered body class."""
+    """Return every registered body class."""
     return list(BODIES.values())
 
 
@@ -153,7 +153,7 @@ def test_quantities_are_read_off_any_motion(name: str) -> None:
 
 
 def told(scene: Scene) -> tuple[SimulatedScene, Words]:
-    """A scene with its motion, and what questions need to know of its text."""
+    """Return a scene with its motion and the words of its text."""
     return SimulatedScene(scene, simulate(scene)), words_of(describe(scene))
 
 
@@ -162,7 +162,7 @@ SCENES = Path(__file__).parents[1] / "data" / "ordinary_scenes"
 
 @cache
 def varied() -> list[tuple[SimulatedScene, Words]]:
-    """Motions in which all that is registered can be asked."""
+    """Return motions about which everything that is registered can be asked."""
     carts = row((2.0, 1.0), (50.0, 30.0), "left", tilt=20.0)
     own = [
         load(SCENES / f"{name}.yaml")
@@ -182,7 +182,7 @@ def varied() -> list[tuple[SimulatedScene, Words]]:
 
 
 def shapes(query: Query, words: Words) -> tuple[str, ...]:
-    """All sentences that ask a query, as they stand in a text."""
+    """Return all sentences that ask a query, as they appear in a text."""
     noun = targets(words)[query.target] if query.target is not None else None
     return tuple(sentence(shape) for shape in KINDS[query.kind].shapes(query, words, noun))
 
@@ -250,7 +250,7 @@ def test_kinds_have_a_share_and_every_sentence_is_parsed_back(name: str, seeds: 
 
 
 def names(mechanism: Mechanism) -> set[str]:
-    """All that quantities and moments can be of."""
+    """Return all subjects that quantities and moments can have."""
     return {channel.subject for channel, _ in channels(mechanism)}
 
 
@@ -278,7 +278,7 @@ def test_moments_are_found_and_every_phrase_is_parsed_back(name: str) -> None:
 @pytest.mark.parametrize("most", [2, pytest.param(1000, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("name", list(MODES))
 def test_modes_ask_every_kind_of_some_scene(name: str, most: int) -> None:
-    """So many questions of each kind, or as many as all motions offer."""
+    """Each mode asks `most` questions of each kind, or as many as all motions offer."""
     asked = Counter[str]()
     for seed, (study, words), kind in product(range(6), varied(), KINDS):
         if asked[kind] < most and (kind in MODES[name].kinds or seed == 0):

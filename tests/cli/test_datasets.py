@@ -1,4 +1,4 @@
-"""generate, verify, show and stats, with a fake maker."""
+"""Tests of the commands `generate`, `verify`, `show` and `stats`, with a fake maker."""
 
 import gc
 import json
@@ -344,7 +344,7 @@ def test_a_changed_manifest_is_one_line(data: Path, tmp_path: Path, command: str
 
 
 def test_verify_and_show_take_what_generate_gave(tmp_path: Path) -> None:
-    """The functions of the commands, one after the other."""
+    """The functions of the commands work one after the other on the same dataset."""
     order = {"items": 6, "recipe": ("incline", "pulley"), "difficulty": "easy", "maker": "fake_makers:steady"}
     made = sim2reason.generate(tmp_path / "data", workers=1, **order)
     assert sim2reason.verify(made.path).faults == ()

@@ -1,4 +1,4 @@
-"""`describe` tells the scene of a file; whatever is wrong with it is one line and exit code 2."""
+"""Tests of `describe` on files of scenes; any error is one line with exit code 2."""
 
 import subprocess
 import sys

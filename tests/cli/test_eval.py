@@ -1,4 +1,4 @@
-"""The command eval, on configurations right and wrong."""
+"""Tests of the command `eval` on valid and invalid configurations."""
 
 import json
 import signal

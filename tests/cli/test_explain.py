@@ -1,4 +1,4 @@
-"""``sim2reason explain`` tells how a problem came to be, and takes nothing in the file on trust."""
+"""Tests of ``sim2reason explain``, which tells how a problem was made and trusts nothing in the file."""
 
 from pathlib import Path
 
@@ -17,7 +17,7 @@ def call(*args: object) -> Result:
 
 @pytest.fixture(scope="module")
 def data(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Two problems."""
+    """Build a dataset of two problems."""
     out = tmp_path_factory.mktemp("explained")
     build(out, Config(items=2, recipes=("incline",), difficulties=("easy", "medium")), workers=1)
     return out

@@ -99,7 +99,7 @@ def test_a_body_without_a_look_is_warned_of(tmp_path: Path, monkeypatch: pytest.
 def test_the_figure_of_an_items_scene_is_that_of_the_item(
     tmp_path: Path, recipe: str, difficulty: Difficulty, mode: str, index: int
 ) -> None:
-    """It names things as the text does, and shows nothing that is asked for."""
+    """The figure names bodies as the text does, and does not show the unknown."""
     made = item(recipe, difficulty, mode, seed=31, index=index)
     file, alone, beside = tmp_path / "scene.yaml", tmp_path / "alone.svg", tmp_path / "beside.svg"
     file.write_text(made.scene, encoding="utf-8")

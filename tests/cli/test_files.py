@@ -1,4 +1,4 @@
-"""Files that commands write are whole or not there, and take no other file's place."""
+"""Tests that commands write files whole or not at all, and overwrite no other file."""
 
 import os
 from pathlib import Path
@@ -32,7 +32,7 @@ def test_what_fails_leaves_the_old_file(tmp_path: Path) -> None:
 
 
 def test_files_beside_it_and_what_links_lead_to_are_left_alone(tmp_path: Path) -> None:
-    """A name that we could have chosen may be taken, by a link, too."""
+    """Names that the command might use for temporary files may exist already, also as symbolic links."""
     out, far = tmp_path / "x.parquet", tmp_path / "far"
     far.write_text("far")
     others = {f"x.parquet{end}": "mine" for end in (".part", ".tmp")} | {f".sim2reason-{os.getpid()}-0.parquet": "far"}

@@ -1,4 +1,4 @@
-"""What every command shares: help with an example, exit codes, one-line errors, quiet pipes."""
+"""Tests of behaviour common to all commands: help with an example, exit codes, one-line errors, quiet pipes."""
 
 import ast
 import subprocess
@@ -43,7 +43,7 @@ def test_help_shows_an_example(name: str) -> None:
 
 @pytest.mark.parametrize("name", COMMANDS)
 def test_lines_of_an_example_stay_lines(name: str) -> None:
-    """Click joins lines to paragraphs, but for those after its mark."""
+    """Click joins lines to paragraphs, except after its mark against rewrapping."""
     shown = CliRunner().invoke(main, [name, "--help"]).stdout.splitlines()
     command = main.get_command(click.Context(main), name)
     assert command is not None
@@ -81,7 +81,7 @@ def test_what_is_no_command_is_one_line(name: str) -> None:
 
 
 def test_a_path_is_no_command(tmp_path: Path) -> None:
-    """Not even one to a file that looks like a command, which is not run."""
+    """Even a path to a file that looks like a command is refused, and the file is not run."""
     for path in (tmp_path / "show.py", tmp_path / "scene.yaml"):
         path.write_text("def command(): ...\nraise SystemExit(7)\n")
         for name in (path, path.with_suffix("")):
@@ -105,7 +105,7 @@ def test_the_version_is_that_of_the_package() -> None:
 
 @pytest.fixture
 def broken(monkeypatch: pytest.MonkeyPatch) -> "list[BaseException]":
-    """A command that raises what is put into the list."""
+    """Replace every command by one that raises the exception in the returned list."""
     errors: list[BaseException] = []
 
     @click.command()

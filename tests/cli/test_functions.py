@@ -1,4 +1,4 @@
-"""Each command has a public function of its name, which takes what the command takes, by the same names."""
+"""Tests that each command has a public function of the same name, with the same parameters."""
 
 import ast
 import inspect
@@ -38,12 +38,12 @@ def command(name: str) -> click.Command:
 
 
 def named(param: click.Parameter) -> str:
-    """An option as a function has its name."""
+    """Return the name of the function parameter that corresponds to an option."""
     return max(param.opts, key=len).removeprefix("--").replace("-", "_")
 
 
 def taken(found: click.Command) -> Iterator[str]:
-    """What a command takes, but for what says how its result is printed or kept."""
+    """Yield the parameters of a command, except those about printing or writing its result."""
     for param in found.params:
         if isinstance(param, click.Option):
             if not (param.hidden or isinstance(param, Printing) or "--json" in param.opts):
@@ -96,7 +96,7 @@ def test_a_letter_means_one_word(short: str, long: str) -> None:
 
 
 def test_a_word_has_one_meaning() -> None:
-    """All options of one name convert what they are given alike, but for bounds and what is chosen from."""
+    """Options of one name have the same type in all commands, apart from bounds and choices."""
     kinds: dict[str, set[tuple[str, bool, int]]] = {}
     for _, param in all_options():
         if not param.hidden and param.opts != ["--shard-size"]:
@@ -124,7 +124,7 @@ def test_the_coordinates_of_one_problem_are_given_alike() -> None:
 
 
 def test_where_several_names_may_stand_all_may() -> None:
-    """Else an option says one problem's coordinate, as those of `item` and `sample` do."""
+    """All options of this kind take several names, except in `item` and `sample`, which make a single problem."""
     found = {(name, str(param.name)) for name, param in all_options() if param.callback is options.names}
     named = {(name, str(param.name)) for name, param in all_options() if param.name in ("recipe", "difficulty", "mode")}
     one = {(name, each) for name, each in named if name in ("item", "sample")}
@@ -135,7 +135,7 @@ def test_where_several_names_may_stand_all_may() -> None:
 
 
 def test_the_import_stays_light() -> None:
-    """The public names are looked up when they are used."""
+    """The public names are imported when they are first used."""
     tree = ast.parse(Path(sim2reason.__file__).read_text(encoding="utf-8"))
     imports = [node for node in tree.body if isinstance(node, ast.Import | ast.ImportFrom)]
     assert not [node for node in imports if "sim2reason" in ast.unparse(node)]

@@ -1,4 +1,4 @@
-"""SIGINT and SIGTERM end a command with one line, whenever they come."""
+"""Tests that SIGINT and SIGTERM end a command with one line, at any time."""
 
 import os
 import signal

@@ -1,4 +1,4 @@
-"""One problem by its coordinates, its scene, and questions about a scene of one's own."""
+"""Tests of one problem by its coordinates, of its scene, and of questions about a user's scene."""
 
 import json
 import re
@@ -32,7 +32,7 @@ def test_an_item_is_that_of_a_dataset_and_is_told_whole() -> None:
 
 @pytest.mark.parametrize(("mode", "recipe"), [("numeric", "incline"), ("reverse", "projectile")])
 def test_a_sample_is_the_scene_of_the_item_of_the_same_coordinates(mode: str, recipe: str, tmp_path: Path) -> None:
-    """But for what the item's file says of its text: a scene alone has none."""
+    """The item's file has the wording of its text in addition, which a scene alone lacks."""
     problem = sim2reason.item(recipe, "easy", mode, seed=2, index=5)
     scene = sim2reason.sample(recipe, "easy", mode, seed=2, index=5)
     assert dump(scene, wording_of(problem.scene)) == problem.scene
@@ -110,7 +110,7 @@ def test_questions_about_a_scene_are_items_too(tmp_path: Path) -> None:
 
 
 def test_ask_says_in_words_why_questions_were_refused(tmp_path: Path) -> None:
-    """Nothing passes about a pendulum of 10 m on the Moon: no textbook has one as long."""
+    """Every question about a 10 m pendulum on the Moon is refused, since no textbook has one that long."""
     pendulum = "{bob: {mass: 1.0}, hanger: {kind: cord, length: 10.0}, angle: 10.0}"
     entity = f"{{name: pendulum, type: Pendulum, parameters: {pendulum}}}"
     text = f"scene: {{name: moon, entities: [{entity}], world: {{gravity: 1.62}}}}"

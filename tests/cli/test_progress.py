@@ -1,4 +1,4 @@
-"""Long commands tell how far they are, where there is no terminal, too; --verbose tells more."""
+"""Tests of the progress that long commands report, with or without a terminal, and of --verbose."""
 
 import re
 import time

@@ -1,4 +1,4 @@
-"""`simulate` runs foreign scenes in a process that can be killed, and sums up what happens."""
+"""Tests of `simulate`, which runs foreign scenes in a process that can be killed, and summarises their motion."""
 
 import json
 import os
@@ -156,7 +156,7 @@ def test_wrong_options_are_one_line(atwood: Path, options: tuple[str, str], said
 
 @pytest.mark.parametrize("patience", ["nan", "inf", "1e300"])
 def test_patience_ends(atwood: Path, patience: str) -> None:
-    """A hidden option, for tests; what no timer takes is refused."""
+    """The hidden option --patience, for tests, refuses values that no timer accepts."""
     result = run(atwood, "--patience", patience)
     assert (result.exit_code, result.stderr.count("\n")) == (2, 1)
     assert "'--patience'" in result.stderr

@@ -1,4 +1,4 @@
-"""``sim2reason solve`` works out a problem in steps: one of an id, or a question about a scene in a file."""
+"""Tests of ``sim2reason solve`` on an item by its id, and on questions about a scene in a file."""
 
 import json
 from pathlib import Path
@@ -25,7 +25,7 @@ def call(*args: object) -> Result:
 
 @pytest.fixture
 def scene(tmp_path: Path) -> Path:
-    """A scene in a file."""
+    """Return the path of a file with a scene."""
     path = tmp_path / "scene.yaml"
     path.write_text(item("incline", "easy", seed=3, index=0).scene)
     return path
@@ -46,7 +46,7 @@ def test_a_problem_of_an_id_is_told_and_its_solution_is_graded_right(
 
 
 def test_an_answer_in_other_units_is_converted_at_the_end() -> None:
-    """1 J is 10⁷ erg."""
+    """The answer is converted in the last step, with 1 J = 10⁷ erg."""
     solution = call("--id", "incline-medium-numeric-0-3-cgs").output
     usual = call("--id", "incline-medium-numeric-0-3").output
     assert r"Q \approx \boxed{4.13}\ \text{J}$" in usual
@@ -120,7 +120,7 @@ scene:
 
 
 def test_a_question_in_parts_in_words_and_in_the_file(tmp_path: Path) -> None:
-    """All three are one question, whose answer comes in ten seconds of motion; it is not rounded."""
+    """All three ask the same question; the answer, at about 10 s of motion, is not rounded."""
     path, asking = tmp_path / "scene.yaml", tmp_path / "asking.yaml"
     path.write_text(SLIDING)
     asking.write_text(SLIDING + "question: {find: time, when: stopped}\n")
@@ -132,7 +132,7 @@ def test_a_question_in_parts_in_words_and_in_the_file(tmp_path: Path) -> None:
 
 
 def test_what_never_happens_is_told_with_its_reason(tmp_path: Path) -> None:
-    """Exit code 1, as for whatever has no answer."""
+    """The exit code is 1, as for any question without an answer."""
     path = tmp_path / "scene.yaml"
     path.write_text(SLIDING)
     told = call(path, "--find", "velocity", "--when", "moved 26 m")
@@ -141,7 +141,7 @@ def test_what_never_happens_is_told_with_its_reason(tmp_path: Path) -> None:
 
 
 def test_without_a_worked_solution_there_is_an_answer(tmp_path: Path) -> None:
-    """A number of the scene that a result fixes."""
+    """A number of the scene that a given result determines has an answer, but no worked solution."""
     path = tmp_path / "scene.yaml"
     path.write_text(SLIDING)
     told = call(path, "--find", "floor.speed", "--when", "stopped", "--given", "displacement = 100 m", "--json")
@@ -178,7 +178,7 @@ def test_a_question_in_ordinary_english_is_answered_and_told_back(scene: Path) -
     [("--of", "floor.bl", "floor.blocks.0"), ("--find", "velo", "velocity"), ("--when", "mov", "moved")],
 )
 def test_names_are_completed_from_the_scene(tmp_path: Path, option: str, typed: str, offered: str) -> None:
-    """While an option has no value yet, click has not assigned the path of the scene."""
+    """Click has not assigned the path of the scene while an option still lacks its value."""
     path = tmp_path / "floor.yaml"
     path.write_text(FLOOR)
     words = {"COMP_WORDS": f"sim2reason solve {path} {option} {typed}", "COMP_CWORD": "4"}

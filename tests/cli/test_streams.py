@@ -1,4 +1,4 @@
-"""Standard streams that are closed, full or without a reader, and names that are no text."""
+"""Tests of closed, full or unread standard streams, and of file names that are not valid text."""
 
 import os
 import subprocess
@@ -21,7 +21,7 @@ def shell(line: str, folder: Path) -> "subprocess.CompletedProcess[bytes]":
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """With a dataset, called *data*."""
+    """Return a folder with a dataset called *data*."""
     config = Config(items=4, recipes=("pulley",), difficulties=("easy",), maker="fake_makers:steady")
     build(tmp_path / "data", config, workers=1)
     return tmp_path
@@ -62,7 +62,7 @@ def test_a_file_that_is_full_is_named() -> None:
 
 
 def named(folder: Path, name: bytes) -> Path:
-    """Rename the dataset to what is no text."""
+    """Rename the dataset to a name that is not valid text."""
     try:
         return (folder / "data").rename(folder / os.fsdecode(name))
     except OSError:
@@ -94,7 +94,7 @@ def test_what_is_built_and_written_under_names_that_are_no_text(folder: Path) ->
 @pytest.mark.skipif(sys.platform == "darwin", reason="its file system takes no such names")
 @pytest.mark.parametrize("to", [pytest.param("hf", marks=pytest.mark.slow), "lm-eval"])
 def test_what_is_written_may_have_such_a_name(folder: Path, to: str) -> None:
-    """Parquet and lines."""
+    """Both Parquet files and JSON Lines can be written under such a name."""
     result = shell(f"{COMMAND} export data --to {to} --out $'e\\xff'", folder)
     assert (result.returncode, result.stderr) == (0, b"")
     assert b"e\xff/README.md" in result.stdout

@@ -1,4 +1,4 @@
-"""Forty textbook scenes: each has its answer by one command, in words and in parts."""
+"""Tests of forty textbook scenes: one command answers each, from words and from parts."""
 
 import json
 from pathlib import Path
@@ -38,6 +38,5 @@ def test_each_scene_is_answered_in_words_and_in_parts(row: dict[str, Any]) -> No
 
 
 def test_there_are_forty() -> None:
-    """Slow ones, on other planets, astronomical and tiny."""
     assert len(ROWS) >= 40
     assert {row["scene"] for row in ROWS} == {path.stem for path in (DATA / "textbook_scenes").glob("*.yaml")}

@@ -1,4 +1,4 @@
-"""The commands train and sample-solutions, on files right and wrong."""
+"""Tests of the commands `train` and `sample-solutions` on valid and invalid files."""
 
 import json
 import os

@@ -32,7 +32,7 @@ def data(tmp_path: Path, make: Make) -> Path:
 
 
 def content(folder: Path) -> dict[str, bytes]:
-    """Every file of a dataset with its bytes."""
+    """Return the bytes of every file of a dataset by path."""
     return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
 
 

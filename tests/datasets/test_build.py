@@ -106,7 +106,7 @@ def test_an_item_must_bear_the_id_of_its_request(make: Make, tmp_path: Path) -> 
 
 
 def test_only_what_there_is_stands_and_is_an_error(make: Make, tmp_path: Path, contents: Contents) -> None:
-    """There are a dozen problems, however often and in what steps more are asked for."""
+    """The maker has only a dozen different problems, at any number and in any steps of requests."""
     for name, steps in (("at_once", [60]), ("grown", [10, 40, 60, 60])):
         for items in steps:
             if items <= 10:
@@ -124,7 +124,7 @@ def test_only_what_there_is_stands_and_is_an_error(make: Make, tmp_path: Path, c
 def test_a_run_that_is_interrupted_while_it_makes_up_ends_in_the_same_bytes(
     tmp_path: Path, config: Config, contents: Contents, cut: int
 ) -> None:
-    """After any batch, of the first round or a later one; half of all items repeat others, and one split is small."""
+    """The run may be interrupted after any batch, while half of all items are duplicates and one split is small."""
     split = {"test": 0.1, "train": 0.9}
     twins = config.model_copy(update={"items": 30, "maker": "fake_makers:twins", "shard": 20, "split": split})
     calls = 0
@@ -199,7 +199,7 @@ def test_a_second_run_changes_nothing(data: Path, make: Make, contents: Contents
 def test_where_nothing_is_left_to_do_nothing_is_written(
     data: Path, config: Config, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """So a dataset on a disk that can only be read is as well done as any; a damaged one is not."""
+    """A complete dataset on a read-only disk is accepted, a damaged one is not."""
 
     def refuse(*args: object, **_: object) -> None:
         raise OSError(30, "Read-only file system", str(args[0]))
@@ -273,7 +273,7 @@ def test_a_folder_of_somebody_elses_is_refused_whatever_it_is_called(make: Make,
 
 
 def test_a_plan_that_another_part_is_writing_makes_a_folder_nobody_elses(tmp_path: Path, config: Config) -> None:
-    """Parts begin at once: one may see the folder before its plan stands."""
+    """Parts may begin at once, so that one may see the folder before its plan is complete."""
     out = tmp_path / "parts"
     (out / FOLDER).mkdir(parents=True)
     (out / FOLDER / "plan.json.4711.tmp").write_text("{")
@@ -302,7 +302,7 @@ def test_a_run_that_was_killed_before_its_plan_stood_goes_on(make: Make, data: P
 
 
 def test_parts_may_begin_at_once(tmp_path: Path, config: Config, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The second part looks at the folder while the first one has made it and writes its plan."""
+    """The second part looks at the folder while the first one, which has made it, is writing its plan."""
     from sim2reason.datasets import journal
     from sim2reason.datasets.journal import Journal
 
@@ -323,7 +323,7 @@ def test_parts_may_begin_at_once(tmp_path: Path, config: Config, monkeypatch: py
 
 
 def test_what_lies_beside_a_dataset_stays(make: Make, data: Path) -> None:
-    """Also what has the name of a shard among more or fewer, be it a copy of one."""
+    """Files named as a shard of another total number stay too, even a copy of a shard."""
     names = ".mine.tmp", "data/.mine.tmp", "notes.md", "data/other.parquet", "data/train-00001-of-00099.parquet"
     strange = {data / name: b"notes" for name in (*names, "data/train-00004-of-00004.parquet")}
     strange |= {data / "data/train-00000-of-00003.parquet": (data / "data/train-00000-of-00005.parquet").read_bytes()}

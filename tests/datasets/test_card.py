@@ -1,4 +1,4 @@
-"""The card is what the Hugging Face hub reads, its pictures are the dataset's own, and its command makes it again."""
+"""Tests of the card: the hub reads it, its pictures are those of the dataset, and its command remakes it."""
 
 import shlex
 import sys
@@ -25,7 +25,7 @@ HISTOGRAMS = [f"figures/{name}.png" for name in SHOWN]
 
 
 def front(out: Path) -> dict[str, object]:
-    """The metadata, as the hub takes it: YAML between the first two lines of three dashes."""
+    """Return the metadata as the hub reads it: the YAML between the first two lines `---`."""
     text = (out / "README.md").read_text("utf-8")
     assert text.startswith("---\n")
     return yaml.safe_load(text.split("\n---\n", 1)[0].removeprefix("---\n"))

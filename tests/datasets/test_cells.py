@@ -1,4 +1,4 @@
-"""The table of what was asked for and kept, and when an empty cell of it is no accident."""
+"""Tests of the table of requested and kept items, and of empty cells that are not due to chance."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -28,7 +28,7 @@ def test_the_table_counts_what_was_asked_for_and_what_was_kept() -> None:
 
 @pytest.mark.parametrize("cells", [1, 30, 300])
 def test_enough_is_where_the_binomial_tail_of_all_cells_falls_below_the_false_alarm(cells: int) -> None:
-    """P(none of n) = (1 − p)^n, and the sum over all cells bounds the probability of any (Bonferroni)."""
+    """P(none of n) = (1 − p)^n; the sum over all cells bounds the probability of any empty one (Bonferroni)."""
     number = enough(cells)
     assert cells * (1.0 - LEAST_KEPT) ** number <= FALSE_ALARM < cells * (1.0 - LEAST_KEPT) ** (number - 1)
 
@@ -58,7 +58,7 @@ def test_the_manifest_and_the_card_show_the_table(make: Make, tmp_path: Path) ->
 
 
 def test_shards_that_stand_keep_their_counts(make: Make, tmp_path: Path, contents: Callable[..., object]) -> None:
-    """A shard is lost and made again: the counts of the others come from the records of the shards."""
+    """After a lost shard is made again, the counts of the others come from the records of the shards."""
     make(maker="fake_makers:wanting")
     before = contents(tmp_path / "data")
     (tmp_path / "data/data/train-00001-of-00005.parquet").unlink()
@@ -82,7 +82,7 @@ def test_an_empty_cell_is_an_error_of_generate_and_verify(tmp_path: Path) -> Non
 
 
 def test_a_cell_of_which_no_scene_offers_a_kind_was_not_asked_for() -> None:
-    """No period is ever asked about a throw."""
+    """Projectile problems never ask for a period."""
     weights = tuple((name, float(name == "period")) for name in KINDS)
     made = make_item(Request("projectile", "easy", "numeric", 0, 0, weights))
     assert (made.item, made.wanted) == (None, "")
@@ -91,7 +91,7 @@ def test_a_cell_of_which_no_scene_offers_a_kind_was_not_asked_for() -> None:
 
 
 def test_a_dataset_of_which_nothing_could_be_made_is_an_error(tmp_path: Path) -> None:
-    """No period is ever asked about a throw: no kind was offered, so that no cell was asked for; but it is tried."""
+    """Projectile problems never ask for a period, so no cell was asked for, although it was tried."""
     options = ["-n", "2", "--recipe", "projectile", "--difficulty", "easy", "--weights", _only("period")]
     told = CliRunner().invoke(main, ["generate", str(tmp_path / "data"), *options])
     assert told.exit_code == 2

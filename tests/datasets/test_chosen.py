@@ -1,4 +1,4 @@
-"""Recipes, difficulties and modes as settings in a file choose them."""
+"""Tests of recipes, difficulties and modes as chosen by settings in a file."""
 
 import pytest
 from pydantic import ValidationError

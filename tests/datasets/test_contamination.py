@@ -1,4 +1,4 @@
-"""What is shared with a benchmark is found in any file of one; what can't be a benchmark is refused in one line."""
+"""Tests of the search for problems shared with a benchmark in any file; other files give a one-line error."""
 
 import json
 from collections.abc import Callable

@@ -1,4 +1,4 @@
-"""A dataset that is opened, on the fake maker's items."""
+"""Tests of an opened dataset, with items of the fake maker."""
 
 import sys
 from collections.abc import Callable

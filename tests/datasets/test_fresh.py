@@ -1,4 +1,4 @@
-"""Problems by position, drawn when they are asked for: pure, of one split, bounded."""
+"""Tests of problems by position, made on request: reproducible, of one split, and with a bounded search."""
 
 import json
 import pickle
@@ -77,7 +77,7 @@ def test_what_shares_words_with_a_benchmark_is_passed_over(tmp_path: Path, monke
 
 @pytest.fixture
 def counted(monkeypatch: pytest.MonkeyPatch) -> list[Request]:
-    """The requests that a maker got that makes nothing."""
+    """Return the list of requests to a maker that makes nothing."""
     asked: list[Request] = []
 
     def nothing(request: Request) -> Made:

@@ -1,4 +1,4 @@
-"""Datasets are uploaded to the Hugging Face hub: here to a server of this machine, by the hub's own library."""
+"""Tests of uploads to the Hugging Face hub, by its own library to a local server."""
 
 import base64
 import json
@@ -20,7 +20,7 @@ TOKEN = "hf_secret"
 
 
 class FakeHub(ThreadingHTTPServer):
-    """A hub that keeps what is committed, for whoever has the token."""
+    """Hub that keeps what a client with the token commits."""
 
     def __init__(self) -> None:
         super().__init__(("127.0.0.1", 0), _Asked)
@@ -37,7 +37,7 @@ class _Asked(BaseHTTPRequestHandler):
     server: FakeHub
 
     def log_message(self, *_: object) -> None:
-        """Say nothing."""
+        """Suppress the log."""
 
     def do_GET(self) -> None:
         self._tell({"sha": "0" * 40, "id": "user/problems", "siblings": []})

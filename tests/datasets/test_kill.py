@@ -1,4 +1,4 @@
-"""What SIGKILL leaves behind: a run that can go on to the same bytes, and no process."""
+"""Tests of a run after SIGKILL: it can resume to the same bytes, and leaves no process."""
 
 import os
 import random
@@ -42,7 +42,7 @@ def finish(out: Path, mark: str, items: int) -> int:
 
 
 def alive(mark: str) -> list[int]:
-    """The processes that were started under `mark`."""
+    """Return the ids of the processes with `mark` in their environment."""
     found: list[int] = []
     for path in Path("/proc").glob("[0-9]*/environ"):
         try:

@@ -30,7 +30,7 @@ def test_every_position_has_a_request_of_its_own(recipes: tuple[str, ...], items
 
 @given(st.integers(1, 15), st.integers(1, 3), st.integers(1, 5), st.data())
 def test_any_first_few_are_spread_over_all(recipes: int, levels: int, modes: int, data: st.DataObject) -> None:
-    """Over recipes as evenly as can be, over difficulties within 2, over modes within 3; within each recipe evenly."""
+    """Counts per recipe differ by at most 1, per difficulty by 2, per mode by 3, and evenly within each recipe."""
     names = [tuple(f"{what}{n}" for n in range(count)) for what, count in (("r", recipes), ("d", levels), ("m", modes))]
     config = Config(items=1, recipes=names[0], difficulties=names[1], modes=names[2])
     cells = recipes * levels * modes

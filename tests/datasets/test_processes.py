@@ -1,4 +1,4 @@
-"""Processes of ours never run the program that starts them; those of others do as ever."""
+"""Tests that this library's processes never run the main program, while those of others do as usual."""
 
 import ast
 import sys
@@ -12,7 +12,7 @@ SOURCE = Path(sim2reason.__file__).parent
 
 
 def test_what_a_process_is_told_about_the_program_is_what_is_left_out() -> None:
-    """The standard library may come to tell it by other names."""
+    """A later version of the standard library might use other keys for the main program."""
     assert [name for name in spawn.get_preparation_data("any") if name.startswith("init_main")] in (
         [],
         *[[name] for name in PROGRAM],
@@ -29,7 +29,7 @@ def test_a_process_starts_and_leaves_everything_as_it_was() -> None:
 
 
 def test_no_module_starts_processes_in_another_way() -> None:
-    """Else a script without a guard by __name__ would run again in each of them."""
+    """Otherwise a script without a `__name__` guard would run again in each process."""
     others = {"get_context", "Pool", "Process", "set_start_method"}
     for path in SOURCE.rglob("*.py"):
         if path.name == "processes.py" and path.parent.name == "datasets":

@@ -1,4 +1,4 @@
-"""Rows of a dataset are graded as other packages give them."""
+"""Tests of the grading of rows as other packages return them."""
 
 import json
 from collections.abc import Callable, Iterable
@@ -22,7 +22,7 @@ Rows = Callable[[Path], Iterable[Any]]
 
 
 class Named(NamedTuple):
-    """A row without an answer."""
+    """Row without an answer."""
 
     id: int
 
@@ -37,13 +37,13 @@ def by_pyarrow_scalars(path: Path) -> Iterable[Any]:
 
 
 def by_columns(path: Path) -> Iterable[Any]:
-    """As `datasets` slices: a dict of columns, from which one row is taken."""
+    """Return rows as slices of `datasets` give them: dicts of columns, one row each."""
     columns = pq.read_table(path).to_pydict()
     return [{name: held[row] for name, held in columns.items()} for row in range(len(columns["id"]))]
 
 
 def by_numpy(path: Path) -> Iterable[Any]:
-    """As pandas has nested columns: arrays of objects in arrays, NumPy's numbers, NaN for what is missing."""
+    """Return rows in the format of pandas: nested object arrays, NumPy numbers, NaN for missing values."""
 
     def shaped(value: object) -> object:
         if isinstance(value, dict):
@@ -58,13 +58,13 @@ def by_numpy(path: Path) -> Iterable[Any]:
 
 
 def by_json(path: Path) -> Iterable[Any]:
-    """With folded columns as JSON texts."""
+    """Return rows whose nested columns are JSON texts."""
     fold = lambda held: json.dumps(held) if isinstance(held, dict | list) else held  # noqa: E731
     return [{name: fold(held) for name, held in row.items()} for row in by_pyarrow(path)]
 
 
 def by_empty_groups(path: Path) -> Iterable[Any]:
-    """A missing group as a group of nothing, as some versions of `datasets` have it."""
+    """Return rows with a missing group as a group of missing values, as some versions of `datasets` do."""
     rows = by_pyarrow(path)
     nothing = {"latex": None, "symbols": None, "units": None, "bindings": None}
     return [row | {"answer": row["answer"] | {"formula": row["answer"]["formula"] or nothing}} for row in rows]
@@ -114,7 +114,7 @@ READERS: list[Rows] = [
 
 @pytest.fixture
 def items() -> list[Item]:
-    """A number with a sign, one without a unit, and a formula."""
+    """Build items with a signed number, a number without a unit, and a formula."""
     from fake_makers import steady
     from sim2reason.generation.request import Request
 

@@ -1,4 +1,4 @@
-"""Questions about a scene that is given."""
+"""Tests of questions about a given scene."""
 
 from pathlib import Path
 
@@ -13,12 +13,12 @@ from sim2reason.scenes.files import load
 
 @pytest.fixture(scope="module")
 def of_a_pendulum() -> list[Item]:
-    """More questions than there are problems."""
+    """Return eight items about a pendulum, more than there are distinct problems."""
     return ask(swing(), items=8, seed=9)
 
 
 def test_variants_of_a_problem_only_fill_up(of_a_pendulum: list[Item]) -> None:
-    """Of a pendulum there are few problems: each comes before any of them has other numbers."""
+    """A pendulum has few problems, each of which comes before any variant with other numbers."""
     found = [problem(item) for item in of_a_pendulum]
     distinct = len(set(found))
     assert len(found) == 8
@@ -27,7 +27,7 @@ def test_variants_of_a_problem_only_fill_up(of_a_pendulum: list[Item]) -> None:
 
 
 def test_easy_questions_are_asked_where_there_are_no_others() -> None:
-    """A block on a smooth slope: one law answers all of them."""
+    """One law answers every question about a block on a smooth slope."""
     scene = ramp(mass=2.0, angle=30.0, friction=0.0)
     found = asked(scene, "numeric", 3, 0)
     assert len(found.found) == 3
@@ -35,13 +35,13 @@ def test_easy_questions_are_asked_where_there_are_no_others() -> None:
 
 
 def test_no_two_questions_have_one_answer(of_a_pendulum: list[Item]) -> None:
-    """Another wording is no other question."""
+    """Another wording does not make another question."""
     answers = [item.answer.shown for item in of_a_pendulum]
     assert len(set(answers)) == len(answers)
 
 
 def test_no_threshold_is_asked_twice() -> None:
-    """The least mass for which one block does not rise is the greatest one for which the other does not."""
+    """The least mass for which one block does not rise is the greatest for which the other does not."""
     items = ask(atwood(5.1, 5.0), items=40, all=True)
     answers = [item.answer.shown for item in items if item.answer.unit == "kg"]
     assert sorted(answers) == ["5 kg", "5.1 kg"]
@@ -49,7 +49,7 @@ def test_no_threshold_is_asked_twice() -> None:
 
 
 def test_unfiltered_more_can_be_asked() -> None:
-    """A block that slides to rest: textbook questions that filters find too plain, and none beyond its motion."""
+    """Without filters a block that slides to rest has more, plainer questions, all about its motion."""
     scene = ramp(angle=0.0, friction=0.05, speed=5.0)
     found = ask(scene, items=8, all=True)
     assert len(found) == 8
@@ -57,7 +57,7 @@ def test_unfiltered_more_can_be_asked() -> None:
 
 
 def test_what_leaves_nothing_to_ask_is_told_why() -> None:
-    """Nothing holds a massless part."""
+    """The reason is that nothing holds a massless part."""
     scene = load((Path(__file__).parents[2] / "examples/olympiad/fma_2024_17.yaml").read_text())
     assert "nothing holds a massless part" in asked(scene, "numeric", 3, 0).reason
 
@@ -82,7 +82,7 @@ scene:
 
 
 def test_an_angle_that_a_straight_spring_fixes_is_not_asked_for() -> None:
-    """Both slopes have it: with another one the spring could not run straight."""
+    """Both slopes have this angle, since the spring could not be straight with another."""
     scene = load(FACING)
     found = ask(scene, mode="reverse", items=3, all=True)
     assert found

@@ -43,7 +43,7 @@ def test_all_goes_to_the_only_split() -> None:
 
 
 def test_each_split_holds_its_share_of_the_problems() -> None:
-    """Of 2000 problems that differ, 100 ± 10 are expected in a split of 5 %, by the binomial distribution."""
+    """A 5 % split of 2000 different problems holds 100 ± 10, by the binomial distribution."""
     found = [split_of(item(n, kind=f"kind {n}"), {"test": 0.05, "train": 0.95}) for n in range(2000)]
     assert 60 <= found.count("test") <= 140
 

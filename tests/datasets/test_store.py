@@ -1,4 +1,4 @@
-"""Files of items: how they are read."""
+"""Tests of the reading of item files."""
 
 from collections.abc import Callable
 from io import BytesIO
@@ -16,12 +16,12 @@ from sim2reason.generation.request import Request
 
 
 class Watched(BytesIO):
-    """A file that knows which threads have read it."""
+    """File that records the threads that read it."""
 
     threads: set[int]
 
     def read(self, size: int | None = -1, /) -> bytes:
-        """The bytes, and who wants them."""
+        """Record the current thread, and return the bytes."""
         self.threads.add(get_ident())
         return super().read(size)
 
@@ -37,7 +37,7 @@ def content(tmp_path: Path) -> bytes:
 def test_no_thread_of_a_library_holds_a_file_when_python_ends(
     content: bytes, monkeypatch: pytest.MonkeyPatch, read: Callable[[Path], Any]
 ) -> None:
-    """Arrow's let go of it a moment after the read, which aborts an interpreter that is ending then."""
+    """Arrow's threads release the file only after the read, which crashes an interpreter that is shutting down."""
     file = Watched(content)
     file.threads = set()
     monkeypatch.setattr(Path, "open", Mock(return_value=file))

@@ -1,4 +1,4 @@
-"""How near an answer must come: what is ordered is what filters and the grader go by."""
+"""Tests of the answer's tolerance: filters and grader use the requested one."""
 
 from collections import Counter
 from pathlib import Path
@@ -20,7 +20,7 @@ STRICT = 0.01
 
 
 def test_an_item_carries_what_was_ordered_and_is_graded_by_it() -> None:
-    """Three digits of the answer are within any tolerance that can be ordered; 1.2 % off is not within 1 %."""
+    """The answer to three digits is within any allowed tolerance; an error of 1.2 % is not within 1 %."""
     usual, strict = (sim2reason.item(seed=3, index=1, tolerance=size) for size in (TOLERANCE, STRICT))
     assert (usual.answer.tolerance, strict.answer.tolerance) == (TOLERANCE, STRICT)
     for item, paid in ((usual, 1.0), (strict, 0.0)):
@@ -29,7 +29,7 @@ def test_an_item_carries_what_was_ordered_and_is_graded_by_it() -> None:
 
 
 def test_filters_judge_by_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Each candidate has it."""
+    """Every candidate has the requested tolerance."""
     seen: list[float] = []
 
     def heard(candidate: Candidate, *, witnessed: bool) -> Verdict:
@@ -44,7 +44,7 @@ def test_filters_judge_by_it(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_its_id_is_its_own() -> None:
-    """The request of an item is found again; its id alone does not say the tolerance."""
+    """The request of an item is recovered from the item; its id alone does not contain the tolerance."""
     strict = sim2reason.item(seed=3, index=1, tolerance=STRICT)
     assert Request.of(strict) == Request("pulley", "medium", "numeric", 3, 1, tolerance=STRICT)
     assert Request("pulley", "medium", "numeric", 3, 1).id == "pulley-medium-numeric-3-1"
@@ -54,7 +54,7 @@ def test_its_id_is_its_own() -> None:
 
 
 def test_a_dataset_keeps_it(tmp_path: Path) -> None:
-    """In each item, in the manifest, and in the command on the card."""
+    """The tolerance is in each item, in the manifest, and in the command on the card."""
     data = sim2reason.generate(tmp_path / "out", items=3, recipe="pulley", tolerance=0.02, workers=1)
     assert {item.answer.tolerance for item in data.items()} == {0.02}
     assert data.manifest.config.tolerance == 0.02
@@ -63,7 +63,7 @@ def test_a_dataset_keeps_it(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("size", [0.0, STRICTEST / 2.0, 2.0 * TOLERANCE, float("nan")])
 def test_what_is_none_is_refused(size: float, tmp_path: Path) -> None:
-    """Looser than the paper's none is; stricter ones than three digits tell would refuse right answers."""
+    """A tolerance above the paper's is not allowed; one too small for three digits would refuse right answers."""
     with pytest.raises(DrawError, match=r"^tolerance: .* from 0\.005 to 0\.05$"):
         sim2reason.item(tolerance=size)
     with pytest.raises(DatasetError, match=r"^tolerance: .* from 0\.005 to 0\.05$"):
@@ -71,5 +71,5 @@ def test_what_is_none_is_refused(size: float, tmp_path: Path) -> None:
 
 
 def test_the_command_line_has_the_same_ends() -> None:
-    """Its module declares them itself, since --help loads nothing."""
+    """The command line declares its own bounds, since --help must not import the library."""
     assert (options.STRICTEST, options.TOLERANCE) == (STRICTEST, TOLERANCE)

@@ -1,4 +1,4 @@
-"""Which items are left out as the same, or as too close, and that it hangs on nothing else."""
+"""Tests of duplicates and near duplicates, which depend on the items alone."""
 
 from collections.abc import Callable
 from itertools import pairwise
@@ -63,7 +63,7 @@ def left_out(rows: list[Row], distance: float, places: list[int] | None = None) 
 
 
 def expected(rows: list[Row], distance: float) -> dict[int, tuple[int, bool]]:
-    """One after the other, each compared with all that stay."""
+    """Return the dropped rows when each is compared with all earlier rows that stay."""
     gone: dict[int, tuple[int, bool]] = {}
     for at, (problem, sizes, words, asked) in enumerate(rows):
         stay = [place for place in range(at) if place not in gone]

@@ -83,7 +83,7 @@ def test_a_manifest_that_was_edited_is_found(
 
 
 def test_a_manifest_that_was_edited_opens_no_dataset(data: Path) -> None:
-    """Its counts would be told as they stand."""
+    """The counts of an edited manifest would be reported as they are."""
     Dataset(data)
     value = json.loads((data / MANIFEST).read_text())
     value["counts"]["split"]["train"] += 1

@@ -1,4 +1,4 @@
-"""Datasets with worked solutions: the same problems, whose solutions the grader takes for right answers."""
+"""Tests of datasets with worked solutions: the same problems, with solutions that the grader finds right."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -23,7 +23,7 @@ CONFIG = Config(items=6, recipes=("hybrid", "projectile"), difficulties=("easy",
 
 @pytest.fixture(scope="module")
 def data(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Six problems with solutions, without pictures, as tests have them."""
+    """Build six problems with solutions, without pictures."""
     out = tmp_path_factory.mktemp("solved")
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("sim2reason.datasets.build.put_pictures", lambda *_: ())

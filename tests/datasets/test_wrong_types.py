@@ -1,4 +1,4 @@
-"""What is of no type that is declared is told in the library's own words, with its place and what to give."""
+"""Tests that values of wrong types give the library's own errors, with their place and the expected type."""
 
 from collections.abc import Callable
 from pathlib import Path

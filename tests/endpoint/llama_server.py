@@ -1,6 +1,6 @@
 """Serve a tiny model of random weights, made here, by llama.cpp: ``python llama_server.py FOLDER [KEY]``.
 
-It prints its address, and serves until it is killed. Needs xllamacpp and gguf, in an environment of their own.
+Prints the address, and serves until killed. Needs xllamacpp and gguf, in a separate environment.
 """
 
 import sys
@@ -16,14 +16,14 @@ WIDE, HEADS, LAYERS, INNER = 64, 4, 2, 128
 
 
 def byte_letters() -> list[str]:
-    """The printable letter that stands for each byte in vocabularies like that of GPT-2."""
+    """Return the printable character for each byte in vocabularies such as GPT-2's."""
     printable = [*range(33, 127), *range(161, 173), *range(174, 256)]
     others = iter(range(256, 512))
     return [chr(byte) if byte in printable else chr(next(others)) for byte in range(256)]
 
 
 def write_model(path: Path) -> None:
-    """A model of the Llama architecture with one token for each byte, some 400 kB large."""
+    """Write a model of the Llama architecture with one token per byte, of about 400 kB."""
     draws = np.random.default_rng(0)
     letters = byte_letters()
     pair = letters[ord("t")] + letters[ord("h")]

@@ -1,4 +1,4 @@
-"""Evaluation against real OpenAI-compatible servers, each with a tiny model of random weights made here."""
+"""Tests of evaluation against real OpenAI-compatible servers, each with a tiny model of random weights."""
 
 import importlib.util
 import json
@@ -27,7 +27,7 @@ UP_WITHIN = 300.0  # s
 
 
 def python(server: str) -> str:
-    """The interpreter that can run a server; none if its modules are nowhere."""
+    """Return the interpreter that can run a server, or an empty string if its modules are not installed."""
     own = sys.executable if all(map(importlib.util.find_spec, SERVERS[server])) else ""
     return os.environ.get(f"SIM2REASON_{server.upper()}_PYTHON", own)
 
@@ -57,7 +57,7 @@ def url(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
 
 
 def wait_for(address: str, process: "subprocess.Popen[str]") -> None:
-    """Until it answers at all."""
+    """Wait until the server answers."""
     end = time.monotonic() + UP_WITHIN
     while time.monotonic() < end and process.poll() is None:
         try:

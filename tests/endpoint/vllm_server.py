@@ -1,7 +1,6 @@
 """Serve a tiny model of random weights, made here, by vLLM on CPUs: ``python vllm_server.py FOLDER [KEY]``.
 
-It prints its address at once, answers a while later, and serves until it is killed. Needs vLLM, in an environment of
-its own.
+Prints the address at once, answers after a while, and serves until killed. Needs vLLM, in a separate environment.
 """
 
 import os

@@ -1,4 +1,4 @@
-"""The solvable filter: pass rates of a policy, cached and gone on with, and the dataset of what was kept."""
+"""Tests of the solvable filter: cached and resumed pass rates of a policy, and the dataset of kept problems."""
 
 import json
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ from sim2reason.evaluation.policy_pass import solvable
 
 
 class Sometimes(Policy):
-    """Right in the first tries at a problem, as many as its number by the order of ids has."""
+    """Policy that solves problem n, in the order of ids, in its first n mod 5 tries."""
 
     answers: dict[str, float]
     stops_after: int = 10**9
@@ -24,7 +24,7 @@ class Sometimes(Policy):
     operational = Policy.operational | {"stops_after"}
 
     def complete(self, requests: Sequence[SampleRequest]) -> Sequence[Completion]:
-        """Right or wrong, by the sample."""
+        """Return right or wrong answers, depending on the number of the sample."""
         if len(self._asked) >= self.stops_after:
             raise PolicyError("no more today")
         self._asked.extend(request.id for request in requests)

@@ -66,6 +66,6 @@ def joined(name: str, seed: int) -> Scene:
 
 @pytest.fixture(scope="session", params=[1, pytest.param(3, marks=pytest.mark.slow)])
 def scenes(request: pytest.FixtureRequest) -> list[Scene]:
-    """Random scenes of every recipe and difficulty, and every entity joined in ways that no recipe draws."""
+    """Return random scenes of every recipe and difficulty, and entities joined in ways that no recipe draws."""
     random = [sample_scene(r, d, seed=5, index=n) for r, d, n in product(RECIPES, DIFFICULTIES, range(request.param))]
     return [*random, *(joined(name, seed) for name in JOINED for seed in range(2))]

@@ -37,7 +37,7 @@ class Drawn(NamedTuple):
 
 @pytest.fixture(scope="module")
 def drawings(scenes: list[Scene]) -> list[Drawn]:
-    """All scenes drawn once, with the layouts on the way."""
+    """Draw all scenes once, recording the intermediate layouts."""
     found: list[Layout] = []
     original = Arranger.best
 
@@ -176,7 +176,7 @@ def test_numbers_are_masses_as_the_text_has_them(scenes: list[Scene]) -> None:
 
 
 def test_of_an_answer_no_drawing_shows_all_digits() -> None:
-    """A scene whose unknown a result has fixed is as good as any other."""
+    """Numbers that a result has determined have many digits, which a drawing rounds."""
     plane, block = Plane(angle=27.02527720163310, friction=0.2), Block(mass=1.091525566828)
     scene = Scene(entities=(Named(name="ramp", entity=TwoSideMassPlane(plane=plane, blocks=(block,))),))
     shown = {label.text for label in drawing(scene, numbers=True).labels}

@@ -1,4 +1,4 @@
-"""Labels stand at what they belong to, and hide no outline of another body."""
+"""Tests that labels are close to what they name, and cover no outline of another body."""
 
 from collections.abc import Iterator
 from math import hypot
@@ -23,7 +23,7 @@ def seeds(request: pytest.FixtureRequest) -> range:
 
 @pytest.fixture(scope="module", params=RECIPES)
 def drawings(request: pytest.FixtureRequest, seeds: range) -> list[Drawing]:
-    """Hard scenes with and without numbers."""
+    """Draw hard scenes with and without numbers."""
     scenes = [sample(request.param, "hard", seed=seed) for seed in seeds]
     return [drawing(scene, describe(scene), numbers=numbers) for scene in scenes for numbers in (False, True)]
 
@@ -33,7 +33,7 @@ def blocks(drawn: Drawing) -> list[Shape]:
 
 
 def crossed(drawn: Drawing) -> Iterator[tuple[Label, Shape]]:
-    """Return each label with the bodies whose outlines it covers, except for the body it lies in."""
+    """Yield each label with the bodies whose outlines it covers, except for the body it lies in."""
     for label in drawn.labels:
         for shape in blocks(drawn):
             points = outline(shape)

@@ -1,4 +1,4 @@
-"""What a text leaves open or says as a symbol, no drawing of its scene gives away."""
+"""Tests that drawings do not reveal numbers that the text leaves open or gives as symbols."""
 
 import re
 from collections import Counter
@@ -15,13 +15,13 @@ from sim2reason.text.prose.voices import Voice, hiding, numeric, symbolic_but_ze
 
 
 def shown(scene: Scene, voice: Voice) -> set[str]:
-    """The labels of a drawing without names: *34 N* of *F = 34 N*, *8.1 kg* of *W (8.1 kg)*."""
+    """Return the labels of a drawing without names: *34 N* of *F = 34 N*, *8.1 kg* of *W (8.1 kg)*."""
     labels = drawing(scene, describe(scene, voice=voice), numbers=True).labels
     return {re.sub(r"^.*(= |\()", "", label.text).rstrip(")") for label in labels}
 
 
 def stated(scene: Scene) -> dict[str, Parameter]:
-    """The numbers with a unit that the text states, those left out that stand in it twice."""
+    """Return the numbers with units that the text states, except those that occur twice."""
     said = {p.path: p.measure.say(p.value) for p in scene.parameters if not p.hidden and p.value}
     count = Counter(said.values())
     return {said[p.path]: p for p in scene.parameters if p.path in said and p.measure.unit and count[said[p.path]] == 1}
@@ -38,7 +38,7 @@ def test_symbols_stand_where_numbers_stood(recipe: str) -> None:
 @pytest.mark.parametrize("step", [3, pytest.param(1, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("recipe", sorted(RECIPES))
 def test_an_unknown_is_shown_by_its_symbol_alone(recipe: str, step: int) -> None:
-    """Every third number, or every one."""
+    """Every third number is tested, or every one in the slow test."""
     scene = sample(recipe, "medium", seed=3)
     for number, parameter in list(stated(scene).items())[::step]:
         assert number not in shown(scene, hiding(parameter.path))

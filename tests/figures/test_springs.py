@@ -1,4 +1,4 @@
-"""A spring is one zigzag; a damped one has a dashpot beside it, on the other side of the line between its ends."""
+"""Tests that a spring is one zigzag, with the dashpot of a damped one on the other side of its axis."""
 
 import pytest
 

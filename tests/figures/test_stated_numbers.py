@@ -1,4 +1,4 @@
-"""What a text states and a drawing can show is shown, where nothing else could be meant."""
+"""Tests that drawings show the numbers of the text wherever that is unambiguous."""
 
 import pytest
 
@@ -65,7 +65,7 @@ scene:
 
 
 def track(tilt: float) -> Scene:
-    """Two carts on a track with a wall at its left end, at x = -1.5 m."""
+    """Build two carts on a track with a wall at its left end, at x = -1.5 m."""
     carts = (Glider(mass=2.0, x=-0.5, v=1.0), Glider(mass=1.0, x=1.0, v=0.0))
     entity = ComplexCollisionPlane(track=Track(angle=tilt), gliders=carts, left=-1.5, restitution=0.5)
     return Scene(entities=(Named(name="track", entity=entity),))

@@ -1,4 +1,4 @@
-"""What a problem asks for can't be measured in its figure."""
+"""Tests that the unknown of a problem can't be measured in its figure."""
 
 from cmath import phase
 from collections.abc import Iterator
@@ -24,7 +24,7 @@ LEAST = 0.1  # relatively
 
 
 class Asked(NamedTuple):
-    """A scene whose text leaves one number open."""
+    """Scene whose text leaves one number open."""
 
     scene: Scene
     path: str
@@ -49,7 +49,7 @@ OTHERS = [case for case in ASKED if case.unit not in ("deg", "m", "au", "km")]
 
 
 def as_it_is(case: Asked) -> Drawing:
-    """The figure of the same scene in a text that states everything."""
+    """Return the figure of the same scene for a text that states everything."""
     return drawing(case.scene, case.description.voiced(describe(case.scene).voice))
 
 
@@ -64,7 +64,7 @@ def outlines(drawn: Drawing) -> list[list[complex]]:
 
 
 def without_leaders(drawn: Drawing) -> list[object]:
-    """All but the hairlines, some of which lead to labels, whose places hang on the length of their text."""
+    """Return all shapes except hairlines, some of which lead to labels at places that depend on their length."""
     return [shape for shape in drawn.shapes if getattr(shape, "weight", "") != "hair"]
 
 
@@ -106,7 +106,7 @@ def test_a_formula_for_an_angle_leaves_the_figure_as_it_is() -> None:
 
 
 def slopes(drawn: Drawing) -> list[float]:
-    """The angles of all edges of fixed planes that are neither level nor upright, in degrees."""
+    """Return the angles, in degrees, of the edges of fixed planes that are neither horizontal nor vertical."""
     found: list[float] = []
     for shape in drawn.shapes:
         if isinstance(shape, Area) and shape.fill in ("fixed", "wedge"):

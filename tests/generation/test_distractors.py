@@ -1,4 +1,4 @@
-"""Wrong answers of items: nearly every item has one, none is paid, and no problem is another for them."""
+"""Tests of wrong answers: most items have one, none is graded as right, and none changes the problem."""
 
 from functools import cache
 from math import isfinite
@@ -34,7 +34,7 @@ def made(recipe: str, difficulty: Difficulty, index: int = 0, kind: str = "") ->
 
 
 def check(item: Item) -> None:
-    """No wrong answer is paid, and each says what is wrong."""
+    """Check that no wrong answer earns a reward, and that each has a reason."""
     for wrong in item.distractors:
         assert isfinite(wrong.value)
         assert wrong.value > 0.0 or item.answer.sign

@@ -1,4 +1,4 @@
-"""Which formulas are one: by values, not by text."""
+"""Tests that formulas are equal by their values, not by their text."""
 
 import pytest
 from hypothesis import given, settings
@@ -49,7 +49,7 @@ def test_what_differs_at_common_numbers_is_another(one: str, other: str) -> None
 @settings(max_examples=40)
 @given(st.permutations(["m_A", "m_B", "m_C"]), st.sampled_from([-3.0, 0.25, 2.0]), st.data())
 def test_it_is_the_same_whatever_symbols_are_called(names: list[str], factor: float, data: st.DataObject) -> None:
-    """For sums of products of powers."""
+    """Sums of products of powers are tested."""
     powers = st.tuples(*[st.integers(-2, 2)] * 5)
     terms = data.draw(st.lists(st.tuples(st.integers(1, 4), powers), min_size=1, max_size=3))
 

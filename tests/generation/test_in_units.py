@@ -1,4 +1,4 @@
-"""Items in other units: the text speaks in them, the answer is in them, and both lead back to the same scene."""
+"""Tests of items in other units: both text and answer use them, and lead back to the same scene."""
 
 import re
 from functools import cache

@@ -24,7 +24,7 @@ def test_an_item_is_the_same_after_a_trip_through_json(item: Item) -> None:
 
 
 def test_an_item_is_the_same_from_a_row_of_a_shard(item: Item, tmp_path: Path) -> None:
-    """Its certificate, versions and weights are JSON texts there."""
+    """A row stores certificate, versions and weights as JSON texts."""
     write(tmp_path / "shard.parquet", [item])
     (row,) = pq.read_table(tmp_path / "shard.parquet").to_pylist()
     assert Item.model_validate(row) == item
@@ -50,7 +50,7 @@ def test_numbers_are_finite(item: Item, value: float) -> None:
 
 @pytest.fixture
 def symbolic() -> Item:
-    """A block of mass m on a smooth slope: a = g sin θ, at two bindings."""
+    """Build the problem of a block of mass m on a smooth slope, a = g sin θ, at two bindings."""
     made = steady(Request("pulley", "easy", "numeric", 0, 0)).item
     assert made is not None
     bindings = tuple(

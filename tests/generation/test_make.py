@@ -1,4 +1,4 @@
-"""Items as the maker makes them."""
+"""Tests of items from the maker."""
 
 import re
 
@@ -23,12 +23,12 @@ def items() -> list[Item]:
 
 
 def size(unit: str) -> float:
-    """What a unit is in the SI; with astronomical ones formulas have the number 4π² for G, and stay in them."""
+    """Return the size of a unit in the SI, or 1 for astronomical units, in which formulas use 4π² for G."""
     return 1.0 if ASTRONOMICAL.search(unit) else parse_unit(unit).factor
 
 
 def test_the_units_of_a_formula_are_those_of_its_numbers() -> None:
-    """With all numbers in the SI by the units that it declares, it gives the item's answer in the SI."""
+    """A formula whose numbers are converted to the SI by its declared units gives the item's answer in the SI."""
     units = set[str]()
     for item in items():
         formula, value = item.answer.formula, item.answer.value * size(item.answer.unit)

@@ -1,4 +1,4 @@
-"""What solutions may need: by default little more than elementary means, else what is ordered."""
+"""Tests of the mathematics that solutions may need: mostly elementary by default, or as requested."""
 
 from pathlib import Path
 
@@ -17,7 +17,7 @@ ORDERED = ("special function",)
 
 
 def test_few_requests_may_be_filled_by_what_needs_more() -> None:
-    """Each draws for itself, by its coordinates alone; one in ten is above twenty standard errors."""
+    """Each request draws by its coordinates alone; a share of one in ten is above twenty standard errors."""
     requests = [Request("pendulum", "easy", mode, 4, n) for mode in ("numeric", "reverse") for n in range(2000)]
     drawn = [allowed(request) for request in requests]
     assert {*drawn} == {SIMPLE, EVERY}
@@ -27,7 +27,7 @@ def test_few_requests_may_be_filled_by_what_needs_more() -> None:
 
 
 def test_what_is_ordered_is_had_and_recorded() -> None:
-    """A time in a swing is an elliptic integral; without an order few pendulums are asked for one."""
+    """Times of a swing take elliptic integrals, which few pendulum problems ask for by default."""
     item = sim2reason.item("pendulum", "medium", seed=3, needs=ORDERED, solutions=True)
     assert item.needs == "special function"
     assert item.provenance.needs == ORDERED
@@ -38,7 +38,7 @@ def test_what_is_ordered_is_had_and_recorded() -> None:
 
 
 def test_its_id_is_its_own() -> None:
-    """The request of an item is found again; its id alone does not say the needs."""
+    """The request of an item is recovered from the item; its id alone does not contain the needs."""
     item = sim2reason.item("springs", needs="all", index=2)
     request = Request("springs", "medium", "numeric", 0, 2, needs=tuple(NEEDS))
     assert Request.of(item) == request
@@ -48,7 +48,7 @@ def test_its_id_is_its_own() -> None:
 
 
 def test_names_are_put_in_order() -> None:
-    """Each once; a hyphen stands for a space."""
+    """Each name occurs once, and a hyphen stands for a space."""
     assert needs_named(("root", "inverse-function", "root")) == ("inverse function", "root")
     assert needs_named("quadratic") == ("quadratic",)
     assert needs_named("all") == tuple(NEEDS)
@@ -56,7 +56,7 @@ def test_names_are_put_in_order() -> None:
 
 
 def test_another_name_is_refused(tmp_path: Path) -> None:
-    """In one line, with those that there are."""
+    """The one-line error lists the existing names."""
     with pytest.raises(UnknownNameError, match=r"^no such need: 'calculus'; there are: arithmetic, .*, or all$"):
         sim2reason.item(needs="calculus")
     with pytest.raises(UnknownNameError, match="no such need"):
@@ -66,7 +66,7 @@ def test_another_name_is_refused(tmp_path: Path) -> None:
 
 
 def test_a_dataset_keeps_it(tmp_path: Path) -> None:
-    """In each item, in the manifest and its counts, and in the command on the card."""
+    """The needs are in each item, in the manifest and its counts, and in the command on the card."""
     data = sim2reason.generate(tmp_path / "out", items=3, recipe="pulley", needs=("arithmetic",), workers=1)
     assert {item.needs for item in data.items()} == {"arithmetic"}
     assert data.manifest.config.needs == ("arithmetic",)
@@ -80,7 +80,7 @@ def test_a_dataset_keeps_it(tmp_path: Path) -> None:
 @pytest.mark.parametrize("recipe", ["projectile", pytest.param("rocket", marks=pytest.mark.slow)])
 @pytest.mark.parametrize("mode", ["numeric", "reverse", "symbolic"])
 def test_a_shown_solution_needs_what_its_item_says(mode: str, recipe: str) -> None:
-    """The measured solution is the one that is shown, or needs as much."""
+    """The shown solution is the measured one, or needs as much."""
     for label in DIFFICULTIES:
         request = Request(recipe, label, mode, 8, 0)
         item, found = made(request)
@@ -91,6 +91,6 @@ def test_a_shown_solution_needs_what_its_item_says(mode: str, recipe: str) -> No
 
 
 def test_needs_ascend() -> None:
-    """As items, the command line and the docs name them."""
+    """Items, the command line and the docs use this order and these names."""
     names = ["arithmetic", "quadratic", "inverse function", "root", "special function", "integration"]
     assert [need.label for need in sorted(Need)] == list(NEEDS) == names

@@ -1,4 +1,4 @@
-"""Items with options: the letter is the answer, whatever the units, and what is asked reads back without options."""
+"""Tests of items with options: the letter is right in any unit, and the question reads back without options."""
 
 from collections import Counter
 from functools import cache
@@ -86,7 +86,7 @@ def test_too_few_or_too_close_wrong_answers_make_no_choice() -> None:
 
 
 def test_a_guess_is_right_as_often_at_each_place() -> None:
-    """Of 1000 names each of five places has the right answer 200 times; five standard deviations are 63."""
+    """Among 1000 items each of five places has the right answer 200 times; five standard deviations are 63."""
     wrong = [Distractor(value=value, simplification="x", reason="X.") for value in (1.0, 2.0, 3.0, 4.0)]
     found = [options(Answer(value=1.5, unit="N"), wrong, f"item-{n}") for n in range(1000)]
     places = Counter(chosen.index(None) for chosen in found if chosen is not None)

@@ -1,4 +1,4 @@
-"""Items with several parts: parts lead to each other, read back, are graded and explained, and travel through files."""
+"""Tests of items with several parts: connected parts, parsing, grading, solutions, and files."""
 
 from functools import cache
 from pathlib import Path

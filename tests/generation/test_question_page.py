@@ -1,4 +1,4 @@
-"""The page on questions: made from the registries, with an example of everything that people can ask."""
+"""Tests of the page on questions, made from the registries, with an example of each thing to ask for."""
 
 import re
 import shlex
@@ -33,12 +33,12 @@ ASKING = [(scene.text, sentence) for scene in (*OWN, *ASKED) for sentence in sce
 
 @pytest.fixture(scope="module")
 def page() -> str:
-    """The page as it is made now."""
+    """Return the page as generated now."""
     return format_page()
 
 
 def test_the_page_is_up_to_date(page: str) -> None:
-    """Whoever adds a quantity, a moment or a kind writes it anew."""
+    """The page has to be generated again after a new quantity, moment or kind is added."""
     assert PAGE.read_text(encoding="utf-8") == page, f"run: {COMMAND}"
 
 
@@ -61,7 +61,7 @@ def test_every_connection_has_an_example(page: str) -> None:
 
 @pytest.mark.parametrize(("text", "sentence"), ASKING)
 def test_ordinary_sentences_are_on_the_page_and_read_back(page: str, text: str, sentence: str) -> None:
-    """Each asks the query that the form in parts beside it asks."""
+    """Each sentence asks the same query as the structured form beside it."""
     scene = loads(text)
     motion, words = simulate_scene(scene), words_of(describe(scene))
     meant = understood(sentence, motion, words)
@@ -73,7 +73,7 @@ def test_ordinary_sentences_are_on_the_page_and_read_back(page: str, text: str, 
 
 
 def test_every_entity_shows_its_coordinates_or_has_none(page: str) -> None:
-    """What has no coordinates of its own is said to have none."""
+    """Entities without coordinates of their own are listed as such."""
     none = page.partition("Of their own these have none: ")[2].partition(".\n")[0].split(", ")
     assert none == ["ConstantForcePuller", "ConstantVelocityPuller", "FixedSupport"]
     rows = set(re.findall(r"^\| (\w+) \| [\w.]+ \| (?:m|rad) \| ", page, re.MULTILINE))

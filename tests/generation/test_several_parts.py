@@ -1,4 +1,4 @@
-"""Solutions of problems with several parts: a name means one thing in all of them, and nothing is derived twice."""
+"""Tests of solutions of problems with several parts: consistent symbols, and no repeated derivation."""
 
 from collections import Counter
 from functools import cache
@@ -15,7 +15,7 @@ CELLS = [("collision", "hard"), ("rocket", "hard"), ("hybrid", "hard"), ("pulley
 
 @cache
 def made(recipe: str, difficulty: str) -> Item:
-    """A problem with several parts."""
+    """Return a problem with several parts."""
     item = make(Request(recipe, difficulty, "multipart", 77, 0, solutions=True)).item
     assert item is not None
     return item

@@ -1,4 +1,4 @@
-"""Kinds of question are asked by their weights: declared, or ordered by name."""
+"""Tests of the weights of kinds of question, from recipes or by request."""
 
 from collections import Counter
 
@@ -42,7 +42,7 @@ def test_the_most_special_name_counts() -> None:
 
 
 def test_every_recipe_weighs_kinds_that_exist() -> None:
-    """Each name is that of a kind, or of a mode and a kind that the mode asks."""
+    """Each name is that of a kind, or of a mode and one of its kinds."""
     known = {*KINDS, *(f"{mode}.{kind}" for mode, found in MODES.items() for kind in found.kinds)}
     for found in RECIPES.values():
         assert found.weights.keys() <= known
@@ -59,7 +59,7 @@ def test_a_recipe_weighs_a_kind_in_one_mode_alone() -> None:
 
 
 def test_the_first_that_can_be_had_is_drawn_by_its_weight() -> None:
-    """Of three kinds with the weights 3 : 2 : 1 the middle one can't be had: the first comes 3 times in 4.
+    """With weights 3 : 2 : 1 and an unavailable second kind, the first comes 3 times in 4.
 
     The order is that of draws without replacement, whose first member among any subset is by weight within it (Luce's
     choice axiom). 4000 draws: the standard deviation is 0.7 %.
@@ -118,7 +118,7 @@ def test_items_are_of_the_kinds_that_are_ordered() -> None:
 
 @pytest.mark.parametrize("count", [8, pytest.param(24, marks=pytest.mark.slow)])
 def test_what_is_wanted_is_nearly_always_kept(count: int) -> None:
-    """The kind that an item's weights choose is what it becomes, in at least three of four items (54 % before)."""
+    """At least three of four items are of the kind that their weights choose (54 % before)."""
     made = [make(Request("pulley", "easy", "numeric", seed, k)) for seed in (9, 10) for k in range(count)]
     chosen = [found for found in made if found.wanted]  # empty: a textbook has all its answers ready
     assert len(chosen) >= 5 * count // 3
@@ -137,7 +137,7 @@ def test_a_search_is_a_pure_function_of_its_request() -> None:
 
 
 def test_what_a_textbook_has_ready_is_not_counted_as_asked_for() -> None:
-    """Hard periods of planets follow from Kepler's third law, or are too easy: no filter leaves the cell empty."""
+    """Hard periods of planets follow from Kepler's third law, or are too easy, so the cell does not count."""
     only_periods = tuple((dict.fromkeys(KINDS, 0.0) | {"period": 1.0}).items())
     search = ItemSearch(Request("orbital", "hard", "numeric", 4, 0, weights=only_periods))
     assert search.find() is None

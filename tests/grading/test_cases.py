@@ -1,4 +1,4 @@
-"""The published cases, and the policy of docs/grading.md one by one."""
+"""Tests of the published cases, and of each rule in docs/grading.md."""
 
 import pytest
 
@@ -338,7 +338,7 @@ def test_formula_policy(answer: str, reference: str, outcome: str) -> None:
     ],
 )
 def test_what_holds_near_the_numbers_of_one_item_only(answer: str, reference: str, here: dict[str, float]) -> None:
-    """Fresh values move all symbols at once, and far enough that a difference changes its sign."""
+    """Random values move all symbols at once, far enough that a difference changes its sign."""
     for bindings in (here, None):
         assert not drawn(answer, reference, bindings).reward
         assert drawn(reference, reference, bindings).reward

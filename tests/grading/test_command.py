@@ -1,4 +1,4 @@
-"""Grading whole files: the adapter for items, and the command."""
+"""Tests of grading whole files, with the adapter for items and the command."""
 
 import json
 from collections.abc import Iterator
@@ -35,7 +35,7 @@ def data(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def said(tmp_path: Path, data: Path) -> Path:
-    """Right, in another unit, unitless nonsense, silent: two items of each."""
+    """Write responses that are right, in another unit, in a wrong unit and without a box, two items of each."""
     answers = [r"\boxed{%r}", r"\boxed{%r \text{ kg m/s}^2}", r"\boxed{%r \text{ m}}", "%r"]
     lines = [
         json.dumps({"id": item.id, "response": answers[i % 4] % item.answer.value, "sample": 0})
@@ -187,7 +187,7 @@ def test_dashes_are_standard_input_and_output(data: Path, said: Path) -> None:
 
 
 def test_responses_are_held_a_few_at_a_time(data: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """However many there are; their order stays, and each file is read once for those that are held together."""
+    """Responses are graded in batches of bounded size and in order; each file is read once per batch."""
     monkeypatch.setattr("sim2reason.datasets.grade.TOGETHER", (3, 10**6))
     opened, names = Dataset(data), [item.id for item in Dataset(data)]
     given = (Response(id=names[k % 8], response=str(k)) for k in range(100))

@@ -1,4 +1,4 @@
-"""The page about the reward says what the grader does."""
+"""Tests that the page on the reward agrees with the grader."""
 
 import re
 import subprocess

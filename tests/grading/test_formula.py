@@ -1,4 +1,4 @@
-"""How symbols and brackets are spelled in formulas."""
+"""Tests of symbols and brackets in formulas."""
 
 import pytest
 
@@ -36,6 +36,6 @@ def test_an_l_of_the_problem_is_itself(answer: str) -> None:
     ],
 )
 def test_brackets_that_print_shows_hold_together(answer: str) -> None:
-    """Not so those of ``\\text{…}``, which it does not show: *a + b* to a power is another thing in them."""
+    r"""Brackets visible in print group *a + b*, unlike the invisible ones of ``\text{…}``."""
     assert formula(rf"\boxed{{{answer}}}", r"\frac{2}{\sqrt{a + b}}", [{"a": 2.0, "b": 3.0}]).reward == 1.0
     assert formula(rf"\boxed{{{answer}}}", r"2 a + b^{-1/2}", [{"a": 2.0, "b": 3.0}]).reward == 0.0

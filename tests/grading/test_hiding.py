@@ -1,4 +1,4 @@
-r"""A box that print hides, or that words beside it deny, is no answer, and an empty one is none."""
+"""Tests that boxes hidden in print, denied by the text, or empty are not answers."""
 
 import pytest
 

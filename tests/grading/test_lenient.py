@@ -1,4 +1,4 @@
-"""The last number of a response without a box: what follows it is a unit, a remark or prose, never dropped unread."""
+"""Tests of the last number of a response without a box, whose unit, remark or prose is always read."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""A unit on the left of a bare value is the value's: converted, or the wrong one, but never ignored."""
+"""Tests of units on the left of a bare value: converted or refused, never ignored."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-r"""Boxes with the answers to several parts: read by their labels, and no response with fewer right parts earns more."""
+"""Tests of boxes with answers to several labelled parts: fewer right parts never earn more."""
 
 import time
 
@@ -84,7 +84,7 @@ STATED = st.lists(st.sampled_from([f"({name}) {said}" for some in (RIGHT, WRONG)
 
 @given(STATED, st.sampled_from(["; ", ", ", r" \quad ", " and ", "\n", r" \\ "]))
 def test_fewer_right_parts_never_earn_more(said: list[str], between: str) -> None:
-    """A box earns at most the share of labels with the right answer behind them, and none counts twice."""
+    """A box earns at most the share of labels with the right answer, and none counts twice."""
     right = sum(f"({name}) {value}" in said for name, value in RIGHT.items())
     share = score(between.join(said), partial=True)
     assert share.reward <= right / 3 + 1e-12

@@ -1,4 +1,4 @@
-"""Formulas are tried where all symbols are moved at once: no approximation at the item's own numbers passes."""
+"""Tests that formulas are compared with all symbols moved at once, so that no local approximation passes."""
 
 import math
 import random
@@ -16,7 +16,7 @@ def graded(answer: str, reference: str, bindings: object, **options: object) -> 
 
 
 def near(width: float) -> list[dict[str, float]]:
-    """As an item has them: its own numbers, and each of them times a factor of its own."""
+    """Return the bindings of an item: its own numbers, and each of them times a random factor."""
     rng = random.Random(7)
     return [OWN, *({name: x * math.exp(rng.uniform(-width, width)) for name, x in OWN.items()} for _ in range(POINTS))]
 
@@ -52,7 +52,7 @@ def test_the_absolute_value_of_what_has_a_sign(given: str) -> None:
 
 
 def test_a_magnitude_holds_where_it_is_one() -> None:
-    """Where all of an item's numbers have m₂ > m₁, the size of a force is |m₂ − m₁| g; a component is not."""
+    """With m₂ > m₁ at all bindings the size of a force is |m₂ − m₁| g, but a component is not."""
     options = {"symbols": ["m_1", "m_2", "g"]}
     assert graded("|m_2-m_1|g", "(m_2-m_1)g", near(0.08), **options).reward
     assert not graded("|m_2-m_1|g", "(m_2-m_1)g", near(0.08), positive="up", **options).reward
@@ -118,7 +118,7 @@ def test_behind_the_items_own_points_no_side_needs_a_value(before: str) -> None:
 
 
 def test_angles_stay_within_their_quadrant() -> None:
-    """What nobody needs bars for, as θ is between 90° and 180°, is paid without them."""
+    """A formula without bars passes if its value is positive for all θ between 90° and 180°."""
     bindings = [{"g": 9.8, "theta": 1.7 + 0.15 * count} for count in range(POINTS + 1)]
     assert graded(r"g\sin\theta", r"|g\sin\theta|", bindings, symbols=["g", "theta"]).reward
     assert not graded(r"g\cos\theta", r"|g\cos\theta|", bindings, symbols=["g", "theta"]).reward

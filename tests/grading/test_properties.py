@@ -1,4 +1,4 @@
-"""Every spelling that the table allows passes; every mutation of a reference fails."""
+"""Tests that every allowed spelling passes, and that every mutation of a reference fails."""
 
 import math
 import random

@@ -1,4 +1,4 @@
-"""What stands behind a value: units are never cut, directions never flip a sign, nothing else is taken for a remark."""
+"""Tests of text behind a value: units are not cut, directions keep the sign, and only remarks are remarks."""
 
 import pytest
 

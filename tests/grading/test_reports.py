@@ -1,4 +1,4 @@
-r"""What public bug reports of other graders taught, beside the cases: units, second spellings, left sides."""
+"""Tests of errors reported for other graders: units, alternative spellings, left sides."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""The sides of an answer: the last counts if those before it agree, and what leaves two values open says why."""
+"""Tests of the sides of an equation: the last counts if the others agree; ambiguous ones give a reason."""
 
 import pytest
 

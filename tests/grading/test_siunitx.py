@@ -1,4 +1,4 @@
-"""siunitx: every prefix, power and division belongs to one unit, and what belongs to none is refused."""
+"""Tests of siunitx macros: every prefix, power and division belongs to one unit; others are refused."""
 
 import pytest
 

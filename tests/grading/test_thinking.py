@@ -1,4 +1,4 @@
-"""What is thought is no answer, in whatever marks public models put it."""
+"""Tests that the reasoning of models, in any of their public formats, is not an answer."""
 
 import pytest
 

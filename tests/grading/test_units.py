@@ -1,4 +1,4 @@
-"""Units as models spell them."""
+"""Tests of units in the spellings of models."""
 
 import math
 

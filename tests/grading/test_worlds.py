@@ -1,4 +1,4 @@
-"""The same verdict wherever the grader runs, and no way in for what an answer says."""
+"""Tests that the verdict is the same in any environment, and that no answer can attack the grader."""
 
 import ast
 import asyncio

@@ -1,4 +1,4 @@
-"""Results as a question states them."""
+"""Tests of results as questions state them."""
 
 import pytest
 from hypothesis import given
@@ -9,7 +9,7 @@ from sim2reason.questions.accuracy import StatedResult
 
 @given(st.floats(1e-6, 1e7), st.sampled_from([1.0, -1.0]), st.integers(2, 3))
 def test_what_is_stated_is_found_again(size: float, sign: float, digits: int) -> None:
-    """Also just below a power of ten, to which it may be rounded."""
+    """Values just below a power of ten, to which they may be rounded, are included."""
     for value in (sign * size, sign * 10.0 ** round(size % 6) * (1.0 - 1e-6)):
         stated = StatedResult.rounded(value, "m", digits)
         if stated is not None:

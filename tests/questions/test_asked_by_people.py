@@ -1,4 +1,4 @@
-"""Questions that people ask and recipes do not: power, relative velocity, curvature, returns, later events."""
+"""Tests of questions that only people ask: power, relative velocity, curvature, returns, later events."""
 
 from collections.abc import Callable
 from math import cos, exp, log, pi, radians, sin, sqrt
@@ -71,7 +71,7 @@ STRUCK = TUMBLED * (CENTRAL + 0.5 * 0.1**2) / (CENTRAL + 0.1**2)
 
 
 def pulled() -> Scene:
-    """Return a block of 3 kg on a smooth floor, drawn by a hand with 12 N."""
+    """Return a block of 3 kg on a smooth floor, pulled by a hand with 12 N."""
     return parse_scene(
         "A block of mass 3.0 kg lies on a smooth, fixed horizontal plane. A light string tied to the block runs to the"
         " right along the plane and is pulled at its far end by a hand with a constant force of 12 N. The motion starts"
@@ -80,7 +80,7 @@ def pulled() -> Scene:
 
 
 def scene(text: str) -> Callable[[], Scene]:
-    """Return what reads a scene from its file."""
+    """Return a function that parses a scene."""
     return lambda: loads(text.strip())
 
 
@@ -108,7 +108,7 @@ def scene(text: str) -> Callable[[], Scene]:
     ],
 )
 def test_the_answer_is_that_of_the_closed_form(made: Callable[[], Scene], parts: dict[str, str], answer: float) -> None:
-    """By one structured question; both engines agree, and the sentence leads back to it where there is one."""
+    """The answer follows from one structured question; both engines agree, and the sentence is read back."""
     found = made()
     motion, words = simulate_scene(found), words_of(describe(found))
     if parts["find"] == "relative velocity":
@@ -127,7 +127,7 @@ COORDINATES = "x coordinate", "y coordinate", "distance from the origin"
 
 
 def test_recipes_ask_none_of_it() -> None:
-    """Recipes never draw quantities that are marked as not drawn; the moments and functionals so marked are these."""
+    """Recipes never draw quantities marked as not drawn; this lists the moments and functionals so marked."""
     words = words_of(describe(ramp(2.0, 30.0)))
     spared = [target for target in targets(words) if not QUANTITIES[target.quantity].drawn_by_recipes]
     assert {target.quantity for target in spared} == {"power of gravity", "power of the net force"}

@@ -1,4 +1,4 @@
-"""What is worth asking about a motion: instants, and components against sizes."""
+"""Tests of the questions about a motion that are worth asking: instants, and components against magnitudes."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Whether a moment matters for what is asked, against motions that are known in closed form."""
+"""Tests of the dependence of an answer on the moment, against motions in closed form."""
 
 import numpy as np
 import pytest
@@ -30,7 +30,7 @@ def matters(scene: Scene, moment: Moment, target: Target) -> bool:
 
 
 def test_velocities_of_free_pucks_hang_on_which_collision_has_been_alone() -> None:
-    """Between collisions nothing acts: only that one has just happened tells more than any time after it."""
+    """Between collisions no force acts, so that the last collision determines the velocity."""
     assert not matters(table(), AtTime(0.9), Target("velocity", LEFT))
     assert matters(table(), Collided(f"{LEFT} & {RIGHT}", after=True), Target("velocity", LEFT))
     assert matters(table(), AtTime(0.9), Target("displacement", RIGHT))
@@ -38,13 +38,13 @@ def test_velocities_of_free_pucks_hang_on_which_collision_has_been_alone() -> No
 
 @pytest.mark.parametrize(("when", "hangs"), [(0.15, True), (0.9, False)])
 def test_a_value_that_has_settled_may_be_asked_for_at_any_time(when: float, hangs: bool) -> None:
-    """1 − e^(−t/τ), which differs from its limit by 5 % until 3τ alone."""
+    """1 − e^(−t/τ) differs from its limit by more than 5 % only until 3τ."""
     trace = study(atwood()).trace
     assert depends_on_moment(AtTime(when), trace, when, lambda times: 1.0 - np.exp(-times / 0.04)) is hangs
 
 
 def test_constant_forces_last() -> None:
-    """In an Atwood machine a = g (M − m)/(M + m) and T = 2 M m g/(M + m), all the while."""
+    """In an Atwood machine a = g (M − m)/(M + m) and T = 2 M m g/(M + m) are constant."""
     trace = study(atwood()).trace
     assert is_constant(TENSION, trace)
     assert not is_constant(Target("velocity", "one.system.blocks.0"), trace)
@@ -53,7 +53,7 @@ def test_constant_forces_last() -> None:
 
 
 def test_what_rubs_and_did_not_begin_at_rest_may_stop() -> None:
-    """Up a slope a block slows down at g (sin θ + μ cos θ), down it speeds up at g (sin θ − μ cos θ)."""
+    """A block decelerates up a slope at g (sin θ + μ cos θ), and accelerates down at g (sin θ − μ cos θ)."""
     assert is_constant(Target("net force", BLOCK), study(ramp(friction=0.2)).trace)
     assert not is_constant(Target("net force", BLOCK), study(ramp(friction=0.2, speed=2.0)).trace)
 

@@ -1,4 +1,4 @@
-"""The number of a scene at which an answer has a given value, however little the answer changes with it."""
+"""Tests of the number at which an answer has a given value, even for a weak dependence."""
 
 from math import exp, log
 
@@ -21,7 +21,7 @@ ROOT = 3.0
 
 
 class Weak(AnswerFunction):
-    """An answer that goes with a small power of the number; as well known as numbers are."""
+    """Answer that varies as a small power of the number, with the same relative accuracy."""
 
     def __init__(self, power: float) -> None:
         self.power = power
@@ -39,7 +39,7 @@ def test_a_weak_dependence_leaves_the_number_as_well_known(power: float) -> None
 
 @pytest.mark.parametrize(("time", "height"), [(50.0, None), (100.0, 5150.0)])
 def test_what_has_come_down_lies_there(time: float, height: float | None) -> None:
-    """A rocket is back on the ground after 75 s: it has travelled twice its greatest height, of 5150 m.
+    """A rocket is back on the ground after 75 s, and has travelled twice its greatest height, of 5150 m.
 
     At burn-out h = u t_b − u (m_1/r) ln(m_0/m_1) − g t_b²/2 and v = u ln(m_0/m_1) − g t_b; it rises by v²/2g more.
     """
@@ -75,7 +75,7 @@ scene:
 
 
 def test_what_goes_round_may_overtake_what_flies_off() -> None:
-    """Planet B escapes from a star of 0.343 solar masses, but A goes round: they are farthest apart after 7.4 years."""
+    """Planet B escapes from a star of 0.343 solar masses while A orbits it; they are farthest apart after 7.4 yr."""
     study = SimulatedScene.of(loads(PLANETS), np.array([0.0, 0.3]))
     pair = Farthest("system.planets.0 & system.planets.1")
     query = Query("event", Target("kinetic energy", "system.planets.0"), pair)

@@ -1,4 +1,4 @@
-"""Something can be asked of every motion, in the units of its text."""
+"""Tests that every motion has a question, in the units of its text."""
 
 import numpy as np
 import pytest
@@ -19,7 +19,7 @@ from sim2reason.simulation.scenes import simulate
 
 
 def questions(study: SimulatedScene, words: Words, draws: int = 60) -> list[Question]:
-    """What is asked over many draws."""
+    """Return the questions of many draws."""
     found = (MODES["numeric"].ask(study, words, "", np.random.default_rng(seed)) for seed in range(draws))
     return [question for question in found if question is not None]
 
@@ -37,7 +37,7 @@ def test_there_is_something_to_ask_of_every_motion(name: str) -> None:
 
 @pytest.mark.parametrize("hanger", [Cord(length=0.8), LightRod(length=0.8)], ids=["string", "rod"])
 def test_a_bob_is_displaced_whatever_it_hangs_from(hanger: Cord | LightRod) -> None:
-    """It is let go at 60°: v² = 2g·(how far it is down), and on the other side it is 2ℓ sin 60° from its start."""
+    """A bob released at 60° has v² = 2g·(its drop), and turns on the other side, 2ℓ sin 60° from its start."""
     scene = Scene(entities=(Named(name="it", entity=Pendulum(bob=Ball(mass=0.5), hanger=hanger, angle=60.0)),))
     trace = simulate(scene)
     places = QUANTITIES["displacement"].evaluate(trace.scan, "it.bob")

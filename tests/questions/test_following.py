@@ -1,4 +1,4 @@
-"""Motions are followed until what is asked about has happened, or it is said why it never does."""
+"""Tests that motions are followed until the event in question, or that a reason says why it never happens."""
 
 from math import pi, sqrt
 
@@ -19,7 +19,7 @@ FORM = r" Give your answer in {}, to three significant figures, inside \boxed{{}
 
 
 def asked(scene: Scene, question: str) -> SimulatedAnswer:
-    """The answer to a question about a scene."""
+    """Return the answer to a question about a scene."""
     motion, words = simulate_scene(scene), words_of(describe(scene))
     query = parse_question(question, motion.study, words)
     assert query is not None, question
@@ -27,12 +27,12 @@ def asked(scene: Scene, question: str) -> SimulatedAnswer:
 
 
 def alone(entity: str, **world: float) -> Scene:
-    """The scene of one entity, as YAML has it."""
+    """Build the scene of one entity, given in YAML."""
     return load(f"scene: {{name: own, entities: [{entity}], world: {{gravity: {world.get('gravity', G)}}}}}")
 
 
 def planet(speed: float) -> Scene:
-    """A planet at 1 au from its star, moving square to the way there."""
+    """Build a planet at 1 au from its star, moving at right angles to the line between them."""
     one = f"{{kind: planet, x: 1.0, y: 0.0, vx: 0.0, vy: {speed}}}"
     return alone(f"{{name: sun, type: SolarSystem, parameters: {{star: {{mass: 1.0}}, planets: [{one}]}}}}")
 
@@ -41,7 +41,7 @@ SLIDING = ramp(angle=0.0, friction=0.05, speed=5.0)
 
 
 def test_a_block_that_slides_for_ten_seconds_comes_to_rest() -> None:
-    """It stops after v/μg, having gone v²/2μg; a horizon of 2 s ends before."""
+    """The block stops after v/μg, at v²/2μg, beyond the horizon of 2 s."""
     assert asked(SLIDING, "How long after t = 0 does the block first come to rest?").answer == pytest.approx(
         5.0 / (0.05 * G), rel=1e-9
     )
@@ -50,7 +50,7 @@ def test_a_block_that_slides_for_ten_seconds_comes_to_rest() -> None:
 
 
 def test_a_stated_time_beyond_the_horizon_is_reached() -> None:
-    """Nobody's question ends at 2 s."""
+    """The horizon of 2 s does not limit a question."""
     assert asked(SLIDING, "What is the speed of the block at t = 9.0 s?").answer == pytest.approx(5.0 - 0.05 * G * 9.0)
     assert asked(SLIDING, "What is the speed of the block at t = 90 s?").answer == 0.0
 
@@ -77,7 +77,7 @@ DAMPED = """scene:
 
 @pytest.mark.parametrize("when", ["moved 0.5 m", "extension = 0.3 m"])
 def test_too_little_energy_to_reach_a_place_is_a_reason(when: str) -> None:
-    """A motion that dies away neither repeats itself nor ends: it has turned back on both sides."""
+    """A damped motion is neither periodic nor finite, but has turned back on both sides."""
     scene = loads(DAMPED)
     motion, words = simulate_scene(scene), words_of(describe(scene))
     found = pose_question(StructuredQuestion("time", when=when), motion, words).followed(motion)
@@ -86,7 +86,7 @@ def test_too_little_energy_to_reach_a_place_is_a_reason(when: str) -> None:
 
 
 def test_a_place_within_its_turning_points_is_reached() -> None:
-    """Before it has turned back on both sides, or never."""
+    """The block reaches 0.3 m before it has turned back on both sides."""
     scene = loads(DAMPED)
     motion, words = simulate_scene(scene), words_of(describe(scene))
     asked = StructuredQuestion("time", when="moved 0.3 m")
@@ -94,7 +94,7 @@ def test_a_place_within_its_turning_points_is_reached() -> None:
 
 
 def test_there_is_as_much_room_as_it_takes() -> None:
-    """Lengths that a text keeps to itself end no motion: 90 m are more than any string has by default."""
+    """Lengths that the text does not give do not end a motion: 90 m are more than any string's default."""
     found = asked(atwood(), "Find the time from release until block A has moved 90 m.")
     assert found.answer == pytest.approx(sqrt(180.0 / (0.2 * G)), rel=1e-9)
 
@@ -127,14 +127,13 @@ def test_there_is_as_much_room_as_it_takes() -> None:
     ],
 )
 def test_what_never_happens_has_a_reason(scene: Scene, question: str, reason: str) -> None:
-    """There is no answer, and the reason is in words."""
     found = asked(scene, question)
     assert found.answer is None
     assert reason in found.reason
 
 
 def test_events_before_a_singularity_can_be_asked_about() -> None:
-    """A planet let go at 1 au falls: v² = 2GM(1/r − 1); it comes to the star after 1/(4√2) yr."""
+    """A planet released at 1 au falls with v² = 2GM(1/r − 1), and reaches the star after 1/(4√2) yr."""
     falling, question = planet(0.0), "What is the speed of the planet when it is first {} au from its starting point?"
     found = asked(falling, question.format("0.50"))
     assert found.answer == pytest.approx(2.0 * pi * sqrt(2.0), rel=1e-6)
@@ -145,20 +144,20 @@ def test_events_before_a_singularity_can_be_asked_about() -> None:
 
 @pytest.mark.parametrize("gravity", [MOON, G, 24.8])
 def test_horizons_follow_the_gravity_of_the_scene(gravity: float) -> None:
-    """All times of what falls or swings are as 1/√g."""
+    """All times of falling or swinging motions are proportional to 1/√g."""
     for scene in (ramp(), swing()):
         there = scene.model_copy(update={"world": World(gravity=gravity)})
         assert there.horizon == pytest.approx(scene.horizon * sqrt(G / gravity))
 
 
 def test_a_horizon_without_gravity_is_finite() -> None:
-    """Nothing swings or falls there."""
+    """Nothing swings or falls without gravity, so the horizon needs another bound."""
     for scene in (ramp(), swing()):
         assert 0.0 < scene.model_copy(update={"world": World(gravity=0.0)}).horizon < 100.0
 
 
 def test_a_ball_lands_on_the_moon() -> None:
-    """After the time that its own gravity gives it."""
+    """The time of flight follows from the Moon's gravity."""
     ball = "{name: ball, type: Projectile, parameters: {ball: {mass: 0.5}, height: 10.0, speed: 15.0, angle: 45.0}}"
     found = asked(alone(ball, gravity=MOON), "How long after t = 0 does the ball reach the ground?")
     rise = 15.0 / sqrt(2.0)
@@ -166,7 +165,7 @@ def test_a_ball_lands_on_the_moon() -> None:
 
 
 def test_a_slow_motion_is_followed_until_something_happens() -> None:
-    """What never does anything is left as it is."""
+    """A motion without events is left as it is."""
     assert simulate_until_event(simulate_scene(SLIDING)).study.trace.events[0].kind == "stick"
     steady = simulate_scene(ramp(angle=0.0, speed=5.0))
     assert simulate_until_event(steady) == steady
@@ -184,7 +183,7 @@ def test_a_prompt_is_followed_as_far() -> None:
 
 
 def test_queries_share_the_longer_motions_that_they_follow() -> None:
-    """A second query about the same motion follows no longer motion of its own."""
+    """A second query about the same motion reuses the longer motion."""
     begun = simulate_scene(ramp())
     words = words_of(describe(ramp()))
     late = StructuredQuestion("time", when="speed of block = 60 m/s")

@@ -1,4 +1,4 @@
-"""Greatest values, sums and counts in motions of every kind, by formulas from textbooks, and by both engines."""
+"""Tests of extremes, sums and counts in all kinds of motion, by textbook formulas and both engines."""
 
 from collections import Counter
 from collections.abc import Callable, Sequence
@@ -56,18 +56,18 @@ Made = Callable[[], tuple[SimulatedScene, Words]]
 
 
 def told(scene: Scene) -> Made:
-    """A scene as a motion with its words."""
+    """Return a function that simulates a scene, and returns its words too."""
     return lambda: (simulate_scene(scene).study, words_of(describe(scene)))
 
 
 def stored(name: str, until: float) -> Made:
-    """A stored scene as a motion up to a time, s, with its words."""
+    """Return a function that simulates a stored scene up to a time, s, and returns its words too."""
     scene = load(Path(__file__).parents[1] / "data" / "ordinary_scenes" / f"{name}.yaml")
     return lambda: (simulate_scene(scene, until).study, words_of(describe(scene)))
 
 
 def dashpot() -> motions.Motion:
-    """As `spring_block`, with a dashpot of 2 N s/m beside the spring."""
+    """Build `spring_block` with a dashpot of 2 N s/m beside the spring."""
     builder = Builder()
     room = builder.room("bench")
     room.site("wall", at=(-0.8, 0.0, 0.0))
@@ -77,7 +77,7 @@ def dashpot() -> motions.Motion:
 
 
 def kicked(speed: float = 1.5) -> motions.Motion:
-    """As `spring_block`, relaxed at first and sent off."""
+    """Build `spring_block` with a relaxed spring and an initial velocity."""
     builder = Builder()
     room = builder.room("bench")
     room.site("wall", at=(-0.6, 0.0, 0.0))
@@ -87,7 +87,7 @@ def kicked(speed: float = 1.5) -> motions.Motion:
 
 
 def dragged(linear: float = 0.3) -> motions.Motion:
-    """A bead of 0.1 kg at 2 m/s in a medium."""
+    """Build a bead of 0.1 kg at 2 m/s in a medium."""
     builder = Builder(gravity=ZERO)
     bead = builder.room("lab").body("bead", 0.1).slide(X, 2.0, name="x").slide(Z, name="y")
     bead.force("medium", Resistance(linear=linear))
@@ -95,7 +95,7 @@ def dragged(linear: float = 0.3) -> motions.Motion:
 
 
 def towed() -> motions.Motion:
-    """A block of 1 kg at 3 m/s on a smooth floor, on a slack string to one of 2 kg at rest."""
+    """Build a block of 1 kg at 3 m/s on a smooth floor, on a slack string to one of 2 kg at rest."""
     builder = Builder()
     room = builder.room("floor")
     room.body("a", 2.0).rest(X, Z).site("a.hook")
@@ -106,7 +106,7 @@ def towed() -> motions.Motion:
 
 
 def passing() -> motions.Motion:
-    """A planet at the end of the minor axis of its ellipse, a = 1 and e = 0.5: both apsides are still to come."""
+    """Build a planet at the end of the minor axis of its ellipse, a = 1 and e = 0.5, before both apsides."""
     builder = Builder(gravity=ZERO)
     room = builder.room("sky")
     star = room.body("star", 1.0, at=(0.5, 0.0, 0.0))
@@ -116,7 +116,7 @@ def passing() -> motions.Motion:
 
 
 def cradle(angle: float = 50.0, speed: float = 0.0) -> motions.Motion:
-    """A block of 0.4 kg that glides to and fro in a smooth round bowl of 1 m, from an angle beside its lowest point."""
+    """Build a block of 0.4 kg that slides in a smooth round bowl of 1 m, from an angle beside its lowest point."""
     builder = Builder()
     away = radians(angle)
     place = (sin(away), 0.0, -cos(away))
@@ -126,7 +126,7 @@ def cradle(angle: float = 50.0, speed: float = 0.0) -> motions.Motion:
 
 
 def overturned(speed: float) -> motions.Motion:
-    """A bob of 0.5 kg on a light rod of 1 m that leaves its lowest point with a speed, m/s."""
+    """Build a bob of 0.5 kg on a light rod of 1 m that leaves its lowest point with a speed, m/s."""
     builder = Builder()
     rod = builder.room("swing").body("hanger").hinge((0.0, 1.0, 0.0), speed)
     rod.body("bob", 0.5, at=(0.0, 0.0, -1.0))
@@ -134,7 +134,7 @@ def overturned(speed: float) -> motions.Motion:
 
 
 def damped_energy(time: float) -> float:
-    """The energy of `dashpot` at a time: x = A e^{−γt}(cos wt + (γ/w) sin wt), γ = b/2m, w² = k/m − γ²."""
+    """Return the energy of `dashpot`: x = A e^{−γt}(cos wt + (γ/w) sin wt), γ = b/2m, w² = k/m − γ²."""
     gamma = 2.0 / (2.0 * 0.5)
     w = sqrt(20.0 / 0.5 - gamma**2)
     x = 0.2 * exp(-gamma * time) * (cos(w * time) + gamma / w * sin(w * time))
@@ -143,19 +143,19 @@ def damped_energy(time: float) -> float:
 
 
 def harmonic_path(time: float) -> float:
-    """What `spring_block` travels: 2A each half period, and A(1 − cos φ) of the one that is begun."""
+    """Return the path of `spring_block`: 2A per half period, and A(1 − cos φ) in the current one."""
     halves = floor(RATE * time / pi)
     return 0.2 * (2 * halves + 1.0 - cos(RATE * time - pi * halves))
 
 
 def driven(time: float) -> float:
-    """Where `driven_charge` is: ẍ = 10 + 20 x from x = 0 at 0.5 m/s."""
+    """Return the position of `driven_charge`: ẍ = 10 + 20 x from x = 0 at 0.5 m/s."""
     rate = sqrt(20.0)
     return 0.5 * (cosh(rate * time) - 1.0) + 0.5 / rate * sinh(rate * time)
 
 
 def mean(a: float, b: float) -> float:
-    """The arithmetic-geometric mean: a pendulum let go from θ₀ has the period 2π/ω/M(1, cos(θ₀/2))."""
+    """Return the arithmetic-geometric mean; a pendulum released at θ₀ has the period 2π/ω/M(1, cos(θ₀/2))."""
     while a - b > 1e-16:
         a, b = 0.5 * (a + b), sqrt(a * b)
     return a
@@ -166,7 +166,7 @@ ROUND = 2.0 * pi / sqrt(1.5 * G / 1.2) / mean(1.0, cos(radians(30.0)))  # of the
 
 @dataclass(frozen=True)
 class Case:
-    """A functional of a subject up to a moment of a motion, and what a formula says."""
+    """Functional of a subject up to a moment of a motion, with its value by a formula."""
 
     made: Made
     name: str
@@ -176,7 +176,7 @@ class Case:
 
     @property
     def query(self) -> StretchQuery:
-        """What is asked."""
+        """Return the query for the functional."""
         return StretchQuery(FUNCTIONALS[self.name].kind, None, self.moment, self.name, self.subject)
 
 
@@ -446,7 +446,7 @@ def test_what_no_smooth_top_decides_has_no_answer(made: Made, name: str, subject
 
 
 def test_a_top_between_two_samples_counts_by_its_own_height() -> None:
-    """Of the tops of a damped motion the first is the highest, however samples fall: A e^(−γπ/w)."""
+    """The first maximum of a damped motion, A e^(−γπ/w), is the greatest, wherever the samples lie."""
     study, _ = dashpot().told()
     w = sqrt(40.0 - 4.0)
     query = StretchQuery("extremum", None, AtTime(1.9), "greatest compression", "bench.spring")
@@ -474,7 +474,7 @@ def test_a_motion_returns_after_its_period(made: Callable[[], motions.Motion], e
 
 
 def test_what_turns_over_returns_after_a_whole_turn() -> None:
-    """A bob on a light rod that leaves its lowest point with v² = 6gℓ: T = 4/v₀·ℓ·K(k), k² = 4gℓ/v²."""
+    """T = 4/v₀·ℓ·K(k), k² = 4gℓ/v², for a bob on a light rod with v² = 6gℓ at its lowest point."""
     speed = sqrt(6.0 * G)
     trace = overturned(speed).told()[0].trace
     assert first_return(trace) == pytest.approx(2.0 * pi / speed / mean(1.0, sqrt(1.0 - 4.0 / 6.0)), rel=1e-8)
@@ -482,7 +482,7 @@ def test_what_turns_over_returns_after_a_whole_turn() -> None:
 
 @pytest.mark.parametrize("heavy", [1.0, 2.0, 4.0, 9.0, 16.0])
 def test_collisions_are_counted_by_unfolding(heavy: float) -> None:
-    """Between a wall and a cart with mass ratio M/m there are ⌈π/arctan √(m/M)⌉ − 1 elastic collisions in all."""
+    """A wall and two carts with mass ratio M/m have ⌈π/arctan √(m/M)⌉ − 1 elastic collisions in all."""
     study = SimulatedScene.of(squeezed(heavy), np.linspace(0.0, 60.0, 41))
     query = StretchQuery("count", None, LastCollision(), "number of collisions", WHOLE_SCENE)
     assert KINDS["count"].answer(query, study) == ceil(round(pi / atan(1.0 / sqrt(heavy)), 9)) - 1
@@ -495,7 +495,7 @@ def test_a_collision_may_follow_as_long_as_anything_approaches() -> None:
 
 
 def test_symbols_name_those_who_collide_last_where_several_may() -> None:
-    """With mass ratio M/m there are ⌈π/arctan √(m/M)⌉ − 1 collisions, with the cart and the wall in turn: 3, and 4."""
+    """With mass ratio M/m, ⌈π/arctan √(m/M)⌉ − 1 collisions alternate between the cart and the wall: 3, and 4."""
     for heavy, last in ((1.0, Collided("track.gliders.0 & track.gliders.1", 2)), (1.5, Bounced("track.gliders.1", 2))):
         trace = SimulatedScene.of(squeezed(heavy), np.linspace(0.0, 60.0, 41)).trace
         moment = LastCollision().in_symbols(trace)
@@ -518,7 +518,7 @@ def test_a_count_is_asked_as_a_whole_number_and_read_back() -> None:
 
 @pytest.mark.parametrize(("turns", "worth"), [(True, False), (False, True)])
 def test_areas_are_asked_for_where_the_line_turns_in_one_sense(*, turns: bool, worth: bool) -> None:
-    """A heavy planet that passes close by turns another one back about their star."""
+    """A heavy planet that passes close to another one reverses its sense of revolution about their star."""
     far = HeavyPlanet(mass=0.56, x=-1.14, y=1.97 if turns else 9.0, vx=-3.53, vy=-2.96)
     near = HeavyPlanet(mass=0.44, x=0.57, y=-0.54, vx=5.18, vy=7.13)
     system = SolarSystem(star=Star(mass=1.5), planets=(near, far))
@@ -531,7 +531,7 @@ def test_areas_are_asked_for_where_the_line_turns_in_one_sense(*, turns: bool, w
 
 
 def test_no_tension_is_the_greatest_where_a_slack_string_becomes_taut_with_a_jerk() -> None:
-    """Before it goes slack, the tension is greatest at the lowest point: m (v²/ℓ + 2 g (1 - cos θ) + g)."""
+    """Before the string goes slack, its greatest tension is m (v²/ℓ + 2 g (1 - cos θ) + g), at the lowest point."""
     read = parse_prompt(
         "A light, inextensible string of length 1.2 m joins a small bead (0.42 kg) to a fixed point. Initially the "
         "string is taut and makes an angle of 68° with the downward vertical. At t = 0 the bead starts moving "

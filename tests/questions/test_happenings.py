@@ -1,4 +1,4 @@
-"""When things happen in motions of every kind, by formulas from textbooks, and whether both engines see it."""
+"""Tests of moments in all kinds of motion, by textbook formulas, and of the agreement of both engines."""
 
 from collections.abc import Callable
 from math import acos, acosh, asin, cos, pi, radians, sin, sqrt
@@ -51,53 +51,56 @@ FALL = sqrt(RISE**2 + 2.0 * G)  # the speed downwards at the ground
 
 
 def integral(function: Callable[[np.ndarray], np.ndarray], end: float) -> float:
-    """From zero, of a smooth function, by 60 points of Gauss and Legendre."""
+    """Integrate a smooth function from zero, by 60 Gauss-Legendre points."""
     points, weights = np.polynomial.legendre.leggauss(60)
     return float(0.5 * end * weights @ function(0.5 * end * (points + 1.0)))
 
 
 def elliptic(angle: float, parameter: float) -> float:
-    """F(φ | m)."""
+    """Return the elliptic integral F(φ | m)."""
     return integral(lambda phi: 1.0 / np.sqrt(1.0 - parameter * np.sin(phi) ** 2), angle)
 
 
 def swing(rate: float, start: float, angle: float) -> float:
-    """When a pendulum that is let go at `start` is first at `angle`, rad: (K − F(ψ, k))/ω, sin ψ = sin(θ/2)/k."""
+    """Return when a pendulum released at `start` first is at `angle`, rad: (K − F(ψ, k))/ω, sin ψ = sin(θ/2)/k."""
     k = sin(start / 2.0)
     return (elliptic(pi / 2.0, k * k) - elliptic(asin(sin(angle / 2.0) / k), k * k)) / rate
 
 
 def struck(angle: float) -> float:
-    """When a bob that leaves its lowest point with v₀² = 3.5 gℓ is at an angle: θ′² = (g/ℓ)(k − 2 + 2 cos θ)."""
+    """Return when a bob with v₀² = 3.5 gℓ at its lowest point is at an angle: θ′² = (g/ℓ)(k − 2 + 2 cos θ)."""
     return 2.0 / sqrt(3.5 * G) * elliptic(angle / 2.0, 4.0 / 3.5)
 
 
 def slid(angle: float) -> float:
-    """When what slides off a dome of 1 m from 10° is at an angle: θ′² = 4g (sin²(θ/2) − s₀²), sin(θ/2) = s₀ cosh u."""
+    """Return when a body is at an angle on a dome of 1 m, from 10°.
+
+    θ′² = 4g (sin²(θ/2) − s₀²), sin(θ/2) = s₀ cosh u.
+    """
     first = sin(radians(5.0))
     end = acosh(sin(angle / 2.0) / first)
     return integral(lambda u: 1.0 / np.sqrt(G * (1.0 - (first * np.cosh(u)) ** 2)), end)
 
 
 def thrown(distance: float) -> float:
-    """When a ball is first so far from where it was thrown: the least root of x² + z² = d²."""
+    """Return when a ball first is at a distance from its start: the least root of x² + z² = d²."""
     roots = np.roots([G**2 / 4.0, -RISE * G, RISE**2 + AHEAD**2, 0.0, -(distance**2)])
     return float(min(root.real for root in roots if abs(root.imag) < 1e-9 and root.real > 0.0))
 
 
 def kepler(anomaly: float, eccentricity: float = 0.5) -> float:
-    """M = E − e sin E, in periods."""
+    """Return the time M = E − e sin E, in periods."""
     return (anomaly - eccentricity * sin(anomaly)) / (2.0 * pi)
 
 
 def prism() -> motions.Motion:
-    """A decagonal prism with its edges 0.10 m from its axis, which tips over on a slope of 12° at 5.3 rad/s."""
+    """Build a decagonal prism, its edges 0.10 m from its axis, that tips over on a slope of 12° at 5.3 rad/s."""
     scene = load(Path(__file__).parents[1] / "data" / "ordinary_scenes" / "tumbling_prism.yaml")
     return motions.Motion(simulate_scene(scene).study.mechanism, {"roller.prism": "the prism"}, 0.3)
 
 
 def tumbled() -> float:
-    """When the axis has turned from 6° before the vertical through an edge to 30° beyond it: by its energy."""
+    """Return when the axis has turned from 6° before the vertical through an edge to 30° beyond it, by energy."""
     inertia = 0.1**2 * (1.0 + (2.0 + cos(radians(36.0))) / 6.0)
     began = radians(-6.0)
 
@@ -111,7 +114,7 @@ TURNS = 4.1 / 1.5  # rad/s: q B/m in these fields of 1 T
 
 
 def beads(electric: bool) -> motions.Motion:
-    """A bead of 1.5 mg with −4.1 µC at 2.7 m/s, 304° from x, in 1 T along z and perhaps 0.76 N/C against x."""
+    """Build a bead of 1.5 mg with −4.1 µC at 2.7 m/s, 304° from x, in 1 T along z and perhaps 0.76 N/C against x."""
     scene = load(Path(__file__).parents[1] / "data" / "ordinary_scenes" / "crossed_fields.yaml")
     held = scene.entities[0]
     fields = held.entity if electric else replace_validated(held.entity, electric=None)
@@ -128,7 +131,7 @@ def cyclotron() -> motions.Motion:
 
 
 def across() -> float:
-    """The component v_x is first zero when v₀ − u, which turns by Ω t, has no x component; u is along y."""
+    """Return the first time at which v₀ − u, which turns by Ω t, has no x component, so v_x = 0; u is along y."""
     turned = 2.7 * np.exp(1j * radians(304.0)) - 1j * 0.76  # u = E × B/B²: −E x̂ × B ẑ = E B ŷ
     return float((0.5 * pi - np.angle(turned)) % pi) / TURNS
 
@@ -197,7 +200,7 @@ def test_every_moment_that_is_no_stated_time_is_tried() -> None:
 
 @pytest.mark.parametrize(("motion", "moment", "expected"), TIMES, ids=[type(each[1]).__name__ for each in TIMES])
 def test_both_engines_vouch_for_it(motion: Callable[[], motions.Motion], moment: Moment, expected: float) -> None:
-    """The filter lets the question through when it happens, and some quantity at it."""
+    """The filter accepts a question for the time of the event, and one for some quantity at it."""
     study, words = motion().told()
     certificate = certify(study.mechanism, study.trace.state.times)[1]
     assert not refused(Query("time_to_event", None, moment), study, certificate)
@@ -208,7 +211,7 @@ def test_both_engines_vouch_for_it(motion: Callable[[], motions.Motion], moment:
 
 
 def refused(query: Query, study: SimulatedScene, certificate: Certificate) -> str:
-    """Why the agreement of both engines does not cover a question; empty if it does."""
+    """Return why the agreement of both engines does not cover a question, or an empty string if it does."""
     answer = KINDS[query.kind].answer(query, study)
     assert answer is not None
     question = Question("numeric", query, "?", answer, KINDS[query.kind].measured(query).unit)
@@ -227,7 +230,7 @@ def test_what_begins_at_its_highest_point_does_not_reach_it_for_the_first_time()
 
 
 def test_what_others_may_send_up_again_stops_rising() -> None:
-    """No text tells whether a puck that is struck gets higher up its table later than where it first turns back."""
+    """The text does not say whether a struck puck later rises higher than at its first turning point."""
     words = words_of(describe(table(tilt=20.0)))
     assert "when puck A first stops rising" in HighestPoint("table.pucks.0").phrases(words)
     assert "when puck A first stops falling" in LowestPoint("table.pucks.0").phrases(words)
@@ -236,7 +239,7 @@ def test_what_others_may_send_up_again_stops_rising() -> None:
 
 
 def test_a_top_that_is_lower_than_the_start_is_not_the_highest_point() -> None:
-    """A ball that falls from 1 m rebounds to e² of that: the highest point of its path is where it began."""
+    """A ball that falls from 1 m rebounds to e² of that, so the highest point of its path is the start."""
     builder = Builder()
     room = builder.room("field")
     room.bump(room, room.body("ball", 0.2, at=(0.0, 0.0, 1.0)).slide(Z), Z, 0.0, 0.8)
@@ -246,13 +249,13 @@ def test_a_top_that_is_lower_than_the_start_is_not_the_highest_point() -> None:
 
 
 def drawn(study: SimulatedScene, words: Words, kind: str) -> list[Query]:
-    """What a kind would ask, over many draws."""
+    """Return the queries of a kind over many draws."""
     found = (KINDS[kind].draw(study, words, targets(words), np.random.default_rng(seed)) for seed in range(120))
     return [query for query in found if query is not None]
 
 
 def test_a_force_that_never_changes_is_not_asked_at_a_moment() -> None:
-    """On a ramp the acceleration and the normal force are what they are from release on."""
+    """On a ramp the acceleration and the normal force are constant from release on."""
     for kind in ("state", "event"):
         asked = {query.target.quantity for query in drawn(*told(), kind) if query.target is not None}
         assert asked
@@ -260,13 +263,13 @@ def test_a_force_that_never_changes_is_not_asked_at_a_moment() -> None:
 
 
 def told() -> tuple[SimulatedScene, Words]:
-    """A block that slides down a rough ramp."""
+    """Return the motion of a block that slides down a rough ramp, and its words."""
     scene = ramp(friction=0.2)
     return SimulatedScene(scene, simulate(scene)), words_of(describe(scene))
 
 
 def test_where_a_force_jumps_at_an_event_it_is_not_asked_there() -> None:
-    """When the ball begins to roll, friction falls from µmg to nothing: at that instant it is neither."""
+    """Friction drops from µmg to zero when the ball begins to roll, and has neither value at that instant."""
     study, words = motions.rolling_ball().told()
     asked = [query for query in drawn(study, words, "event") if isinstance(query.moment, StoppedSlipping)]
     assert {"velocity", "kinetic energy"} & {query.target.quantity for query in asked if query.target is not None}
@@ -276,7 +279,7 @@ def test_where_a_force_jumps_at_an_event_it_is_not_asked_there() -> None:
 
 @pytest.mark.parametrize(("recipe", "asked"), [("projectile", False), ("electromagnetic", True)])
 def test_of_what_is_thrown_no_slant_distance_fixes_a_moment(recipe: str, asked: bool) -> None:
-    """Of a bead in a field one may ask when it is so far from where it began, if seldom."""
+    """Only for a bead in a field, and seldom, the distance from the start defines a moment."""
     scene = sample(recipe, "easy", seed=3)
     words, study = words_of(describe(scene)), SimulatedScene(scene, simulate(scene))
     found = [moment for seed in range(99) for moment in Away.found(study, words, np.random.default_rng(seed))]

@@ -1,4 +1,4 @@
-"""The number of a scene for which a query has a given answer, wherever it lies."""
+"""Tests of the number of a scene for which a query has a given answer, in any range."""
 
 import pytest
 
@@ -28,7 +28,7 @@ scene:
 
 
 def found(question: str, given: float, path: str) -> tuple[list[float], str]:
-    """The values of a number for which an answer is as given, and why it is not one."""
+    """Return the values of a number that give an answer, and the reason if there is not exactly one."""
     motion, words = simulate_scene(SLIDING), words_of(describe(SLIDING))
     query = parse_question(question, motion.study, words)
     assert query is not None
@@ -40,7 +40,7 @@ def found(question: str, given: float, path: str) -> tuple[list[float], str]:
 
 @pytest.mark.parametrize("speed", [3.0, 80.0, 900.0])
 def test_a_number_is_found_within_its_range_and_beyond(speed: float) -> None:
-    """And however late the answer comes: v = √(2μgs)."""
+    """v = √(2μgs), however late the block stops."""
     values, reason = found(
         "What is the distance between the block and its starting point when it first comes to rest?",
         speed**2 / (2.0 * 0.05 * G),
@@ -58,14 +58,14 @@ def test_a_time_is_waited_for() -> None:
 
 
 def test_what_no_number_gives_is_said() -> None:
-    """A block that is slowed down never is faster than at first, whatever its mass."""
+    """A block that is slowed down is never faster than at first, at any mass."""
     values, reason = found("What is the speed of the block at t = 1.0 s?", 9.0, "ramp.blocks.0.mass")
     assert not values
     assert reason.startswith("no value of $p$ from ")
 
 
 def test_a_prompt_says_why_it_has_no_answer() -> None:
-    """A prompt that leaves a number open."""
+    """The prompt leaves a number open."""
     text = describe(SLIDING).text.replace("2.0 kg", "mass $m$")
     asked = parse_prompt(
         f"{text} For which value of $m$ is the speed of the block at t = 1.0 s equal to 9.0 m/s?"

@@ -1,4 +1,4 @@
-"""When things happen, against closed forms."""
+"""Tests of moments against closed forms."""
 
 from dataclasses import replace
 from math import cos, inf, nan, pi, radians, sin, sqrt
@@ -91,7 +91,7 @@ def test_where_a_block_comes_only_after_it_has_turned_back_it_has_not_moved_howe
 
 
 def test_what_a_collision_sends_back_is_spoken_of_by_its_distance_from_its_start() -> None:
-    """A cart of 0.1 kg at 1 m/s meets one of 1 kg after 1 m, and comes back at 9/11 m/s: 1.5 m behind at 73/18 s."""
+    """A cart of 0.1 kg at 1 m/s rebounds from one of 1 kg after 1 m, at 9/11 m/s: 1.5 m behind at 73/18 s."""
     scene = squeezed(heavy=0.1)
     moment, words = Moved("track.gliders.0", 1.5), words_of(describe(scene))
     assert moment.time(simulate(scene)) == pytest.approx(73.0 / 18.0, rel=1e-9)
@@ -105,7 +105,7 @@ def test_what_a_collision_sends_back_is_spoken_of_by_its_distance_from_its_start
 
 
 def test_symbols_do_not_say_whether_a_body_turns_back_before_it_has_moved_so_far() -> None:
-    """One thrown uphill may, so that the way that it has gone would be another thing; one released on a slope can't."""
+    """A block launched uphill may turn back first, so path and distance differ; one released on a slope can't."""
     for scene, symbolic, statement in (
         (ramp(angle=30.0, speed=3.0), True, "the block is first 0.50 m from its starting point"),
         (ramp(angle=30.0, speed=3.0), False, "the block has moved 0.50 m"),
@@ -118,7 +118,7 @@ def test_symbols_do_not_say_whether_a_body_turns_back_before_it_has_moved_so_far
 
 
 def test_what_a_collision_sends_back_turns_at_once() -> None:
-    """A cart of 0.1 kg at 1 m/s comes back from one of 1 kg after 1 s, at 9/11 m/s."""
+    """A cart of 0.1 kg at 1 m/s rebounds from one of 1 kg after 1 s, at 9/11 m/s."""
     trace = simulate(squeezed(heavy=0.1))
     assert jumps(trace, lambda state: -state.v[:, 0])[0] == pytest.approx(1.0)
     assert 1.0 not in jumps(trace, lambda state: state.v[:, 0])
@@ -127,7 +127,7 @@ def test_what_a_collision_sends_back_turns_at_once() -> None:
 
 @pytest.mark.parametrize("blow", [None, 2.0])
 def test_a_spring_that_a_blow_turns_has_no_first_greatest_length(blow: float | None) -> None:
-    """B and C fly apart until π/2 √(μ/k) = 0.157 s, where A may strike B at 0.1 s: then the spring shortens at once."""
+    """B and C separate until π/2 √(μ/k) = 0.157 s, unless A strikes B at 0.1 s and the spring shortens at once."""
     builder = Builder(gravity=ZERO)
     room = builder.room()
     a = room.body("a", 5.0, at=(-0.1 * (blow or 0.0), 0.0, 0.0)).slide(X, blow or 0.0)
@@ -185,7 +185,7 @@ def test_spoken_numbers_have_two_digits_and_are_what_is_said(value: float) -> No
 
 @given(st.floats(0.01, 900.0), st.floats(1.0, 3.0))
 def test_a_round_number_is_the_nearest_between_its_bounds(value: float, factor: float) -> None:
-    """Two of them are at most a factor of 1.4 apart, so that wide bounds always hold one."""
+    """Adjacent round numbers differ by a factor of at most 1.4, so that wide bounds always contain one."""
     found, bounds = round_number(value, value / factor, value * factor), (value / factor, value * factor)
     if factor > 1.4:
         assert bounds[0] <= found <= bounds[1]
@@ -255,7 +255,7 @@ ROCKS = (
 
 @pytest.mark.parametrize(("left", "passes"), [("57", False), ("38", True)])
 def test_an_arm_that_rocks_to_one_side_does_not_pass_through_its_lowest_point(left: str, *, passes: bool) -> None:
-    """A cart with the acceleration a holds its arm at tan θ = a/g: with 57 N at 10.4°, and 13° is hardly more."""
+    """A cart with acceleration a holds its arm at tan θ = a/g: 10.4° at 57 N, from which 13° hardly differs."""
     asked = parse_prompt(ROCKS.replace("PULL", left), np.random.default_rng(1))
     moment = asked.query.moment
     assert isinstance(moment, LowestPoint)
@@ -264,14 +264,14 @@ def test_an_arm_that_rocks_to_one_side_does_not_pass_through_its_lowest_point(le
 
 
 def test_a_light_arm_on_a_carriage_is_nobody_whose_speed_is_asked() -> None:
-    """It turns and has no centre of mass: every point of it has another speed."""
+    """An arm that turns has no centre of mass, and each of its points has another speed."""
     asked = parse_prompt(ROCKS.replace("PULL", "57"), np.random.default_rng(1))
     called = Bodies().phrases(asked.study.mechanism, asked.reading.mentions)
     assert {said.split()[-1] for said in called.values()} == {"slider", "ball"}
 
 
 def test_what_friction_holds_from_the_start_never_comes_to_rest() -> None:
-    """The pull of a spring that gets 7 cm longer, at most 155 N/m · 0.07 m = 11 N, is less than 0.49 · 4.4 kg · g."""
+    """The extra pull of the spring, at most 155 N/m · 0.07 m = 11 N, is less than 0.49 · 4.4 kg · g."""
     scene = row((4.4, 3.9), (82.0, 155.0, 113.0), "both", speed=0.98, friction=0.49)
     trace = simulate(scene)
     assert Stopped("row.carts.0").time(trace) is None
@@ -307,7 +307,7 @@ def test_what_an_arm_carries_comes_to_rest_again_only_if_the_arm_was_at_rest() -
 
 
 def test_a_spring_is_not_asked_about_where_it_is_stretched_or_compressed_the_most() -> None:
-    """What has its extreme there is asked for by that name; of the carts, much is."""
+    """The extreme of the spring is asked for by that name, and many quantities of the carts are asked for."""
     scene = row((1.0, 2.0), (100.0, 60.0), "left", strain=0.1, speed=0.5)
     seen, words = SimulatedScene(scene, simulate(scene)), words_of(describe(scene))
     drawn = (KINDS["event"].draw(seen, words, targets(words), np.random.default_rng(seed)) for seed in range(60))
@@ -320,7 +320,7 @@ def test_a_spring_is_not_asked_about_where_it_is_stretched_or_compressed_the_mos
 
 
 def test_who_finds_an_unknown_may_count_from_a_start_that_is_the_greatest_already() -> None:
-    """As in: a spring let go when stretched first reaches its maximum extension after a period, 2π √(m/k)."""
+    """A spring released when stretched first reaches its maximum extension after a period, 2π √(m/k)."""
     scene = row((2.0,), (80.0,), "left", strain=0.1)
     spring = scene.mechanism.lines[0].name
     trace = ENGINES["exact"](scene.mechanism, np.linspace(0.0, 3.0, 61))
@@ -331,7 +331,7 @@ def test_who_finds_an_unknown_may_count_from_a_start_that_is_the_greatest_alread
 
 @pytest.mark.parametrize(("speed", "rests"), [(1.0, 1.0), (1.00001, None), (1.1, None)])
 def test_a_speed_that_only_touches_zero_is_at_rest_then(speed: float, rests: float | None) -> None:
-    """In a field that falls to zero and turns v = (1 − t)²: the bead stops, and goes on the way that it went."""
+    """In a field that falls to zero and reverses, v = (1 − t)²: the bead stops, and continues in its direction."""
     field = "{kind: growing_electric, strength: 2.0, way: negative x, trend: decreases, growth: 2.0}"
     particle = "{mass: 1.0, charge: 1.0, sign: positive}"
     start = f"{{kind: launched, speed: {speed}, angle: 0}}"
@@ -343,7 +343,7 @@ def test_a_speed_that_only_touches_zero_is_at_rest_then(speed: float, rests: flo
 
 
 def test_a_relaxed_spring_has_its_natural_length_again_after_half_a_period() -> None:
-    """Of two carts on one spring, one of which is struck: the reduced mass μ oscillates, and t = π √(μ/k)."""
+    """Two carts on one spring, one of them struck, oscillate with the reduced mass μ: t = π √(μ/k)."""
     scene = row((1.6, 1.1), (79.0,), "free", speed=1.7)
     trace, words = simulate(scene), words_of(describe(scene))
     (moment,) = NaturalLength.parsed("the spring", trace, words)

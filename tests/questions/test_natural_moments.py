@@ -1,4 +1,4 @@
-"""Moments in the words that fit the scene: the only collision, a flight straight up, the extension of one spring."""
+"""Tests of moments in words that fit the scene: the only collision, a vertical flight, a spring's extension."""
 
 import pytest
 
@@ -30,24 +30,24 @@ PAIR = "it.pucks.0 & it.pucks.1"
 
 
 def on_table(count: int, restitution: float = 0.6, right: float | None = None) -> Scene:
-    """The first `count` pucks on a table, perhaps with a wall."""
+    """Build a table with the first `count` pucks, and perhaps a wall."""
     pucks = PUCKS[:count]
     return alone(TwoDCollisionPlane(table=Table(), radius=0.1, pucks=pucks, restitution=restitution, right=right))
 
 
 def thrown(angle: float, side: str = "above", restitution: float | None = None) -> Scene:
-    """A ball thrown from a height."""
+    """Build a ball thrown from a height."""
     given = {"ball": Ball(mass=0.5), "height": 2.0, "speed": 5.0, "angle": angle, "side": side}
     return alone(Projectile.model_validate(given | {"restitution": restitution}))
 
 
 def rocket(place: LevelGround | DeepSpace) -> Scene:
-    """A rocket that starts from rest."""
+    """Build a rocket that starts from rest."""
     return alone(RocketEntity(rocket=Rocket(mass=1000.0, dry=200.0), place=place, exhaust=1.0, rate=12.0))
 
 
 def words(scene: Scene) -> Words:
-    """Those of a text about a scene."""
+    """Return the words of a text about a scene."""
     return words_of(describe(scene))
 
 

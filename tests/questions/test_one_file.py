@@ -1,4 +1,4 @@
-"""A quantity, a moment and a kind of question, each one new file: asked, told, parsed, certified, recorded, plotted."""
+"""Tests that a quantity, a moment or a kind of question is one new file, from asking to plotting."""
 
 import importlib.util
 import re
@@ -238,7 +238,7 @@ CASES = [
 
 @pytest.fixture
 def added(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[None]:
-    """A module of one new thing, as if it stood in its package; taken out of its registry again."""
+    """Import a module with one new member, as if it was in its package, and unregister the member afterwards."""
     source, registry = ADDED[request.param]
     before = set(registry)
     path = tmp_path / f"new_{request.param}.py"
@@ -279,7 +279,7 @@ def test_one_file_is_enough(kind: str, wanted: Wanted, scene: Scene) -> None:
 
 
 def _asked(search: QuestionSearch, kind: str, wanted: Wanted) -> CertifiedQuestion:
-    """The first question that passes every filter and is the wanted one."""
+    """Return the first wanted question that passes every filter."""
     for seed in range(400):
         certified = search.ask(MODES["numeric"], np.random.default_rng(seed), Counter(), kind)
         if certified is not None and wanted(certified.question.query):
@@ -311,7 +311,7 @@ def test_a_new_quantity_is_a_channel_and_has_a_panel() -> None:
 @pytest.mark.parametrize("share", [None, 0.0, -1.0, float("nan")])
 def test_a_kind_without_a_share_is_refused_since_it_would_never_be_asked(share: float | None) -> None:
     class Never:
-        """What is never asked?"""
+        """Kind of question that is never asked."""
 
         name = "never"
 

@@ -1,4 +1,4 @@
-"""Another value of an unknown that a result does not exclude is found, however narrow the place is."""
+"""Tests that another root of a result is found, however narrow its surroundings are."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -23,7 +23,7 @@ MARGIN = 1e-3
 
 @dataclass
 class Known:
-    """A result as a known function of the unknown."""
+    """Result as a known function of the unknown."""
 
     result: Callable[[float], float]
     hits: tuple[float, ...] = ()  # numbers from which on one thing more happens
@@ -48,7 +48,7 @@ def found(result: Callable[[float], float], *hits: float) -> float | None:
 
 
 def kinked(height: float, tip: float) -> Callable[[float], float]:
-    """It falls through 1 at the root; beyond it comes back in a kink, steep on its left, up to a height below 1."""
+    """Return a result that falls through 1 at the root, and beyond it peaks at `height` < 1, steeply on the left."""
 
     def result(value: float) -> float:
         if value < 4.0:
@@ -80,7 +80,10 @@ def test_the_top_of_a_round_hill_is_looked_at(top: float, height: float, *, excl
 
 @pytest.mark.parametrize("last", [5.3, 6.7581, 20.0])
 def test_where_results_come_back_just_before_they_end_is_looked_at(last: float) -> None:
-    """As the root of how far the end is, as what goes slack near the top of a circle does; 4e-5 of it suffice."""
+    """The result returns with the square root of the distance from the end, within 4e-5 of it.
+
+    A string that goes slack near the top of a circle has such a result.
+    """
 
     def result(value: float) -> float:
         return max(1.0 - (value - ROOT) / 4.0, 1.0 + 3.0 * (sqrt(4e-5) - sqrt(abs(1.0 - value / last))))
@@ -91,7 +94,7 @@ def test_where_results_come_back_just_before_they_end_is_looked_at(last: float) 
 
 
 def test_between_numbers_for_which_different_things_happen_more_are_tried() -> None:
-    """Between two of the points something else happens, and the result is another for a moment."""
+    """Between two points of the scan another event happens, and the result differs in a short interval."""
     low, high = VALUES[40:42]
     begin, end = low + 0.3 * (high - low), low + 0.6 * (high - low)
 
@@ -103,13 +106,13 @@ def test_between_numbers_for_which_different_things_happen_more_are_tried() -> N
 
 
 def test_what_begins_to_happen_at_the_root_makes_no_other_root() -> None:
-    """What is not told from the root is it."""
+    """A number that can't be distinguished from the root is the root."""
     assert found(lambda value: 1.0 - (value - ROOT) / 4.0, 1.001 * ROOT) is None
 
 
 @pytest.mark.parametrize(("other", "seen"), [(70.0, True), (1e4, False)])
 def test_another_root_far_beyond_the_range_is_seen(other: float, *, seen: bool) -> None:
-    """A quadratic with a root at 70 times the other, as a launch so fast that it falls back from the other side."""
+    """A quadratic has another root at 70 times the first, as a launch so fast that it returns from the other side."""
     scan = UniquenessScan(Known(lambda value: value + other * ROOT**2 / value), ROOT, ROOT * (1.0 + other), MARGIN)  # type: ignore[arg-type]
     assert scan.another(VALUES) is None
     assert (scan.far(far_from(VALUES, ROOT, "m/s")) is not None) is seen
@@ -128,7 +131,7 @@ def test_a_function_that_only_rises_has_one_root() -> None:
 
 @pytest.mark.parametrize(("depth", "other"), [(0.7, False), (1.1, True)])
 def test_where_the_answer_swings_it_is_looked_at_more_closely(depth: float, *, other: bool) -> None:
-    """From 8 on it rises, but swings once in 1.5 steps of the scan, down to what is given if the swings are deep."""
+    """From 8 on the result rises, but oscillates once in 1.5 steps of the scan, down to the given value if deep."""
     step = np.log(VALUES[1] / VALUES[0])
 
     def result(value: float) -> float:
@@ -141,7 +144,7 @@ def test_where_the_answer_swings_it_is_looked_at_more_closely(depth: float, *, o
 
 @dataclass
 class Wayward(Known):
-    """A magnitude: beyond 4 it falls to zero at 11.6 and rises again; from 11.7 on there is none for a while."""
+    """Magnitude that beyond 4 falls to zero at 11.6 and rises again, but has no value from 11.7 to 12.5."""
 
     def __call__(self, value: float) -> float | None:
         return None if 11.7 < value < 12.5 else self.result(value)
@@ -151,14 +154,14 @@ class Wayward(Known):
 
 
 def test_where_a_magnitude_passes_through_zero_next_to_where_it_has_no_value() -> None:
-    """The change of a counterweight's potential energy, close to balance: it takes too long just beyond it."""
+    """The change of a counterweight's potential energy vanishes at balance, and just beyond takes too long."""
     result = Wayward(lambda value: value / ROOT if value < 4.0 else min(2.0, 10.0 * abs(value - 11.6)))
     at = UniquenessScan(result, ROOT, 1.0, MARGIN).another(VALUES)  # type: ignore[arg-type]
     assert at == pytest.approx(11.6, abs=0.11)
 
 
 def test_which_way_coordinates_have_gone_belongs_to_what_happens() -> None:
-    """Atwood's machine turns round where the masses are equal: no event tells it."""
+    """An Atwood machine reverses where the masses are equal, without any event."""
     scene = atwood(left=3.0, right=2.0)
     query = Query("state", Target("velocity", "one.system.blocks.0"), AtTime(0.5))
     dependence = AnswerFunction(query, SimulatedScene(scene, simulate(scene)), "one.system.blocks.0.mass")
@@ -176,7 +179,7 @@ def test_where_results_end_close_to_the_root_is_told(ends: tuple[float, float], 
 
 
 def test_the_end_of_a_range_is_no_edge() -> None:
-    """Whoever looks for the root begins and ends there."""
+    """A search for the root may begin or end there."""
     scan = UniquenessScan(Known(lambda value: value, ends=(0.0, ROOT)), ROOT, ROOT, MARGIN)  # type: ignore[arg-type]
     assert scan.edge([0.2, 1.0, 2.001]) is None
 
@@ -185,7 +188,7 @@ def test_the_end_of_a_range_is_no_edge() -> None:
     ("turn", "fall", "end"), [(90.0, 0.15, 100.0), (60.0, 0.8, 100.0), (20.0, 40.0, None), (200.0, 1.0, None)]
 )
 def test_a_root_just_behind_the_range_is_foreseen(turn: float, fall: float, end: float | None) -> None:
-    """It rises from 1 at the root up to a turn, from which it is back at 1 by `fall` turns later."""
+    """The result rises from 1 at the root up to a turn, and is back at 1 at (1 + `fall`) times the turn."""
 
     def result(value: float) -> float:
         peak = 1.0 + (turn - ROOT) / 10.0
@@ -202,7 +205,7 @@ def test_a_number_whose_answer_may_come_later_than_is_waited_is_not_excluded() -
 
 
 def test_no_body_of_a_roomy_scene_reaches_a_pulley() -> None:
-    """Its text says that none does: a root that our lengths hide is one."""
+    """The text says that none does, so that a root hidden by the library's own lengths counts."""
     scene = half_atwood()
     reach = simulate(scene)
     assert reach.cut == "reach"

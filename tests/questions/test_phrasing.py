@@ -1,4 +1,4 @@
-"""For what a pronoun may stand in the words for a moment."""
+"""Tests of the nouns that a pronoun may replace in the words for a moment."""
 
 import pytest
 
@@ -24,7 +24,7 @@ BEFORE = "from t = 0 until {} first "
 
 
 def damped() -> Words:
-    """A block on two springs, each with a dashpot."""
+    """Return the words of a block on two springs, each with a dashpot."""
     springs = (
         NailedSpring(stiffness=60.0, length=0.5, x=-0.6, y=0.0),
         NailedSpring(stiffness=80.0, length=0.4, x=0.5, y=0.3),
@@ -37,7 +37,7 @@ def damped() -> Words:
     ("functional", "pronoun"), [("energy dissipated by a dashpot", False), ("greatest extension", True)]
 )
 def test_no_pronoun_could_be_the_dashpot_beside_a_spring(functional: str, pronoun: bool) -> None:
-    """*The energy that the dashpot beside spring 2 dissipates until it …* would be until the dashpot does that."""
+    """In *the energy that the dashpot beside spring 2 dissipates until it …*, *it* would be the dashpot."""
     words, moment = damped(), MostCompressed("it.springs.1")
     noun, spring = nouns(FUNCTIONALS[functional], words)["it.springs.1"], moment.subject(words)
     for when in moment.stretches(words):
@@ -75,7 +75,7 @@ def test_a_pronoun_stands_for_what_a_phrase_is_about_alone() -> None:
 def test_a_rocket_that_starts_from_the_ground_has_a_height(
     place: AirlessPlanet | LevelGround | DeepSpace, noun: str
 ) -> None:
-    """And *it* is the rocket, not the ground."""
+    """The pronoun *it* means the rocket, not the ground."""
     entity = RocketEntity(rocket=Rocket(mass=1000.0, dry=200.0), place=place, exhaust=2.0, rate=8.0)
     words, moment = words_of(describe(Scene(entities=(Named(name="pad", entity=entity),)))), BurnedOut("pad.rocket")
     said = targets(words)[Target("displacement", "pad.rocket")].phrase

@@ -1,4 +1,4 @@
-"""Questions in parts instead of a sentence."""
+"""Tests of structured questions."""
 
 from math import atan, cos, degrees, pi, radians, sin, sqrt
 from pathlib import Path
@@ -27,13 +27,13 @@ FAR, LATE = 25.0 / (0.1 * G), 5.0 / (0.05 * G)
 
 
 def read(scene: Scene, **parts: str) -> tuple[PosedQuestion, Words]:
-    """Return the query of a question in parts, and the words of its scene."""
+    """Return the query of a structured question, and the words of its scene."""
     words = words_of(describe(scene))
     return pose_question(StructuredQuestion.read(parts), simulate_scene(scene), words), words
 
 
 def found(scene: Scene, **parts: str) -> SimulatedAnswer:
-    """Return the answer to a question in parts, with the motion."""
+    """Return the answer to a structured question, with the motion."""
     return read(scene, **parts)[0].followed(simulate_scene(scene))
 
 
@@ -84,7 +84,7 @@ def test_a_question_in_parts_has_its_answer(scene: Scene, parts: dict[str, str],
 
 @pytest.mark.parametrize("when", ["height above the ground of the ball = 5.2 m", "velocity of the ball = 8.446 m/s"])
 def test_the_axis_of_a_question_is_none_of_its_moment(when: str) -> None:
-    """A thrown ball's way along x is asked for at a height, or at a speed, neither of which is along x."""
+    """The displacement of a thrown ball along x is found at a height or a speed, neither of which is along x."""
     scene = load(Path(__file__).parents[1] / "data" / "ordinary_scenes" / "low_passing_throw.yaml")
     forward, up = 8.9 * cos(radians(26.0)), 8.9 * sin(radians(26.0))
     rest = sqrt(up**2 - 2.0 * 9.8 * 0.4) if "height" in when else sqrt(8.446**2 - forward**2)
@@ -116,20 +116,20 @@ def test_the_axis_of_a_question_is_none_of_its_moment(when: str) -> None:
     ],
 )
 def test_what_means_nothing_is_one_error_with_its_place(parts: dict[str, str], said: str) -> None:
-    """And what may have been meant."""
+    """The error names the part, and similar names."""
     with pytest.raises(TextError, match=said):
         read(SLIDING, **parts)
 
 
 def test_a_sentence_is_one_writing_of_the_same_query() -> None:
-    """The sentence of a question in parts is read as the same query."""
+    """The sentence of a structured question is parsed as the same query."""
     for parts in ({"find": "velocity", "when": "moved 0.5 m"}, {"find": "time", "when": "stopped"}):
         question, words = read(SLIDING, **parts)
         assert parse_question(question.sentence(words), simulate_scene(SLIDING).study, words) == question.query
 
 
 def test_what_no_text_gives_is_not_found() -> None:
-    """The length of a spring of which the text tells the extension alone hangs on a number of the library's own."""
+    """A text that gives only the extension of a spring leaves its length to a number of the library's own."""
     with pytest.raises(TextError, match="the text does not give the length"):
         found(row((2.0,), (50.0,), "left", speed=1.5), find="spring length", when="1 s")
 
@@ -149,7 +149,7 @@ def test_every_moment_that_a_scene_offers_is_told_and_read(recipe: str) -> None:
 
 @pytest.mark.parametrize("recipe", ["collision", "springs", "rotation", "orbital"])
 def test_every_quantity_and_functional_of_a_scene_can_be_found(recipe: str) -> None:
-    """Each of them by its name alone, no list of which is kept anywhere."""
+    """The name alone is enough, without a list of names."""
     scene = sample(recipe, seed=3)
     motion, words = simulate_scene(scene), words_of(describe(scene))
     for name in findable(words):
@@ -164,7 +164,7 @@ def test_every_quantity_and_functional_of_a_scene_can_be_found(recipe: str) -> N
 
 
 def test_names_as_people_say_them() -> None:
-    """By the address, a last part of it, the name in the text with or without an article, or its letter."""
+    """A name may be the address, its last part, the text's name with or without an article, or its letter."""
     names = {"left.block": "block A", "right.block": "block B", "right.wheel": "the pulley"}
     for said, meant in [
         ("left.block", "left.block"),
@@ -183,7 +183,7 @@ def test_names_as_people_say_them() -> None:
 
 @pytest.mark.parametrize("find", ["angular velocity", "angular acceleration"])
 def test_what_turns_as_one_body_has_one_angular_velocity(find: str) -> None:
-    """An arm and a rod that is welded to it: which of them is meant need not be said; their energies differ."""
+    """An arm and a rod welded to it have one angular velocity, but different energies."""
     scene = loads(
         "scene: {entities: [{name: arm, type: RotationEntity, parameters: {angle: 60, pieces: [{kind: axial_piece,"
         " distance: 1, axis: along the arm, body: {kind: uniform_rod, mass: 3, length: 2}}]}}]}"

@@ -1,4 +1,4 @@
-"""Prompts of several parts: written and read, with moments that are told once."""
+"""Tests of prompts with several parts, composed and parsed, which describe each moment once."""
 
 import numpy as np
 import pytest
@@ -47,7 +47,7 @@ def test_what_has_no_parts_is_refused(text: str) -> None:
 
 
 def asked(search: QuestionSearch) -> list[Question]:
-    """The time to an event, a speed at it and a sum up to it."""
+    """Return questions for the time of an event, a speed at it, and a sum up to it."""
     rng, mode = np.random.default_rng(4), MODES["multipart"]
     drawn = (KINDS["time_to_event"].draw(search.study, search.words, {}, rng) for _ in range(40))
     first = next(query for query in drawn if query is not None)
@@ -74,7 +74,7 @@ def test_a_moment_is_told_once_and_every_part_is_read_back() -> None:
 
 
 def test_a_stretch_that_ends_at_a_moment_just_told_lasts_until_then() -> None:
-    """Such as *altogether during the first 0.50 s*, which became *altogether during the first at that moment*."""
+    """The phrase *altogether during the first 0.50 s* became *altogether during the first at that moment* before."""
     search = QuestionSearch(atwood(), 3)
     moment = AtTime(0.5)
     for stretch in moment.stretches(search.words):

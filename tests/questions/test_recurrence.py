@@ -1,4 +1,4 @@
-"""When a motion has come round, against closed forms."""
+"""Tests of the recurrence of motions, against closed forms."""
 
 from collections.abc import Callable
 from math import cos, pi, radians, sin, sqrt
@@ -23,19 +23,19 @@ SEEDS = range(4)
 
 
 def period(mechanism: Mechanism, name: str, duration: float) -> float | None:
-    """By the exact engine."""
+    """Return the period by the exact engine."""
     return Repetition(name).time(simulate(mechanism, np.linspace(0.0, duration, 5)))
 
 
 def mean(a: float, b: float) -> float:
-    """The arithmetic-geometric mean."""
+    """Return the arithmetic-geometric mean."""
     while abs(a - b) > 1e-15 * a:
         a, b = 0.5 * (a + b), sqrt(a * b)
     return a
 
 
 def rod(length: float, angle: float, rate: float = 0.0) -> Mechanism:
-    """A bob on a light rod, at an angle from its lowest point, turning at a rate, rad/s."""
+    """Build a bob on a light rod, at an angle from its lowest point, turning at a rate, rad/s."""
     builder = Builder()
     away = (length * sin(angle), 0.0, -length * cos(angle))
     builder.room().body("rod").hinge(Y, rate).body("bob", 0.7, at=away)
@@ -44,7 +44,7 @@ def rod(length: float, angle: float, rate: float = 0.0) -> Mechanism:
 
 @pytest.mark.parametrize("angle", [10.0, 60.0, 120.0, 170.0])
 def test_a_pendulum_of_any_amplitude(angle: float) -> None:
-    """T = 2π √(ℓ/g) / M(1, cos ½θ), M being the arithmetic-geometric mean (C. F. Gauss)."""
+    """T = 2π √(ℓ/g) / M(1, cos ½θ), with the arithmetic-geometric mean M (C. F. Gauss)."""
     length, away = 0.8, radians(angle)
     expected = 2.0 * pi * sqrt(length / G) / mean(1.0, cos(0.5 * away))
     assert period(rod(length, away), "bob", 1.3 * expected) == pytest.approx(expected, rel=1e-8)
@@ -54,7 +54,7 @@ def test_a_pendulum_of_any_amplitude(angle: float) -> None:
 
 
 def test_a_pendulum_that_goes_right_round() -> None:
-    """T = 2π/(ω₀ M(1, √(1 − (2 √(g/ℓ)/ω₀)²))): half the complete elliptic integral of a swing, for one turn."""
+    """T = 2π/(ω₀ M(1, √(1 − (2 √(g/ℓ)/ω₀)²))) for one turn, half the complete elliptic integral of a swing."""
     length, rate = 0.5, 11.0
     expected = 2.0 * pi / (rate * mean(1.0, sqrt(1.0 - 4.0 * G / length / rate**2)))
     assert period(rod(length, 0.0, rate), "bob", 1.2 * expected) == pytest.approx(expected, rel=1e-8)
@@ -71,7 +71,7 @@ def test_keplers_third_law(eccentricity: float) -> None:
 
 @pytest.mark.parametrize(("share", "outward", "flies"), [(0.99, 1.0, False), (1.01, 1.0, True), (1.01, -1.0, False)])
 def test_what_is_faster_than_it_must_be_to_escape_never_comes_back(share: float, outward: float, flies: bool) -> None:
-    """v² = 2GM/r; at first along the line from the centre, or towards it, and a little aside."""
+    """With v² > 2GM/r the planet escapes if it moves away from the star, but not yet if it moves towards it."""
     builder = Builder(gravity=ZERO)
     room = builder.room()
     star = room.body("star", 5.0)
@@ -85,14 +85,14 @@ def test_what_is_faster_than_it_must_be_to_escape_never_comes_back(share: float,
 
 @pytest.mark.parametrize(("angle", "rate"), [(0.3, 0.0), (0.0, 0.0)])
 def test_what_repeats_itself_or_rests_brings_nothing_new(angle: float, rate: float) -> None:
-    """A swing is known from one period on; what hangs at rest, at once."""
+    """A swing is known after one period, a bob at rest at once."""
     mechanism, whole = rod(0.8, angle, rate), 2.0 * pi * sqrt(0.8 / G)
     assert has_known_continuation(simulate(mechanism, np.linspace(0.0, 1.1 * whole, 5)))
     assert has_known_continuation(simulate(mechanism, np.linspace(0.0, 0.5 * whole, 5))) is (angle == 0.0)
 
 
 def particle(electric: float) -> Mechanism:
-    """A charge of 0.4 C and 0.1 kg in 1.5 T, and in a field that crosses it."""
+    """Build a charge of 0.4 C and 0.1 kg in 1.5 T, perhaps with a perpendicular electric field."""
     builder = Builder(gravity=ZERO)
     bead = builder.room().body("bead", 0.1).slide(X, 2.0, name="x").slide(Z, 1.0, name="y")
     bead.force("field", Magnetic(Y, Profile(0.4 * 1.5)))
@@ -102,7 +102,7 @@ def particle(electric: float) -> Mechanism:
 
 
 def test_a_charge_in_a_magnetic_field() -> None:
-    """T = 2πm/(qB), whatever the speed; with an electric field across it drifts, and never comes back."""
+    """T = 2πm/(qB) at any speed; with a perpendicular electric field the charge drifts, and never returns."""
     expected = 2.0 * pi * 0.1 / (0.4 * 1.5)
     assert period(particle(0.0), "bead", 3.0 * expected) == pytest.approx(expected, rel=1e-9)
     assert period(particle(0.7), "bead", 3.0 * expected) is None
@@ -110,7 +110,7 @@ def test_a_charge_in_a_magnetic_field() -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_spring_block(seed: int) -> None:
-    """2π √(m/k), let go or struck."""
+    """T = 2π √(m/k), whether released or struck."""
     mass, stiffness, speed = np.random.default_rng(seed).uniform((0.3, 20.0, 0.0), (3.0, 90.0, 1.0)).tolist()
     builder = Builder(gravity=ZERO)
     room = builder.room().site("wall")
@@ -121,7 +121,7 @@ def test_a_spring_block(seed: int) -> None:
 
 
 def test_a_ball_that_bounces_without_loss() -> None:
-    """Thrown straight up at v from a floor 0.4 m below: 2 √(v² + 2gh)/g."""
+    """T = 2 √(v² + 2gh)/g for a ball thrown straight up at v, 0.4 m above the floor."""
     builder = Builder()
     room = builder.room()
     ball = room.body("ball", 0.2, at=(0.0, 0.0, 0.4)).slide(Z, 1.0)
@@ -141,13 +141,13 @@ def test_a_ball_that_bounces_without_loss() -> None:
     ],
 )
 def test_what_never_comes_back(made: Callable[[], Motion], name: str) -> None:
-    """A string that goes slack, a ball that slips, a region that is left, friction, and a bounce with losses."""
+    """A slack string, a slipping ball, a region's border, friction, and a lossy bounce prevent recurrence."""
     motion = made()
     assert period(motion.mechanism, name, motion.duration) is None
 
 
 def test_whatever_it_carries_comes_back_with_it() -> None:
-    """The rod of a pendulum, its bob, and a block with its spring: of each the same."""
+    """The rod of a pendulum has the same period as its bob."""
     for motion, names in ((light_rod(60.0), ("swing.hanger", "swing.bob")), (spring_block(), ("bench.block",))):
         found = {period(motion.mechanism, name, 3.0) for name in names}
         assert len(found) == 1
@@ -155,7 +155,7 @@ def test_whatever_it_carries_comes_back_with_it() -> None:
 
 
 def test_what_drifts_on_repeats_itself_elsewhere() -> None:
-    """Two trolleys on a spring, after the period of their relative oscillation; a wall would be a special place."""
+    """Two trolleys on a spring repeat their relative oscillation; a wall would be a special place."""
     masses, stiffness = (1.1, 3.5), 40.0
     reduced = masses[0] * masses[1] / sum(masses)
     free = simulate_scene(load(SCENES / "struck_trolleys.yaml"), 2.0).study.trace
@@ -165,7 +165,7 @@ def test_what_drifts_on_repeats_itself_elsewhere() -> None:
 
 
 def test_what_starts_on_a_relaxed_spring_and_drifts_repeats_itself() -> None:
-    """Trolleys of 4.1 kg and 2.1 kg on a relaxed spring of 139 N/m: nothing is accelerated at first."""
+    """Trolleys of 4.1 kg and 2.1 kg on a relaxed spring of 139 N/m have no acceleration at first."""
     reduced = 4.1 * 2.1 / (4.1 + 2.1)
     trace = simulate_scene(load(SCENES / "struck_second_trolley.yaml"), 3.0).study.trace
     assert not trace.at(0.0).a[0].any()

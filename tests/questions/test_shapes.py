@@ -1,4 +1,4 @@
-"""Shapes of prompts: each can be undone, none is drawn too often, and every one leads back to its answer."""
+"""Tests of shapes of prompts: each can be undone, none is too frequent, and all lead back to the answer."""
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -33,7 +33,7 @@ MOST = 0.32  # of the prompts of a recipe
 def asked(
     recipe: str, count: int, difficulties: Sequence[Difficulty] = DIFFICULTIES
 ) -> Iterator[tuple[QuestionSearch, Question]]:
-    """Random scenes, each with a question about it."""
+    """Yield random scenes, each with a question about it."""
     for difficulty in difficulties:
         for seed in range(count):
             try:
@@ -46,7 +46,7 @@ def asked(
 
 
 def composed(description: Description, question: str) -> dict[str, str]:
-    """By name, the text in every shape that it can have."""
+    """Return the text in every possible shape, by name."""
     made = {name: shape.compose(description, question, np.random.default_rng(3)) for name, shape in SHAPES.items()}
     return {name: text for name, text in made.items() if text is not None}
 
@@ -59,7 +59,7 @@ def ended(text: str, question: Question) -> str:
 @pytest.mark.parametrize("scenes", SCENES)
 @pytest.mark.parametrize("recipe", RECIPES)
 def test_no_shape_is_drawn_too_often(recipe: str, scenes: int) -> None:
-    """The mean of the chance that each has among those that a text and a question can have."""
+    """The probability of a shape, among those possible for a text and question, is averaged over scenes."""
     chances, number = Counter[str](), 0
     for search, question in asked(recipe, scenes):
         shares = {name: SHAPES[name].share for name in composed(search.description, question.text)}
@@ -117,7 +117,7 @@ def test_what_a_voice_hides_is_in_no_list() -> None:
 
 
 def test_a_list_of_symbols_has_no_zeros() -> None:
-    """They stand in the text: the list of a problem in symbols would consist of them."""
+    """Zeros are in the text, since the list of a symbolic problem would consist of them."""
     springs = (NailedSpring(stiffness=80.0, length=0.3, x=0.0, y=0.0),)
     entity = SpringBlock(block=Block(mass=2.0), springs=springs, x=0.1, y=0.2)
     shown = describe(Scene(entities=(Named(name="table", entity=entity),)))
@@ -133,7 +133,7 @@ def test_a_list_of_symbols_has_no_zeros() -> None:
 
 @pytest.mark.parametrize("seed", range(12))
 def test_a_list_does_not_begin_as_the_sentence_before_it(seed: int) -> None:
-    """Let g = 9.8 m/s². Let $m$ = 2.0 kg and $v$ = 1.5 m/s."""
+    """Texts such as *Let g = 9.8 m/s². Let $m$ = 2.0 kg and $v$ = 1.5 m/s.* are avoided."""
     description = describe(sample("incline", "medium", seed=seed), seed)
     texts = (SHAPES["numbers_listed"].compose(description, "How?", np.random.default_rng(n)) for n in range(9))
     found = [units(text) for text in texts if text is not None]

@@ -1,4 +1,4 @@
-"""Numbers of questions as people write them."""
+"""Tests of numbers in questions as people write them."""
 
 import numpy as np
 import pytest
@@ -46,26 +46,26 @@ STUDY, WORDS = SimulatedScene.of(SCENE, np.linspace(0.0, 1.0, 11)), words_of(des
     ],
 )
 def test_a_number_is_told_as_the_library_tells_it(written: str, told: str) -> None:
-    """It is converted to the library's unit and digits; numbers in other units stay."""
+    """A number is converted to the library's unit and digits; numbers in other units stay."""
     assert plainly(f"when it is {written} there", SI) == f"when it is {told} there"
     assert plainly(plainly(written, SI), SI) == plainly(written, SI)
 
 
 def test_among_planets_in_their_units() -> None:
-    """Years and astronomical units; metres are none of theirs."""
+    """Years and astronomical units are converted, but metres are not."""
     assert plainly("2 years after 0.5 AU and 3 m", ASTRONOMICAL) == "2.0 yr after 0.50 au and 3 m"
 
 
 @given(st.floats(1e-6, 9e9))
 def test_what_is_said_is_heard(value: float) -> None:
-    """To twelve digits at least."""
+    """A number is read back to at least twelve digits."""
     (found,) = numbers_in_text(format_number(value, "s"), "s")
     assert found == pytest.approx(value, rel=1e-12)
 
 
 @given(st.floats(1e-4, 1e4))
 def test_two_digits_stay_two_digits(value: float) -> None:
-    """What is drawn is told as it ever was."""
+    """Numbers drawn with two digits are written with two digits."""
     assert format_number(float(two_digits(value)), "s") == f"{two_digits(value)} s"
 
 
@@ -73,7 +73,7 @@ def test_two_digits_stay_two_digits(value: float) -> None:
     ("written", "speed"), [("1 m", 1.0), ("0.255 m", 0.255), ("25.5 cm", 0.255), ("half a metre", 0.5)]
 )
 def test_a_question_has_numbers_of_any_digits(written: str, speed: float) -> None:
-    """v² = 2 g sin 30° s."""
+    """The speed is given by v² = 2 g sin 30° s."""
     query = parse_question(f"What is the speed of the block after it has moved {written}?", STUDY, WORDS)
     assert query is not None
     assert KINDS[query.kind].answer(query, STUDY) == pytest.approx((9.8 * speed) ** 0.5)

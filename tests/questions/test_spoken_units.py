@@ -1,4 +1,4 @@
-"""Texts in other units say the same numbers, exactly, and are read back."""
+"""Tests that texts in other units state the same numbers exactly, and are read back."""
 
 from decimal import Decimal
 
@@ -17,7 +17,10 @@ TEXT = (
 
 
 def test_centimetre_gram_second() -> None:
-    """1 N = 10⁵ dyn, 1 J = 10⁷ erg, 1 N/m = 10³ dyn/cm, 1 kg m² = 10⁷ g cm² (NIST SP 811, appendix B.8)."""
+    """The factors are 1 N = 10⁵ dyn, 1 J = 10⁷ erg, 1 N/m = 10³ dyn/cm, 1 kg m² = 10⁷ g cm².
+
+    Source: NIST SP 811, appendix B.8.
+    """
     assert spoken_in(CGS, TEXT) == (
         "Block A (2600 g) is 8.0 cm above B and moves at −230 cm/s; k = 1.20×10⁵ dyn/cm, b = 300 dyn·s/cm, "
         "F = 5.2×10⁵ dyn, g = 980 cm/s². After 1.2 s, at 30°, with 3.0 rad/s, I = 1.2×10⁶ g·cm² and E = 4.1×10⁷ erg, "
@@ -26,7 +29,7 @@ def test_centimetre_gram_second() -> None:
 
 
 def test_only_lengths_masses_and_speeds_are_mixed_in() -> None:
-    """2.3 m/s · 3600 s/h / (1000 m/km) = 8.28 km/h."""
+    """The speed is converted as 2.3 m/s · 3600 s/h / (1000 m/km) = 8.28 km/h."""
     said = spoken_in(MIXED, TEXT)
     assert "A (2600 g) is 8.0 cm above B and moves at −8.28 km/h; k = 120 N/m" in said
     assert "g = 9.8 m/s²" in said
@@ -34,7 +37,7 @@ def test_only_lengths_masses_and_speeds_are_mixed_in() -> None:
 
 
 def test_prefixes_are_those_of_no_other_system() -> None:
-    """1 km/s = 10⁵ cm/s, and 1 mN s/m = 10⁻³ · 10⁵ dyn/(10² cm/s) = 1 dyn s/cm."""
+    """The factors are 1 km/s = 10⁵ cm/s and 1 mN s/m = 10⁻³ · 10⁵ dyn/(10² cm/s) = 1 dyn s/cm."""
     text = "gas at 0.97 km/s and 23 kg/s, R = 1500 km, b = 0.0085 mN·s/m"
     said = "gas at 97000 cm/s and 23000 g/s, R = 1.500×10⁸ cm, b = 0.0085 dyn·s/cm"
     assert spoken_in(CGS, text) == said
@@ -54,7 +57,7 @@ ROCKET = "A rocket of 1170 kg, in a hall of 12 m, burns 23 kg/s at 0.97 km/s; ho
     ],
 )
 def test_units_are_mixed_in_where_a_text_would(text: str, asked: tuple[float, str], said: str) -> None:
-    """No 1.17×10⁶ g beside 23 kg/s, no km/h beside km/s, and no way of 6.8×10⁶ cm."""
+    """Texts have no 1.17×10⁶ g beside 23 kg/s, no km/h beside km/s, and no distance of 6.8×10⁶ cm."""
     assert spoken_in(MIXED.beside(text, asked), text) == said
 
 
@@ -81,7 +84,7 @@ def test_what_no_system_says_otherwise_stays(text: str) -> None:
     ["m", "kg", "m/s", "N", "J", "N/m", "N s", "kg m/s", "N*s/m", "kg m^2", "m/s^2", "W", "N m", "km/s", "mN s/m"],
 )
 def test_factors_are_those_of_the_table_of_units(system: SpokenUnits, unit: str) -> None:
-    """The grader, whose sizes of units stand in another table, is to find the same amount."""
+    """The grader, which has its own table of units, must find the same amount."""
     other, factor = system.spelled(unit)
     assert parse_unit(unit).factor_to(parse_unit(other)) == pytest.approx(float(factor), rel=1e-14)
 
@@ -100,7 +103,7 @@ def test_a_number_comes_back_to_the_last_digit(system: SpokenUnits, digits: int,
 
 
 def test_grams_are_tried_before_the_units_of_small_particles() -> None:
-    """What a text in cgs says in grams may be meant in grams or stand for kilograms; only then for milligrams."""
+    """Grams in a cgs text are read as grams, then as kilograms, and only then as milligrams."""
     assert in_si("A bead of 0.10 g is 2.0 cm away.") == (
         "A bead of 0.10 g is 2.0 cm away.",
         "A bead of 0.00010 kg is 0.020 m away.",

@@ -1,4 +1,4 @@
-"""Variants of a motion, which all questions about a scene share."""
+"""Tests of variants of a motion, which all questions about a scene share."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ CHANGE = {"swing.angle": 50.0}
 
 @pytest.mark.parametrize("before", [(), (LONG,), (0.3, LONG), (0.3, 0.4, 1.2)])
 def test_how_far_a_variant_is_followed_hangs_on_no_question_before(before: tuple[float, ...]) -> None:
-    """It swings through its lowest point after 0.47 s, which who asks for 0.4 s does not learn."""
+    """The bob passes its lowest point after 0.47 s, which a question about 0.4 s does not simulate."""
     study = SimulatedScene.of(swing(), np.linspace(0.0, 3.0, 41))
     for until in before:
         other = study.with_values(CHANGE, until)

@@ -1,4 +1,4 @@
-"""What can be asked of whom, in which words and with which sign; and the sentences that ask."""
+"""Tests of the quantities that can be asked about a body: noun phrases, signs and sentences."""
 
 from collections import Counter
 from math import cos, radians, sin
@@ -33,7 +33,7 @@ MAGNITUDES = ("radius", "speed", "magnitude", "amount by which", "distance", "ki
 
 
 def offered(scene: Scene) -> dict[str, Target]:
-    """What can be asked about, by the noun phrase that asks for it."""
+    """Return the targets that can be asked about, by noun phrase."""
     return {noun.phrase: target for target, noun in targets(words_of(describe(scene))).items()}
 
 
@@ -82,7 +82,7 @@ def test_pucks_have_components_along_the_axes_of_the_text() -> None:
 
 
 def test_a_component_is_taken_along_the_axes_of_the_motion_at_hand() -> None:
-    """As where the slope of a tilted table is what is asked for: with any other, the y axis runs up that one."""
+    """The y axis is along the slope of the mechanism being measured, here one with its angle changed to 40°."""
     scene = table()
     name = next(named.name for named in scene.entities)
     target = next(t for phrase, t in offered(scene).items() if phrase.startswith("the y component of the velocity"))
@@ -154,7 +154,7 @@ def test_an_unknown_time_has_no_answer() -> None:
 
 @pytest.mark.parametrize("riding", [True, False])
 def test_what_hangs_on_the_frame_names_it_where_something_rides(riding: bool) -> None:
-    """A block on a box that slides; one that hangs from a fixed pulley."""
+    """The phrases say "relative to the ground" for a block on a sliding box, not for one at a fixed pulley."""
     boxes = MassBoxPlane(box=Box(mass=8.0), blocks=(Block(mass=2.0),), right=Block(mass=1.0), length=3.0)
     scene = Scene(entities=(Named(name="table", entity=boxes),)) if riding else atwood()
     words = words_of(describe(scene))
@@ -188,7 +188,7 @@ def test_what_hangs_on_the_frame_names_it_where_something_rides(riding: bool) ->
 def test_the_net_angle_is_asked_of_what_may_turn_back(
     angle: float, start: Rolling | Sliding | Spinning | None, net: str
 ) -> None:
-    """A body that is sent up a slope may; one that rolls down, or slips on level ground, turns one way."""
+    """A body sent up a slope may reverse its rotation; one that rolls down or slips on level ground may not."""
     ball = Sphere(mass=2.0, radius=0.1)
     held = RollingEntity(body=ball, plane=Incline(angle=angle), grip=Rough(friction=0.4), start=start)
     scene = Scene(entities=(Named(name="lane", entity=held),))
@@ -202,7 +202,7 @@ def test_the_net_angle_is_asked_of_what_may_turn_back(
 
 @pytest.mark.parametrize("several", [True, False])
 def test_of_a_part_of_a_rigid_body_no_force_is_asked_for(several: bool) -> None:
-    """Nor its kinetic energy without that of its rotation."""
+    """The separate translational and rotational kinetic energies of such a part are not asked for either."""
     ball = RoundPiece(body=Sphere(mass=2.0, radius=0.2), distance=0.6)
     other = BallPiece(body=FixedBall(mass=1.0), distance=1.1)
     arm = RotationEntity(pieces=(ball, other) if several else (ball,), angle=40.0)

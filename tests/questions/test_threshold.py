@@ -1,4 +1,4 @@
-"""Where outcomes change, by formulas from textbooks, and whether the second engine sees it."""
+"""Tests of threshold values of parameters against textbook formulas, and of their check by the second engine."""
 
 from dataclasses import dataclass
 from math import acos, cos, degrees, radians, sin, sqrt, tan
@@ -65,7 +65,10 @@ def pendulum(hanger: Cord | LightRod, angle: float, speed: float) -> Scene:
 
 @dataclass(frozen=True, slots=True)
 class Slow(Onset):
-    """It shows late where friction is below 0.3; above, it shows at once, and a longer motion is none."""
+    """Outcome that happens at once if friction exceeds 0.3 and otherwise only after 4 s.
+
+    A simulation longer than 1 s fails if friction exceeds 0.3.
+    """
 
     def happens(self, trace: Trace) -> bool | None:
         duration, rough = trace.state.times[-1], trace.mechanism.contacts["ramp.blocks.0"].friction > 0.3
@@ -90,14 +93,14 @@ class Slow(Onset):
 
 
 def test_what_fails_when_followed_for_long_is_followed_for_less() -> None:
-    """The nearest value that was tried needs a longer motion, which this one does not have."""
+    """A value whose longer simulation fails is tried with the shorter duration instead."""
     trial = ThresholdSearch(study(ramp(angle=20.0, friction=0.2)), Slow("ramp.blocks.0"), "ramp.plane.friction")
     assert trial(0.28) is True
     assert trial(0.32) is True
 
 
 def test_what_changes_far_from_what_is_drawn_is_not_closed_in_on() -> None:
-    """Friction is drawn up to 0.7; on a slope of 60° it would have to be tan 60° = 1.73, beyond twice that."""
+    """Friction is drawn up to 0.7; on a slope of 60° the threshold is tan 60° = 1.73, more than twice that."""
     scene = ramp(angle=60.0, friction=0.3)
     trial = ThresholdSearch(study(scene), OUTCOMES["slides"]("ramp.blocks.0"), "ramp.plane.friction")
     assert trial.usual_change() is None
@@ -107,7 +110,7 @@ def test_what_changes_far_from_what_is_drawn_is_not_closed_in_on() -> None:
 
 
 def test_a_block_slips_from_the_angle_of_friction_on() -> None:
-    """µ = tan θ, and θ = atan µ."""
+    """The thresholds are µ = tan θ and θ = atan µ."""
     scene = ramp(angle=25.0, friction=0.3)
     assert critical(scene, "slides", "ramp.blocks.0", "ramp.plane.friction") == pytest.approx(
         tan(radians(25.0)), rel=1e-7
@@ -120,7 +123,7 @@ def test_a_block_slips_from_the_angle_of_friction_on() -> None:
 
 @pytest.mark.parametrize(("mass", "force"), [(4.0, 2.0), (80.0, 40.0), (8e3, 4e3)])
 def test_a_limit_is_found_within_the_usual_range_of_a_number_and_beyond(mass: float, force: float) -> None:
-    """A hand at a loop of string under a light pulley holds the pulley's load with half its weight."""
+    """A hand that pulls a string around a light movable pulley holds the pulley's load with half its weight."""
     scene = loads(LOOP.format(mass=mass))
     found = critical(scene, "rises", "lift.load", "hand.force")
     assert found == pytest.approx(force * G, rel=1e-6)
@@ -130,7 +133,7 @@ def test_a_limit_is_found_within_the_usual_range_of_a_number_and_beyond(mass: fl
 
 
 def test_that_a_number_decides_nothing_is_the_reason() -> None:
-    """How heavy a block is does not matter to whether it slips."""
+    """The mass of a block does not decide whether it slips."""
     scene = ramp(angle=25.0, friction=0.3)
     asked = pose_question(
         StructuredQuestion("ramp.blocks.0.mass", when="slides"), simulate_scene(scene), words_of(describe(scene))
@@ -141,24 +144,24 @@ def test_that_a_number_decides_nothing_is_the_reason() -> None:
 
 
 def test_a_rod_goes_right_round_if_it_gets_to_the_top() -> None:
-    """v² = 2 g ℓ (1 + cos θ) for a start at the angle θ from the downward vertical."""
+    """The threshold is v² = 2 g ℓ (1 + cos θ) for a start at the angle θ from the downward vertical."""
     found = critical(pendulum(LightRod(length=1.2), 29.0, 2.0), "goes_round", "p.hanger", "p.speed")
     assert found == pytest.approx(sqrt(2.0 * G * 1.2 * (1.0 + cos(radians(29.0)))), rel=1e-5)
 
 
 def test_a_string_stays_taut_if_the_bob_gets_no_higher_than_its_end() -> None:
-    """v²/2 = g ℓ cos θ, below the speed at which it goes right round."""
+    """The threshold is v²/2 = g ℓ cos θ, at speeds too low for a full circle."""
     found = critical(pendulum(Cord(length=1.6), 40.0, 2.0), "goes_slack", "p.hanger", "p.angle")
     assert found == pytest.approx(degrees(acos(2.0**2 / (2.0 * G * 1.6))), rel=1e-6)
 
 
 def test_a_speed_at_which_it_goes_slack_is_no_threshold() -> None:
-    """It goes slack between two speeds: it changes twice."""
+    """The string goes slack between two speeds, so that the outcome changes twice."""
     assert critical(pendulum(Cord(length=1.0), 40.0, 2.0), "goes_slack", "p.hanger", "p.speed") is None
 
 
 def test_one_of_two_changes_is_doubted() -> None:
-    """From v² = 2 g ℓ cos θ on it goes slack, until v² = g ℓ (3 + 2 cos θ), with which it goes right round."""
+    """The string goes slack from v² = 2 g ℓ cos θ on, until v² = g ℓ (3 + 2 cos θ), enough for a full circle."""
     scene, outcome = pendulum(Cord(length=1.0), 40.0, 2.0), OUTCOMES["goes_slack"]("p.hanger")
     first = sqrt(2.0 * G * cos(radians(40.0)))
     assert not ThresholdSearch(study(scene), outcome, "p.speed").changes_only_at(first)
@@ -167,7 +170,7 @@ def test_one_of_two_changes_is_doubted() -> None:
 
 
 def lifted(mass: float = 2.0, friction: float = 0.0, disc: float = 0.0) -> Scene:
-    """A block on a slope of 30° whose string over a pulley at the top, maybe a disc, holds a hanging one of 1.5 kg."""
+    """Build a block on a slope of 30° whose string over a pulley holds a hanging block of 1.5 kg."""
     slope = OnPlane(plane=Plane(angle=30.0, friction=friction), blocks=(Block(mass=mass),))
     ends = (
         Named(name="one", entity=MassWithFixedPulley(system=slope, pulley=FixedPulley(mass=disc))),
@@ -181,7 +184,7 @@ def lifted(mass: float = 2.0, friction: float = 0.0, disc: float = 0.0) -> Scene
 
 @pytest.mark.parametrize("friction", [0.0, 0.2])
 def test_a_block_is_drawn_up_by_one_heavy_enough(friction: float) -> None:
-    """m (sin θ + µ cos θ) = M."""
+    """The threshold is m (sin θ + µ cos θ) = M."""
     scene = lifted(friction=friction)
     block = next(address for address, body in scene.bodies.items() if getattr(body, "mass", 0.0) == 2.0)
     path = f"{block}.mass"
@@ -190,9 +193,9 @@ def test_a_block_is_drawn_up_by_one_heavy_enough(friction: float) -> None:
 
 
 def test_where_a_number_hardly_matters_the_limit_is_found_as_closely() -> None:
-    """A light block in a train of two: 1.5 kg = (m + 2.7 kg) (sin 30° + µ cos 30°), m = 11.2 g.
+    """A light block in a train of two has 1.5 kg = (m + 2.7 kg) (sin 30° + µ cos 30°), so m = 11.2 g.
 
-    If what is slower than 1e-9 g times the time were at rest, the limit would be 7e-7 too low.
+    If speeds below 1e-9 g times the time counted as rest, the limit would be 7e-7 too low.
     """
     pull = sin(radians(30.0)) + 0.0615 * cos(radians(30.0))
     expected = 1.5 / pull - 2.7
@@ -236,7 +239,7 @@ def test_the_second_engine_sees_both_sides(scene: Scene, outcome: str, name: str
 def test_secants_lead_where_halving_does(
     scene: Scene, outcome: str, name: str, path: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Both close in on the same number to 1e-9; by halving, an interval of a tenth takes log2(1e8) = 27 trials."""
+    """Secants and bisection find the same number to 1e-9; bisection of 0.1 takes log2(1e8) = 27 trials."""
     trial = ThresholdSearch(study(scene), OUTCOMES[outcome](name), path)
     found, tried = trial.change(), len(trial._known)
     monkeypatch.setattr(ThresholdSearch, "_aimed", lambda *_: None)
@@ -247,7 +250,7 @@ def test_secants_lead_where_halving_does(
 
 @pytest.mark.parametrize("outcome", [name for name, outcome in OUTCOMES.items() if outcome.drawn_by_recipes])
 def test_every_outcome_has_words_for_both(outcome: str) -> None:
-    """Its clauses differ, three shapes at least ask for it, and each is read back."""
+    """An outcome and its opposite have different clauses and at least three question shapes, all read back."""
     scenes = [ramp(angle=25.0, friction=0.3), pendulum(LightRod(length=1.2), 29.0, 2.0), lifted(friction=0.2)]
     scenes += [pendulum(Cord(length=1.6), 40.0, 2.0), rolling()]
     seen = 0
@@ -271,13 +274,13 @@ def test_every_outcome_has_words_for_both(outcome: str) -> None:
 
 
 def rolling() -> Scene:
-    """A hoop at rest on a slope of 36°."""
+    """Build a hoop at rest on a slope of 36°."""
     entity = RollingEntity(plane=Incline(angle=36.0), body=Hoop(mass=2.0, radius=0.1), grip=Rough(friction=0.4))
     return Scene(entities=(Named(name="roller", entity=entity),))
 
 
 def test_a_hoop_rolls_if_there_is_half_the_friction_of_its_slope() -> None:
-    """f = m g sin θ/2, so µ = tan θ/2."""
+    """Rolling needs f = m g sin θ/2, so µ = tan θ/2."""
     scene = rolling()
     slope = radians(scene.value("roller.plane.angle"))
     found = critical(scene, "slips_rolling", "roller.body", "roller.grip.friction")
@@ -307,7 +310,7 @@ def test_a_prompt_leads_back_to_its_threshold() -> None:
     ],
 )
 def test_a_wrong_idea_is_tried_on_the_mechanism_of_every_value(friction: float, slip: str, kept: float | None) -> None:
-    """The hanging block rises if m < M (sin θ − µ cos θ): of wrong thresholds only a close one is looked for."""
+    """The hanging block rises if m < M (sin θ − µ cos θ); a wrong threshold is only searched close to it."""
     name = "other.system.blocks.0"
     seen, path = study(lifted(3.0, friction, disc=0.5)), f"{name}.mass"
     about = 3.0 * (sin(radians(30.0)) - friction * cos(radians(30.0)))
@@ -334,7 +337,7 @@ def test_how_strong_gravity_is_is_no_matter() -> None:
 
 @pytest.mark.parametrize(("greatest", "beyond"), [(True, "below which"), (False, "above which")])
 def test_at_the_limit_itself_the_sentence_is_true(greatest: bool, beyond: str) -> None:
-    """There nothing happens: the values with which it does have no least or greatest, those without have one."""
+    """The outcome does not happen at the threshold, so only the values without it have a least or greatest."""
     scene = ramp(angle=25.0, friction=0.3)
     outcome, path = OUTCOMES["slides"]("ramp.blocks.0"), "ramp.plane.friction"
     trial = ThresholdSearch(study(scene), outcome, path)

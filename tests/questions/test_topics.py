@@ -1,4 +1,4 @@
-"""Sentences that matter to some questions only are told to those, and prompts without them lead to their answers."""
+"""Tests of the sentences that only some questions need: included there, left out of other prompts."""
 
 import re
 from collections import Counter
@@ -43,7 +43,7 @@ LOST = "velocity along it is lost"
 
 
 def swing(speed: float) -> Scene:
-    """A bob that hangs straight down and is launched: it leaves its circle if 2gl < v² < 5gl."""
+    """Build a bob launched at its lowest point; it leaves its circle if 2gl < v² < 5gl."""
     entity = Pendulum(bob=Ball(mass=0.5), hanger=Cord(length=LENGTH), angle=0.0, speed=speed)
     return Scene(entities=(Named(name="swing", entity=entity),))
 
@@ -65,7 +65,10 @@ def asked(query: Query, text: str = "", unknown: str = "", given: StatedResult |
     ("squared", "slackens"), [(1.5 * G, False), (3.0 * G, True), (4.5 * G, True), (6.0 * G, False)]
 )
 def test_a_bob_that_leaves_its_circle_matters_from_then_on(squared: float, slackens: bool) -> None:
-    """The tension m(v² − 2gl − 3gl cos φ)/l vanishes on the way up only if 2gl < v² < 5gl."""
+    """The tension m(v² − 2gl − 3gl cos φ)/l vanishes on the way up only if 2gl < v² < 5gl.
+
+    The sentence about a slack string is in the text only if the question is about a later moment.
+    """
     seen = study(swing(squared**0.5))
     late, early = (Query("state", SPEED, AtTime(time)) for time in (1.2, 0.05))
     assert ("slack" not in irrelevant(asked(late), seen)) is slackens
@@ -85,7 +88,7 @@ def test_what_ends_as_the_string_goes_slack_has_not_to_do_with_what_follows() ->
     ("unknown", "told"), [("swing.speed", True), ("swing.hanger.length", True), ("swing.bob.mass", False)]
 )
 def test_the_text_does_not_hang_on_what_it_hides(unknown: str, told: bool) -> None:
-    """With other speeds or lengths the bob leaves its circle; its mass changes nothing."""
+    """An unknown speed or length could make the bob leave its circle; an unknown mass could not."""
     given, query = StatedResult("1.0", "m/s"), Query("state", SPEED, AtTime(1.2))
     seen = study(swing((1.5 * G) ** 0.5))
     assert ("slack" not in irrelevant(asked(query, unknown=unknown, given=given), seen)) is told
@@ -106,7 +109,7 @@ X_VELOCITY = Target("velocity", "throw.ball", Sense("to the right", (1.0, 0.0, 0
     [(X_VELOCITY, True), (Target("velocity", "throw.ball", Sense("upward", (0.0, 0.0, 1.0), axis="vertical")), False)],
 )
 def test_axes_are_told_where_one_is_used(target: Target, told: bool) -> None:
-    """A question may speak of an axis for itself, or for the moment at which something has a value along it."""
+    """An axis is used by the asked component, or by the moment at which a component has a given value."""
     seen, size = study(throw()), Target("velocity", "throw.ball")
     assert ("axes" not in irrelevant(asked(Query("state", target, AtTime(0.2))), seen)) is told
     first = Query("time_to_event", None, Reached(target, StatedResult("3.0", "m/s")))
@@ -115,7 +118,7 @@ def test_axes_are_told_where_one_is_used(target: Target, told: bool) -> None:
 
 
 def _prompts(scene: Scene, mode: str, seeds: int = 10) -> list[CertifiedQuestion]:
-    """Some questions about a scene, in several wordings."""
+    """Return questions about a scene, asked with different seeds."""
     found: list[CertifiedQuestion] = []
     for seed in range(seeds):
         rng = np.random.default_rng(seed)
@@ -130,7 +133,7 @@ def _prompts(scene: Scene, mode: str, seeds: int = 10) -> list[CertifiedQuestion
 @pytest.mark.parametrize("mode", ["numeric", "reverse"])
 @pytest.mark.parametrize("scene", [swing(3.0), throw(restitution=0.7)])
 def test_prompts_without_them_lead_to_their_answers(scene: Scene, mode: str, seeds: int) -> None:
-    """Of a ball that bounces: nearly all about one that only lands is answered by few laws."""
+    """The numeric and reverse prompts about a pendulum and a bouncing ball are solved from their text alone."""
     for found in _prompts(scene, mode, seeds):
         if mode == "numeric" and not found.question.query.hides:
             assert LOST not in found.prompt
@@ -138,7 +141,7 @@ def test_prompts_without_them_lead_to_their_answers(scene: Scene, mode: str, see
 
 
 def turned(rate: float | None) -> Scene:
-    """A sphere and a small ball on an arm, 70° to the right at first, and maybe already turning."""
+    """Build a sphere and a small ball on an arm, 70° to the right at the start, with an initial rate if given."""
     pieces = (
         RoundPiece(body=Sphere(mass=20.0, radius=0.35), distance=0.4),
         BallPiece(body=FixedBall(mass=10.0), distance=0.3, side="on the other side"),
@@ -149,7 +152,7 @@ def turned(rate: float | None) -> Scene:
 @pytest.mark.parametrize("rate", [None, 2.0])
 @pytest.mark.parametrize("mode", ["numeric", "symbolic"])
 def test_small_oscillations_are_asked_about_without_a_start(mode: str, rate: float | None) -> None:
-    """Neither the angle at first nor how fast it is sent off is told, or a symbol of the formula."""
+    """The prompt and the formula contain neither the initial angle nor the initial angular velocity."""
     search = QuestionSearch(turned(rate), 3)
     asked = (search.ask(MODES[mode], np.random.default_rng(seed), Counter(), "period") for seed in range(6))
     found = next(each for each in asked if each is not None and getattr(each.question.query, "small", False))
@@ -163,7 +166,7 @@ def test_small_oscillations_are_asked_about_without_a_start(mode: str, rate: flo
 
 @pytest.mark.parametrize("struck", [False, True])
 def test_normal_modes_are_asked_about_without_a_start(struck: bool) -> None:
-    """Neither the blow nor the strain of a spring is told, and the text leads to its answer without them."""
+    """The prompt states neither the blow nor the spring's strain, and its answer is found without them."""
     chain = SpringMassChain(
         track=RoughTrack(),
         carts=(Cart(mass=4.3), Cart(mass=1.9)),
@@ -180,7 +183,7 @@ def test_normal_modes_are_asked_about_without_a_start(struck: bool) -> None:
 
 
 def test_no_other_text_may_leave_out_its_start() -> None:
-    """Of a motion its beginning must be told, and of a scene without a question, too."""
+    """The initial state is required in a prompt about a motion and in a description without a question."""
     search = QuestionSearch(turned(None), 3)
     found = search.ask(MODES["numeric"], np.random.default_rng(1), Counter(), "extremum")
     assert found is not None
@@ -212,7 +215,7 @@ def test_where_a_block_on_springs_starts_matters_only_to_what_is_measured_from_t
 
 
 def strained(ends: Literal["left", "both"], by: float = 0.12) -> Scene:
-    """Return two carts between springs on a slope, of which the highest is compressed at first, by a length in m."""
+    """Return two carts between springs on a slope, the highest spring initially compressed by a length in m."""
     chain = SpringMassChain(
         track=RoughTrack(angle=33.0),
         carts=(Cart(mass=3.2), Cart(mass=2.4)),
@@ -225,7 +228,7 @@ def strained(ends: Literal["left", "both"], by: float = 0.12) -> Scene:
 
 @pytest.mark.parametrize("by", [0.12, 0.0])
 def test_how_springs_between_two_walls_are_strained_at_first_matters_to_their_equilibrium(by: float) -> None:
-    """A chain that hangs from one wall is stretched by its weight alone, whatever the initial strain of a spring."""
+    """A chain at one wall only is stretched by its weight alone, whatever the initial strain of a spring."""
     stored = asked(EquilibriumQuery("equilibrium", Target("spring energy", "it.springs.1")))
     assert "start" not in irrelevant(stored, study(strained("both", by)))
     assert "start" in irrelevant(stored, study(strained("left", by)))

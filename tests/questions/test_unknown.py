@@ -1,4 +1,4 @@
-"""Numbers that a text may leave unknown."""
+"""Tests of the choice of the numbers that a text may leave unknown."""
 
 from collections import Counter
 
@@ -32,7 +32,7 @@ def asked_for(angle: float) -> set[str]:
 
 
 def test_no_angle_is_asked_for_where_another_one_would_need_a_pulley() -> None:
-    """Between two slopes of one angle a string runs straight, and the text has no pulley there."""
+    """A string between two slopes of equal angle is straight, and the text mentions no pulley."""
     masses = {path for path in asked_for(40.0) if path.endswith("mass")}
     assert len(masses) == 2
     assert asked_for(40.0) == masses
@@ -49,7 +49,7 @@ scene:
 
 
 def test_one_of_two_masses_of_a_body_is_named_by_its_symbol() -> None:
-    """A rocket has one with its fuel and one without: *the mass of the rocket* could be either."""
+    """A rocket has a mass with fuel and one without, so *the mass of the rocket* is ambiguous."""
     words = words_of(describe(loads(ROCKET), 1))
     masses = [found for found in words.unknowns if found.name == "mass"]
     assert {found.symbol for found in masses} == {"$m_0$", "$m_1$"}
@@ -61,7 +61,7 @@ def test_one_of_two_masses_of_a_body_is_named_by_its_symbol() -> None:
 
 
 def test_what_people_measure_by_what_happens_is_left_unknown_more_often() -> None:
-    """The mass of a block and the angle of a slope are usually known; its coefficient of friction is measured."""
+    """Masses and angles are usually known, whereas a coefficient of friction is measured."""
     scene = loads(
         "scene: {entities: [{name: ramp, type: TwoSideMassPlane, parameters: {plane: {angle: 40.0, friction: 0.2}, "
         "blocks: [{mass: 2.0}], speed: 3.0}}]}"

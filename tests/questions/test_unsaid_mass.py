@@ -1,4 +1,4 @@
-"""What hangs on a mass that the text does not say is not asked."""
+"""Tests that no question depends on a mass that the text does not state."""
 
 import numpy as np
 import pytest
@@ -21,7 +21,7 @@ MASSY = ("momentum", "energy", "force")
 
 
 class Sledge(Body):
-    """A body whose mass does not matter, and is not said."""
+    """Body whose mass does not matter and is not stated."""
 
     nouns = ("sledge",)
     lone = ("a {noun}", "a loaded {noun}")
@@ -29,7 +29,7 @@ class Sledge(Body):
 
 
 class SledgeOnSlope(Entity):
-    """It slides down a plane."""
+    """Sledge that slides down a plane."""
 
     sledge: Sledge
     plane: Plane
@@ -54,7 +54,7 @@ SLOPE = Scene(
 
 
 def asked(scene: Scene) -> set[str]:
-    """Questions that hang on nothing unsaid."""
+    """Return the questions that pass the filter against dependence on hidden numbers."""
     search = QuestionSearch(scene, 1)
     study, words = search.study, search.words
     drawn = (MODES["numeric"].ask(study, words, "", np.random.default_rng(seed)) for seed in range(60))

@@ -1,4 +1,4 @@
-"""Changes of a scene in structured questions, against closed forms."""
+"""Tests of structured questions about a changed scene, against closed forms."""
 
 from dataclasses import replace
 from functools import cache
@@ -25,18 +25,18 @@ LOAD, BLOCK = "mass_with_fixed_pulley.system.blocks.0.mass", "two_side_mass_plan
 
 @cache
 def scene(name: str) -> tuple[FollowedMotion, Words]:
-    """Return the motion of a scene, and its words."""
+    """Return the motion of a scene and the words of its description."""
     held = load(SCENES / f"{name}.yaml")
     return simulate_scene(held), words_of(describe(held))
 
 
 def question(name: str, asked: StructuredQuestion) -> PosedQuestion:
-    """Return a question in parts as it is posed about a scene."""
+    """Return a structured question as posed about a scene."""
     return pose_question(asked, *scene(name))
 
 
 def found(name: str, asked: StructuredQuestion) -> float:
-    """Return the answer to a question in parts."""
+    """Return the answer to a structured question."""
     answer = question(name, asked).followed(scene(name)[0]).answer
     assert answer is not None
     return answer
@@ -60,7 +60,7 @@ def pulled(load: float, block: float, angle: float = 34.0, gravity: float = G) -
     ],
 )
 def test_the_value_in_a_changed_scene_is_found(change: str, value: float) -> None:
-    """The value, its ratio to the value before and its difference from it agree with closed forms."""
+    """The new value, its ratio to the old one and their difference agree with closed forms."""
     asked = StructuredQuestion("acceleration", "block A", "at start", change=change)
     now = pulled(1.6, 1.4)
     told = {"value": value, "ratio": value / now, "difference": value - now}
@@ -70,7 +70,7 @@ def test_the_value_in_a_changed_scene_is_found(change: str, value: float) -> Non
 
 
 def test_a_body_is_held_fixed() -> None:
-    """With the box held fixed, the block and the load are accelerated as about a fixed pulley."""
+    """With the box held fixed, the block and its load accelerate as over a fixed pulley."""
     asked = StructuredQuestion("acceleration", "block A", "at start", change="the box fixed", compare="value")
     assert found("recoiling_box", asked) == pytest.approx(0.51 * G / (0.51 + 0.68), rel=1e-9)
 
@@ -94,14 +94,14 @@ def test_the_ratio_of_what_both_scenes_have_needs_a_value_in_both() -> None:
     ],
 )
 def test_a_change_without_a_meaning_is_refused(change: str, told: str) -> None:
-    """The error names the place and the remedy."""
+    """The error message names the faulty part and the remedy."""
     motion, words = scene("doubled_load")
     with pytest.raises(TextError, match=told):
         variation(change, motion.study.scene, words, lambda _when, _other: 0.0)
 
 
 def test_a_change_to_no_scene_has_a_reason() -> None:
-    """A negative mass leads to the reason that there is no such motion."""
+    """A negative mass gives no answer, with the reason that there is no such motion."""
     asked = StructuredQuestion("acceleration", "block A", "at start", change=f"{LOAD} = -1 kg", compare="value")
     followed = question("doubled_load", asked).followed(scene("doubled_load")[0])
     assert followed.answer is None
@@ -117,13 +117,13 @@ NOW, ESCAPES = sqrt(0.61**2 + 7.10**2), sqrt(8.0 * pi**2 * 1.9 / sqrt(1.10**2 + 
     [("", ESCAPES), ("value", ESCAPES), ("difference", ESCAPES - NOW), ("ratio", ESCAPES / NOW)],
 )
 def test_a_speed_is_found_from_its_components(compare: str, value: float) -> None:
-    """The speed with which a planet escapes is found, and compared with the speed that the planet has."""
+    """A planet's escape speed is found, and compared with the planet's own speed."""
     asked = StructuredQuestion("system.planets.0.speed", "system.planets.0 & system.star", "at start")
     assert found("escaping_planet", replace(asked, given="eccentricity = 1", compare=compare)) == pytest.approx(value)
 
 
 def test_of_several_values_the_least_or_the_greatest_is_told() -> None:
-    """Two angles lead a ball equally far; without an end, both are named."""
+    """Two launch angles have the same range; without "least" or "greatest" there is no answer."""
     asked = StructuredQuestion("throw.angle", "the ball", "landed", "x", "displacement = 8 m")
     followed = question("low_throw", asked).followed(scene("low_throw")[0])
     assert followed.answer is None
@@ -156,7 +156,7 @@ def test_what_a_stretch_adds_up_to_may_be_given() -> None:
     ],
 )
 def test_what_only_people_ask_about_comes_about_from_a_number_on(name: str, find: str, when: str, value: float) -> None:
-    """A rocket rises at once, and a ball goes right round with its string taut."""
+    """Thresholds are found for a rocket that lifts off at once and a ball on a string that completes its circle."""
     assert found(name, StructuredQuestion(find, when=when)) == pytest.approx(value, rel=1e-6)
     asked = StructuredQuestion(find, when=when, compare="ratio")
     held = load(SCENES / f"{name}.yaml")
@@ -180,20 +180,20 @@ def hung(load: float, block: float, angle: float, friction: float) -> tuple[floa
 
 
 def held(name: str, *paths: str) -> list[float]:
-    """Return numbers of a scene."""
+    """Return the values at some addresses of a scene."""
     read = load(SCENES / f"{name}.yaml")
     return [float(read.value(path)) for path in paths]
 
 
 def pair() -> tuple[float, float]:
-    """Return the two accelerations of the scene with a load that draws a block up a rough slope."""
+    """Return the accelerations of the scene in which a hanging load draws a block up a rough slope."""
     plane = "two_side_mass_plane.plane"
     return hung(*held(HUNG, LOAD, BLOCK, f"{plane}.angle", f"{plane}.friction"))
 
 
 @pytest.mark.parametrize("change", [f"{CUT} at 0.5 s", "the string cut at 0.5 s", f"{CUT} when block A moved SPAN m"])
 def test_a_motion_goes_on_after_a_string_is_cut(change: str) -> None:
-    """The block slides on as far as its speed at the cut takes it, and for as long; the load falls freely."""
+    """The block decelerates to rest from its speed at the cut; the load falls freely."""
     up, back = pair()
     change = change.replace("SPAN", f"{0.5 * up * 0.5**2:.12g}")
     speed = up * 0.5
@@ -228,14 +228,14 @@ def test_other_numbers_may_change_too() -> None:
     ],
 )
 def test_a_removal_without_a_meaning_is_refused(change: str, compare: str, told: str) -> None:
-    """The error says what is not compared, not there, or no moment."""
+    """The error message names the comparison, body, unit or event that is not accepted."""
     asked = StructuredQuestion("displacement", "block A", "stopped", change=change, compare=compare)
     with pytest.raises(TextError, match=told):
         question(HUNG, asked)
 
 
 def test_a_hand_lets_go_and_a_field_is_switched_off() -> None:
-    """A block slides on up its slope without the hand; a bead goes round without the electric field."""
+    """The force of a hand and an electric field can be removed; the bead then has the period 2πm/(qB)."""
     scene_of = {"hand_drawn_block": "the hand", "crossed_fields": "the electric field"}
     for name, what in scene_of.items():
         assert what in removable(scene(name)[1]).values()
@@ -248,7 +248,7 @@ def test_a_hand_lets_go_and_a_field_is_switched_off() -> None:
 
 
 def test_a_light_pulley_stays_behind_without_its_load() -> None:
-    """A block whose string to a light movable pulley is cut is in free flight."""
+    """A block is in free fall after its string to a light movable pulley is cut."""
     asked = StructuredQuestion("acceleration", "block A", "at 0.01 s", "up", change="CUT removed at 0.2 s")
     for name in ("hung_pulley", "lifted_pulley", "under_pulley", "hand_on_pulley", "lifting_pulley"):
         cords = [line.whole for line in load(SCENES / f"{name}.yaml").mechanism.lines if line.whole.endswith("cord")]
@@ -260,13 +260,13 @@ def test_a_light_pulley_stays_behind_without_its_load() -> None:
 
 
 def test_the_speed_of_a_circular_orbit_is_a_quantity() -> None:
-    """A planet goes round in a circle with the root of G M / r, whichever way it moves."""
+    """The speed of a circular orbit is the root of G M / r, whatever the planet's actual velocity."""
     asked = StructuredQuestion("circular speed", "system.planets.0 & system.star", "at start")
     assert found("escaping_planet", asked) == pytest.approx(sqrt(4.0 * pi**2 * 1.9 / hypot(1.10, 0.14)), rel=1e-9)
 
 
 def test_the_length_of_the_equivalent_pendulum_is_found() -> None:
-    """A rod swings about its axle as a simple pendulum whose length is its moment of inertia divided by m d."""
+    """A rod's equivalent simple pendulum has the length I/(m d), with I the moment of inertia about the axle."""
     pieces = "arm.pieces.0"
     length, distance = held("long_rod", f"{pieces}.body.length", f"{pieces}.distance")
     asked = StructuredQuestion("equivalent pendulum length", when="equilibrium")
@@ -274,7 +274,7 @@ def test_the_length_of_the_equivalent_pendulum_is_found() -> None:
 
 
 def test_a_body_without_named_directions_may_be_asked_about_along_its_path() -> None:
-    """The load with which a box is not accelerated is found by a change of sign."""
+    """The load for which the box has no acceleration is found, although the box has no named direction."""
     asked = StructuredQuestion(MASS, "the box", "at start", "its path", "acceleration = 0 m/s^2")
     mass = found("hauled_box", asked)
     change = f"{MASS} = {mass:.15g} kg"

@@ -1,4 +1,4 @@
-"""Greatest and least values over a whole motion, which no moment ends, against closed forms."""
+"""Tests of the greatest and least values over a whole motion, against closed forms."""
 
 from math import pi, radians, sin, sqrt
 from pathlib import Path
@@ -17,7 +17,7 @@ FAR, LATE = 25.0 / (0.1 * G), 5.0 / (0.05 * G)
 
 
 def scene(kind: str, parameters: str) -> Scene:
-    """A scene of one entity."""
+    """Return a scene with one entity."""
     return loads(f"scene: {{entities: [{{name: it, type: {kind}, parameters: {{{parameters}}}}}]}}")
 
 
@@ -34,7 +34,7 @@ HELD = scene(
 
 
 def solved(found: SolvedProblem) -> float:
-    """Return the answer of a worked solution that agrees with the motion."""
+    """Return the answer of a worked solution, which has to agree with the simulated one."""
     assert found.solution.answer is not None, found.reason
     assert found.answer == pytest.approx(found.solution.answer, rel=ANSWER_RTOL)
     assert found.reason == ""
@@ -43,19 +43,19 @@ def solved(found: SolvedProblem) -> float:
 
 @pytest.mark.parametrize("when", ["stopped", ""])
 def test_a_value_that_is_greatest_at_the_end_is_the_answer_of_a_solution(when: str) -> None:
-    """A block slides v²/(2 μ g) on a floor, and is farthest where it stops."""
+    """A block slides v²/(2 μ g) on a floor, and is farthest away when it stops."""
     assert solved(solve(SLIDING, find="greatest displacement", when=when)) == pytest.approx(FAR, rel=1e-9)
 
 
 def test_the_greatest_height_of_a_rocket_is_that_of_its_solution() -> None:
-    """The rocket is at rest where it is highest, so that no height beyond is less."""
+    """The greatest height is reached where the rocket is at rest."""
     found = solve(RISING, question="What is the greatest height that the rocket reaches?")
     assert solved(found) == pytest.approx(229533.223134, rel=1e-9)
 
 
 @pytest.mark.parametrize("find", ["greatest distance", "least distance", "greatest speed"])
 def test_extremes_of_an_orbit_at_its_start_or_half_way(find: str) -> None:
-    """Energy and angular momentum tell both ends of the orbit, to nine digits though its radius is 5e-5 au."""
+    """Conservation of energy and angular momentum gives both apsides, to nine digits at a radius of 5e-5 au."""
     mu, start, speed = 4.0 * pi**2 * 3.003e-6, 4.5e-5, 1.62
     near = 1.0 / (mu / (0.5 * start**2 * speed**2) - 1.0 / start)  # both ends have h²/(2 r²) − μ/r in common
     expected = {"greatest distance": start, "least distance": near, "greatest speed": start * speed / near}[find]
@@ -66,7 +66,7 @@ def test_extremes_of_an_orbit_at_its_start_or_half_way(find: str) -> None:
 
 
 def test_a_crumb_on_a_stiff_spring_keeps_its_phase() -> None:
-    """After 10⁴ rad of oscillations of 0.1 μm, the velocity is (g/ω) sin ωt."""
+    """The velocity is (g/ω) sin ωt, even after 10⁴ rad of oscillations of 0.1 μm."""
     found = solve(HELD, find="velocity", when="1 s")
     assert solved(found) == pytest.approx(abs(G / 1e4 * sin(1e4)), rel=1e-7)
     assert found.answer == pytest.approx(abs(G / 1e4 * sin(1e4)), rel=1e-7)
@@ -82,7 +82,7 @@ def test_a_crumb_on_a_stiff_spring_keeps_its_phase() -> None:
     ],
 )
 def test_without_a_moment_it_is_taken_over_the_whole_motion(held: Scene, find: str, value: float, over: str) -> None:
-    """The answer says until when that is."""
+    """The result states the interval over which the extremum is taken."""
     found = solve(held, find=find)
     assert found.answer == pytest.approx(value, rel=1e-9)
     assert over in found.over
@@ -96,34 +96,34 @@ def test_without_a_moment_it_is_taken_over_the_whole_motion(held: Scene, find: s
     ],
 )
 def test_a_sentence_means_the_same_motion(held: Scene, question: str, over: str) -> None:
-    """No stretch is chosen that nobody named."""
+    """A question in words without an interval is read as one about the whole motion."""
     found = solve(held, question=question)
     assert found.read_as.endswith("in the motion that follows?")
     assert over in found.over
 
 
 def test_a_motion_that_only_unsaid_lengths_end_has_no_greatest_speed() -> None:
-    """Two blocks on a string have ample room: their speed has no bound, but the tension is what it is."""
+    """The speed of two blocks on a string of unstated length has no bound, but their string's tension has."""
     held = atwood()
     assert "leaves open how far it can go" in solve(held, find="greatest speed", of="block A").reason
     assert solve(held, find="greatest tension").answer is not None
 
 
 def test_a_sum_has_no_whole_motion() -> None:
-    """Bounces of a ball have no last one before the description of its motion ends."""
+    """A count of bounces needs an interval, since a bouncing ball has no last bounce."""
     held = load(SCENES / "bounce.yaml")
     assert solve(held, find="number of bounces").answer is None
 
 
 def test_an_impact_makes_an_acceleration_infinite() -> None:
-    """Nothing is greatest in a stretch with a bounce, wherever in it one looks."""
+    """There is no greatest acceleration over an interval that includes a bounce."""
     held = load(SCENES / "bounce.yaml")
     assert solve(held, find="greatest acceleration", when="1 s").answer == pytest.approx(G)
     assert solve(held, find="greatest acceleration", when="1.5 s").answer is None
 
 
 def test_why_there_is_no_worked_solution_is_told() -> None:
-    """As on the command line."""
+    """`solve` gives the same reason as the solution itself."""
     found = solve(load(SCENES / "bounce.yaml"), find="greatest acceleration", when="1 s")
     assert found.solution.answer is None
     assert found.reason == found.solution.reason != ""

@@ -1,4 +1,4 @@
-"""Work is counted, and both engines give up where it is too much."""
+"""Tests of the limit on a simulation's work, counted in operations, in both engines."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ from sim2reason.simulation.trace import ENGINES, FINEST, Budget
 
 
 def singing() -> Mechanism:
-    """A grain of 1 mg on a spring of 1e6 N/m: 160 kHz."""
+    """Build a grain of 1 mg on a spring of 1e6 N/m, which oscillates at 160 kHz."""
     builder = Builder()
     room = builder.room().site("wall", (-1.0, 0.0, 0.0))
     room.body("grain", 1e-6).slide(X).site("hook")
@@ -30,7 +30,7 @@ def test_a_budget_ends_with_what_it_had() -> None:
 
 
 def test_work_is_counted_alike_each_time() -> None:
-    """No clock is looked at: the same motion costs the same."""
+    """The count is independent of the clock: the same motion costs the same."""
     spent: list[int] = []
     for _ in range(2):
         run = Settling(singing(), 1e-4, FINEST)

@@ -1,4 +1,4 @@
-"""Certificates: two true engines agree, and any falsified witness is found out, at the right time."""
+"""Tests that certificates accept two correct engines and cut at the right time if one is falsified."""
 
 import json
 from collections.abc import Callable
@@ -63,7 +63,7 @@ def test_the_tolerance_depends_on_what_happens() -> None:
 def test_a_coordinate_scaled_by_a_thousandth_is_noticed() -> None:
     """The error grows as t², and passes 1e-4 of the largest displacement at T·√0.1.
 
-    The string, whose length no longer stays what it was, is measured by the floor of 0.1 m and tells sooner.
+    The string's length is compared with a floor of 0.1 m, and reveals the error sooner.
     """
     certificate = against(machines.atwood(2.0, 2.2), lambda s: altered(s, q=s.q * np.array([1.001, 1.0])))
     assert certificate.reason == "the engines disagree on the length of rope"
@@ -112,7 +112,7 @@ def test_an_error_from_some_moment_on_cuts_just_before() -> None:
 
 @pytest.mark.parametrize("change", ["missed", "invented", "shifted", "renamed", "other kind", "swapped"])
 def test_an_event_that_differs_cuts_there(change: str) -> None:
-    """Of carts that collide (0.214 s), whose string goes slack at the same instant and snaps taut (0.857 s)."""
+    """The carts collide at 0.214 s, when a string goes slack; it snaps taut at 0.857 s."""
 
     def falsify(events: list[Event]) -> list[Event]:
         hit, slack, taut, *rest = events

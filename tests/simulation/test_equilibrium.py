@@ -1,4 +1,4 @@
-"""Places of rest against closed forms, and against the search for all of them."""
+"""Tests of equilibria against closed forms, and against the search for all equilibria."""
 
 from collections.abc import Callable
 from itertools import product
@@ -24,7 +24,7 @@ SEEDS = range(4)
 
 
 def two_loads(first: float, second: float, middle: float = 2.0) -> Mechanism:
-    """A slider on a level guide between two strings that rise to small pulleys 2 m apart and 1 m up, to loads."""
+    """Build a slider on a level guide between two strings to loads, over small pulleys 2 m apart and 1 m up."""
     builder = Builder()
     room = builder.room().site("left", (-1.0, 0.0, 1.0)).site("right", (1.0, 0.0, 1.0))
     room.body("slider", middle).slide(X).site("ring")
@@ -37,7 +37,7 @@ def two_loads(first: float, second: float, middle: float = 2.0) -> Mechanism:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_slider_between_two_loads(seed: int) -> None:
-    """m₁ cos α = m₂ cos β along the guide, and each string bears its load's weight."""
+    """Equilibrium along the guide is m₁ cos α = m₂ cos β, and each string carries its load's weight."""
     first, second = np.random.default_rng(seed).uniform(1.0, 1.6, 2).tolist()
     rest = equilibrium(two_loads(first, second))
     assert rest is not None
@@ -50,7 +50,7 @@ def test_a_slider_between_two_loads(seed: int) -> None:
 
 
 def test_a_block_on_a_wedge_that_a_spring_holds() -> None:
-    """The wedge is free: kx = mg sin θ, N₁ = mg cos θ, N₂ = (M + m) g; where the wedge stands is open."""
+    """The forces are kx = mg sin θ, N₁ = mg cos θ, N₂ = (M + m) g; the free wedge may be anywhere."""
     slope = radians(25.0)
     up, out = (cos(slope), 0.0, sin(slope)), (-sin(slope), 0.0, cos(slope))
     builder = Builder()
@@ -67,7 +67,7 @@ def test_a_block_on_a_wedge_that_a_spring_holds() -> None:
 
 
 def test_a_roller_with_its_weight_on_one_side_rests_on_a_slope() -> None:
-    """The centre of mass stands above the point of contact: d sin φ = R sin α; friction mg sin α up the slope."""
+    """With the centre of mass above the point of contact, d sin φ = R sin α; friction is mg sin α up the slope."""
     slope, radius, d = radians(6.0), 0.2, 0.05
     up, out = (cos(slope), 0.0, sin(slope)), (-sin(slope), 0.0, cos(slope))
     builder = Builder()
@@ -83,7 +83,7 @@ def test_a_roller_with_its_weight_on_one_side_rests_on_a_slope() -> None:
 
 
 def test_a_charge_that_a_field_deflects() -> None:
-    """A charged bob on a string in a level field: tan θ = qE/(mg), S = √((mg)² + (qE)²)."""
+    """A charged bob on a string in a horizontal field has tan θ = qE/(mg), S = √((mg)² + (qE)²)."""
     builder = Builder()
     room = builder.room().site("nail")
     bob = room.body("bob", 0.2, at=(0.0, 0.0, -1.0)).slide(X, name="x").slide(Z, name="y").site("hook")
@@ -97,7 +97,7 @@ def test_a_charge_that_a_field_deflects() -> None:
 
 
 def test_a_string_may_hang_slack() -> None:
-    """A spring holds a load higher than its string would."""
+    """A spring holds a load higher than the taut string would."""
     builder = Builder()
     room = builder.room().site("support")
     room.body("load", 1.0, at=(0.0, 0.0, -1.0)).slide(Z, limits=(-5.0, 0.5)).site("hook")
@@ -111,7 +111,7 @@ def test_a_string_may_hang_slack() -> None:
 
 
 def test_two_strings_that_share_a_weight_leave_it_open_how() -> None:
-    """Side by side: their tensions are NaN, the place is not."""
+    """The tensions of parallel strings are NaN, the position is known."""
     builder = Builder()
     room = builder.room().site("top").site("floor", (0.0, 0.0, -2.0))
     room.body("load", 1.0, at=(0.0, 0.0, -1.0)).slide(X, name="x").slide(Z, name="y").site("hook")
@@ -125,7 +125,7 @@ def test_two_strings_that_share_a_weight_leave_it_open_how() -> None:
 
 @pytest.mark.parametrize("angle", [5.0, 90.0, 120.0, 179.0])
 def test_a_pendulum_comes_to_rest_below_from_anywhere(angle: float) -> None:
-    """Never above, where no force acts either."""
+    """The result is never the unstable equilibrium above."""
     rest = equilibrium(rod_pendulum(angle).mechanism)
     assert rest is not None
     assert abs(rest.coordinates[0]) == pytest.approx(radians(angle))
@@ -133,7 +133,7 @@ def test_a_pendulum_comes_to_rest_below_from_anywhere(angle: float) -> None:
 
 
 def test_a_bead_between_two_pressed_springs_has_two_places() -> None:
-    """±√(l² − w²): each is stable, neither is the only one."""
+    """Both positions ±√(l² − w²) are stable, so neither is unique."""
     builder = Builder(gravity=ZERO)
     room = builder.room().site("left", (-0.3, 0.0, 0.0)).site("right", (0.3, 0.0, 0.0))
     room.body("bead", 0.1, at=(0.0, 0.0, 0.1)).slide(Z).site("ring")
@@ -146,7 +146,7 @@ def test_a_bead_between_two_pressed_springs_has_two_places() -> None:
 
 
 def test_a_second_place_to_which_few_ways_lead_is_found() -> None:
-    """Of three springs on a table; from one start in eight it ends where the third one holds it out to the right."""
+    """One in eight starts of a block on three springs leads to the second stable equilibrium."""
     builder = Builder(gravity=ZERO)
     room = builder.room()
     room.body("block", 9.2, at=(-0.3, 0.0, 0.0)).slide(X, name="x").slide(Y, name="y").site("hook")
@@ -179,7 +179,7 @@ def _upright() -> Mechanism:
 
 
 def _drawn_away() -> Mechanism:
-    """Two carts on a spring, and a force on one: no rest."""
+    """Build two carts on a spring, with a force on one and hence no equilibrium."""
     builder = Builder()
     room = builder.room()
     first = room.body("a", 1.0).rest(X, Z).site("a.hook")
@@ -190,7 +190,7 @@ def _drawn_away() -> Mechanism:
 
 
 def _past_the_pulley() -> Mechanism:
-    """A string with a load over a pulley 0.1 m away, and too soft a spring: the block would have to pass the pulley."""
+    """Build a block on a soft spring and a string over a pulley 0.1 m away, with equilibrium beyond the pulley."""
     builder = Builder()
     room = builder.room().site("wall", (-1.0, 0.0, 0.0)).site("in", (0.1, 0.0, 0.0)).site("out", (0.3, 0.0, 0.0))
     room.body("block", 1.0).rest(X, Z).site("eye").site("hook")
@@ -201,7 +201,7 @@ def _past_the_pulley() -> Mechanism:
 
 
 def _lifted() -> Mechanism:
-    """A block on a floor, which a string would lift: its face can't pull."""
+    """Build a block on a floor, which springs would lift although the floor cannot pull."""
     builder = Builder()
     room = builder.room().site("wall", (-1.0, 0.0, 1.0)).site("beam", (1.0, 0.0, 3.0))
     room.body("block", 0.1).rest(X, Z).site("eye")
@@ -233,7 +233,7 @@ def test_what_has_no_place_of_rest_to_name(mechanism: Callable[[], Mechanism]) -
 
 @pytest.mark.parametrize(("recipe", "count"), [("chain", 4), ("mixed", 4), ("pendulum", 4), ("springs", 16)])
 def test_it_is_one_of_all(recipe: str, count: int) -> None:
-    """The stable places of rest that the search over the whole reach finds, which has code of its own for the way."""
+    """The equilibrium is one of the stable ones from the independent search over all positions."""
     seen = 0
     for difficulty, index in product(DIFFICULTIES, range(count)):
         try:
@@ -270,7 +270,7 @@ def test_a_neighbour_keeps_every_string_as_long_as_it_was() -> None:
 
 
 def test_a_place_far_away_to_which_a_wheel_turns_many_times() -> None:
-    """x = (m_B − m_A sin θ) g/k from where the spring is relaxed: here 1.15 m over a wheel that turns by 27 rad."""
+    """The spring is stretched by x = (m_B − m_A sin θ) g/k, here 1.15 m over a wheel that turns by 27 rad."""
     scene = spring_slope(stiffness=34.0)
     rest = equilibrium(scene.mechanism)
     assert rest is not None

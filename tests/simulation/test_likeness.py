@@ -1,4 +1,4 @@
-"""In what mechanisms are alike at rest, where one number of them differs."""
+"""Tests of the comparison at rest of mechanisms that differ in one number."""
 
 from collections.abc import Mapping
 from math import cos, radians, sin
@@ -14,7 +14,7 @@ EVERYTHING = ("lengths", "forces", "inertia", "stiffness")
 
 
 def on_a_slope(numbers: Mapping[str, float]) -> Mechanism:
-    """A block on a smooth slope, which a spring along it holds from above."""
+    """Build a block on a smooth slope, held from above by a spring along the slope."""
     slope = numbers["slope"]
     up, out = (cos(slope), 0.0, sin(slope)), (-sin(slope), 0.0, cos(slope))
     builder = Builder()
@@ -38,7 +38,7 @@ def on_a_slope(numbers: Mapping[str, float]) -> Mechanism:
     ],
 )
 def test_one_number_at_a_time(name: str, value: float, alike: tuple[str, ...]) -> None:
-    """x = mg sin θ/k, T = 2π √(m/k): what changes neither is the same."""
+    """Numbers that change neither x = mg sin θ/k nor T = 2π √(m/k) leave the mechanisms alike."""
     one, other = on_a_slope(PLAIN), on_a_slope({**PLAIN, name: value})
     assert {aspect for aspect in EVERYTHING if agree_at_rest(one, other, (aspect,))} == set(alike)
     assert agree_at_rest(one, other, alike)

@@ -1,4 +1,4 @@
-"""Small oscillations against closed forms, and against the motion itself at a small amplitude."""
+"""Tests of small oscillations against closed forms, and against simulations at a small amplitude."""
 
 from collections.abc import Callable
 from math import cos, pi, sin, sqrt
@@ -21,12 +21,12 @@ Made = tuple[Mechanism, list[float]]  # with the angular frequencies, rad/s, the
 
 
 def numbers(seed: int, count: int) -> list[float]:
-    """Any positive numbers of order one."""
+    """Return random positive numbers of order one."""
     return np.random.default_rng(seed).uniform(0.5, 2.0, count).tolist()
 
 
 def hung(seed: int) -> Made:
-    """A load on a spring: ω² = k/m, whatever g is."""
+    """Build a load on a spring, with ω² = k/m for any g."""
     m, k, x = numbers(seed, 3)
     builder = Builder()
     room = builder.room().site("nail")
@@ -36,7 +36,7 @@ def hung(seed: int) -> Made:
 
 
 def in_series(seed: int) -> Made:
-    """Two springs, one after the other, with a clasp of no mass between: ω² = k₁k₂/(k₁ + k₂)/m."""
+    """Build two springs in series with a massless clasp between, with ω² = k₁k₂/(k₁ + k₂)/m."""
     m, k1, k2, x = numbers(seed, 4)
     builder = Builder(gravity=ZERO)
     room = builder.room().site("wall")
@@ -48,7 +48,7 @@ def in_series(seed: int) -> Made:
 
 
 def side_by_side(seed: int) -> Made:
-    """A bead between two stretched springs: along them ω² = (k₁ + k₂)/m, across them ω² = 2T/(ℓm)."""
+    """Build a bead between two stretched springs: along them ω² = (k₁ + k₂)/m, across them ω² = 2T/(ℓm)."""
     m, k, stretch = numbers(seed, 3)
     k, long = 50.0 * k, 1.0 + 0.2 * stretch
     builder = Builder(gravity=ZERO)
@@ -60,7 +60,7 @@ def side_by_side(seed: int) -> Made:
 
 
 def two_carts(seed: int) -> Made:
-    """Two carts that nothing else holds: ω² = k (m₁ + m₂)/(m₁m₂)."""
+    """Build two free carts on a spring, with ω² = k (m₁ + m₂)/(m₁m₂)."""
     m1, m2, k = numbers(seed, 3)
     builder = Builder(gravity=ZERO)
     room = builder.room()
@@ -71,7 +71,7 @@ def two_carts(seed: int) -> Made:
 
 
 def beam(seed: int) -> Made:
-    """A uniform rod about a point at d from its middle: ω² = mgd/(mℓ²/12 + md²)."""
+    """Build a uniform rod about a point at d from its middle, with ω² = mgd/(mℓ²/12 + md²)."""
     m, long, share, angle = numbers(seed, 4)
     d, away = 0.2 * share * long, 0.7 * angle
     builder = Builder()
@@ -84,7 +84,7 @@ def beam(seed: int) -> Made:
 
 
 def on_a_string(seed: int) -> Made:
-    """A bob in the plane, which a string alone holds: ω² = g/ℓ."""
+    """Build a bob in the plane on a string, with ω² = g/ℓ."""
     m, long, angle = numbers(seed, 3)
     away = 0.7 * angle
     builder = Builder()
@@ -96,7 +96,7 @@ def on_a_string(seed: int) -> Made:
 
 
 def on_a_cart(seed: int) -> Made:
-    """A pendulum whose point of suspension slides freely: ω² = (1 + m/M) g/ℓ."""
+    """Build a pendulum whose suspension slides freely, with ω² = (1 + m/M) g/ℓ."""
     m, heavy, long, angle = numbers(seed, 4)
     away = 0.5 * angle
     builder = Builder()
@@ -106,7 +106,7 @@ def on_a_cart(seed: int) -> Made:
 
 
 def over_a_disc(seed: int) -> Made:
-    """A spring to a wall, a block, a string over a disc, a load: ω² = k/(m₁ + m₂ + M/2)."""
+    """Build a block on a spring and a string over a disc to a load, with ω² = k/(m₁ + m₂ + M/2)."""
     m1, m2, disc, k = numbers(seed, 4)
     builder = Builder()
     room = builder.room().site("wall", at=(-1.0, 0.0, 0.0))
@@ -119,7 +119,7 @@ def over_a_disc(seed: int) -> Made:
 
 
 def below_a_movable_pulley(seed: int) -> Made:
-    """A string from the ceiling under a light pulley and up to a spring: its end moves twice as far, ω² = 4k/m."""
+    """Build a load on a light pulley whose string's end moves twice as far, at a spring: ω² = 4k/m."""
     m, k = numbers(seed, 2)
     builder = Builder()
     room = builder.room().site("nail", (-0.1, 0.0, 0.0)).site("beam", (0.1, 0.0, 0.0))
@@ -131,7 +131,7 @@ def below_a_movable_pulley(seed: int) -> Made:
 
 
 def rocking(seed: int) -> Made:
-    """A cylinder, its centre of mass d from its axis, that rolls: ω² = mgd/(I + m(R − d)²)."""
+    """Build a rolling cylinder with its centre of mass d from its axis, with ω² = mgd/(I + m(R − d)²)."""
     m, inertia, share, angle = numbers(seed, 4)
     radius, d, away = 0.3, 0.1 * share, 0.8 * angle
     builder = Builder()
@@ -146,7 +146,7 @@ def rocking(seed: int) -> Made:
 
 
 def on_a_wedge(seed: int) -> Made:
-    """A block on a spring along the face of a wedge that slides: ω² = k (M + m)/(m (M + m sin²θ))."""
+    """Build a block on a spring along the face of a sliding wedge: ω² = k (M + m)/(m (M + m sin²θ))."""
     m, heavy, k, angle = numbers(seed, 4)
     slope = 0.5 * angle
     up, out = (cos(slope), 0.0, sin(slope)), (-sin(slope), 0.0, cos(slope))
@@ -158,7 +158,7 @@ def on_a_wedge(seed: int) -> Made:
 
 
 def a_chain(seed: int) -> Made:
-    """Three carts and four springs between walls: the eigenvalues of M⁻¹K."""
+    """Build three carts and four springs between walls, with the eigenvalues of M⁻¹K."""
     m, k = np.array(numbers(seed, 3)), 50.0 * np.array(numbers(seed + 9, 4))
     builder = Builder(gravity=ZERO)
     room = builder.room().site("left", (-1.0, 0.0, 0.0)).site("right", (3.1, 0.0, 0.0))
@@ -201,7 +201,7 @@ def test_closed_forms(form: Callable[[int], Made], seed: int) -> None:
 
 @pytest.mark.parametrize("recipe", RESTFUL)
 def test_the_motion_itself_at_a_small_amplitude(recipe: str) -> None:
-    """Begun in a mode, a little off: half a period later it is as far off on the other side, then here again."""
+    """Displaced along a mode, a system is at the opposite point after half a period, and back after a whole one."""
     seen = 0
     for rest in rests(recipe):
         modes = oscillations(rest)
@@ -219,7 +219,7 @@ def test_the_motion_itself_at_a_small_amplitude(recipe: str) -> None:
 
 
 def test_what_dies_away_or_is_turned_aside_is_no_such_oscillation() -> None:
-    """With a dashpot, in a medium, or of a charge in a magnetic field: forces that depend on velocities."""
+    """Dashpots, media and magnetic fields exert forces that depend on velocity."""
     for damping, law in ((0.3, None), (0.0, Resistance(linear=0.2)), (0.0, Magnetic(Y, Profile(0.4)))):
         builder = Builder()
         room = builder.room().site("nail")
@@ -234,7 +234,7 @@ def test_what_dies_away_or_is_turned_aside_is_no_such_oscillation() -> None:
 
 
 def test_a_massless_part_that_nothing_holds_has_no_mode() -> None:
-    """A light clasp beside a load on a spring: it moves without any force, so that it is not known how."""
+    """A free massless clasp moves without any force, so its motion is undetermined."""
     builder = Builder(gravity=ZERO)
     room = builder.room().site("wall")
     room.body("load", 1.0, at=(1.1, 0.0, 0.0)).slide(X).site("hook")

@@ -1,4 +1,4 @@
-"""Places of rest, against the textbook."""
+"""Tests of the search for all equilibria, against textbook results."""
 
 from collections.abc import Callable
 from math import acos, cos, degrees, hypot, isclose, pi, radians, sin, sqrt
@@ -14,7 +14,7 @@ G = GRAVITY
 
 
 def test_three_weights_over_two_pegs() -> None:
-    """Weights 3, 4, 5 make a right-angled triangle of forces (Lami): sin of the angle to the vertical 3/5 and 4/5."""
+    """Weights 3, 4, 5 have a right triangle of forces (Lami): the angles to the vertical have sines 3/5 and 4/5."""
     builder = Builder()
     room = builder.room()
     room.site("left", (-0.5, 0.0, 0.0)).site("right", (0.5, 0.0, 0.0))
@@ -33,7 +33,7 @@ def test_three_weights_over_two_pegs() -> None:
 
 
 def test_a_pendulum_rests_below_and_stands_above_its_pivot() -> None:
-    """Potential energy −mgl cos θ: a minimum at θ = 0, a maximum at π."""
+    """The potential energy −mgl cos θ has a minimum at θ = 0, a maximum at π."""
     builder = Builder()
     start = radians(40.0)
     bob = builder.room().body("bob", 2.0, center=(1.5 * sin(start), 0.0, -1.5 * cos(start)))
@@ -45,7 +45,7 @@ def test_a_pendulum_rests_below_and_stands_above_its_pivot() -> None:
 
 
 def test_a_load_hangs_from_a_spring_or_stands_on_it() -> None:
-    """Free to swing about the support: stretched by mg/k below it, or pressed by mg/k above it, which topples."""
+    """The spring is stretched by mg/k below its support, or compressed by mg/k above it, which is unstable."""
     builder = Builder()
     room = builder.room().site("support")
     room.body("load", 0.5, at=(0.2, 0.0, -0.7)).slide(X, name="across").slide(Z, name="rise").site("hook")
@@ -60,7 +60,7 @@ def test_a_load_hangs_from_a_spring_or_stands_on_it() -> None:
 
 
 def test_a_bead_on_a_rod_between_springs_snaps_to_either_side() -> None:
-    """Two springs pressed between walls 2w apart, with natural length l > w: unstable midway, stable at ±√(l² − w²)."""
+    """With springs of length l > w between walls 2w apart, the middle is unstable and ±√(l² − w²) are stable."""
     builder = Builder(gravity=(0.0, 0.0, 0.0))
     room = builder.room().site("left", (-0.3, 0.0, 0.0)).site("right", (0.3, 0.0, 0.0))
     room.body("bead", 0.1, at=(0.0, 0.0, 0.1)).slide(Z, limits=(-2.0, 2.0)).site("ring")
@@ -73,7 +73,7 @@ def test_a_bead_on_a_rod_between_springs_snaps_to_either_side() -> None:
 
 
 def test_a_string_may_hang_slack_at_rest() -> None:
-    """A spring holds a load higher than its string would: tension 0, the whole weight on the spring."""
+    """A spring holds a load higher than the taut string would, with tension 0 and the whole weight on the spring."""
     builder = Builder()
     room = builder.room().site("support")
     room.body("load", 1.0, at=(0.0, 0.0, -1.0)).slide(Z, limits=(-5.0, 0.5)).site("hook")
@@ -86,7 +86,7 @@ def test_a_string_may_hang_slack_at_rest() -> None:
 
 
 def test_a_ball_leans_on_a_plane() -> None:
-    """A block on a smooth incline, held by a spring along it: kx = mg sin α, N = mg cos α."""
+    """A block on a smooth incline, held by a spring along it, has kx = mg sin α, N = mg cos α."""
     angle = radians(30.0)
     up, out = (cos(angle), 0.0, sin(angle)), (-sin(angle), 0.0, cos(angle))
     builder = Builder()
@@ -100,7 +100,7 @@ def test_a_ball_leans_on_a_plane() -> None:
 
 
 def test_angles_of_a_triangle_of_forces() -> None:
-    """Lami: the angle between two strings that pull with m₁g and m₂g on Mg has cos = (M² − m₁² − m₂²)/(2 m₁ m₂)."""
+    """Strings that pull with m₁g and m₂g on Mg have cos = (M² − m₁² − m₂²)/(2 m₁ m₂) between them (Lami)."""
     first, second, middle = 2.0, 3.0, 4.0
     builder = Builder()
     room = builder.room().site("left", (-0.4, 0.0, 0.1)).site("right", (0.7, 0.0, 0.0))
@@ -149,7 +149,7 @@ def test_what_has_no_single_place_of_rest_is_refused(
 
 
 def test_turning_right_round_is_the_same_place() -> None:
-    """Hinges are compared modulo a turn: a rod about its end has two places of rest, not more."""
+    """Hinge angles are compared modulo a turn, so a rod about its end has only two equilibria."""
     builder = Builder()
     rod = builder.room().body("rod", 1.0, center=(0.5, 0.0, 0.0), inertia=(0.0, 1.0 / 12.0, 1.0 / 12.0, 0.0, 0.0, 0.0))
     rod.hinge(Y)

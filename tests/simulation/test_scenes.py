@@ -1,4 +1,4 @@
-"""The records of simulated scenes, and where they end."""
+"""Tests of the traces of simulated scenes and of their end."""
 
 import warnings
 
@@ -11,7 +11,7 @@ from sim2reason.errors import MotionEndsWarning
 
 
 def test_no_state_lies_beyond_the_end_of_the_description() -> None:
-    """A block meets its pulley: the record ends there, and a warning says so, and why."""
+    """A block reaches its pulley: the trace ends there, with a warning that states the reason."""
     with pytest.warns(MotionEndsWarning, match="two points of a string meet"):
         trace = sim2reason.simulate(atwood(), duration=10.0)
     assert trace.cut == "reach"
@@ -20,7 +20,7 @@ def test_no_state_lies_beyond_the_end_of_the_description() -> None:
 
 
 def test_the_same_by_both_engines_and_without_a_duration() -> None:
-    """Without one nothing was asked for that is not there."""
+    """Without a requested duration there is no warning."""
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         trace = sim2reason.simulate(atwood(2.0, 20.0))
@@ -31,5 +31,5 @@ def test_the_same_by_both_engines_and_without_a_duration() -> None:
 
 
 def test_a_whole_motion_is_recorded_as_before() -> None:
-    """All samples, and no warning."""
+    """The trace has all samples."""
     assert len(sim2reason.simulate(ramp(), duration=1.0, samples=11).state.times) == 11

@@ -1,4 +1,4 @@
-"""The beginning of a recorded motion is the same motion, described no further."""
+"""Tests of traces cut off after a given time."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Traces in Parquet files: what is written is read, with its meaning."""
+"""Tests that traces in Parquet files keep their values and metadata."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""The statistical rule, and the alarms for transitions that no event explains."""
+"""Tests of the statistical truncation rule, and of alarms for transitions without an event."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -20,7 +20,7 @@ Column = Callable[[np.ndarray], np.ndarray]
 
 
 def falling(a: Column, times: np.ndarray = TIMES, events: tuple[Event, ...] = ()) -> Trace:
-    """A body that falls, whose recorded acceleration is `a` of time instead."""
+    """Return the trace of a falling body whose recorded acceleration is replaced by the function `a` of time."""
     builder = Builder()
     builder.room().body("stone", 1.0).slide(Z)
     trace = ENGINES["exact"](builder.finish(), times)
@@ -28,7 +28,7 @@ def falling(a: Column, times: np.ndarray = TIMES, events: tuple[Event, ...] = ()
 
 
 def changed(trace: Trace, change: Callable[[State], State], events: tuple[Event, ...] = ()) -> Trace:
-    """A trace with what an engine might have got wrong, at its samples and between them."""
+    """Return a trace with falsified states, at its samples and between them."""
     return replace(trace, state=change(trace.state), events=events, sample=lambda times: change(trace.sample(times)))
 
 
@@ -121,7 +121,7 @@ def test_random_trains_have_no_unmodelled_transition() -> None:
 @pytest.mark.parametrize("samples", [41, 201, 1001])
 @pytest.mark.parametrize("eccentricity", [0.5, 0.9, 0.97, -0.9])
 def test_a_smooth_orbit_is_left_alone_however_long_it_is(eccentricity: float, samples: int) -> None:
-    """At e = 0.9 the acceleration at perihelion is 361 times that at aphelion: samples there stand out by 5σ."""
+    """At e = 0.9 the acceleration at perihelion is 361 times that at aphelion, where samples deviate by 5σ."""
     motion = motions.orbit(eccentricity)
     trace = ENGINES["exact"](motion.mechanism, np.linspace(0.0, motion.duration, samples))
     assert truncate_trace(trace) is trace
@@ -136,7 +136,7 @@ def test_motions_of_every_kind_have_no_unmodelled_transition(name: str, engine: 
 
 
 def hidden() -> list[tuple[Trace, Event]]:
-    """Traces from which one event has been taken away, each with that: a slip, an impact, a burn-out, a border."""
+    """Return traces with one event removed each, and the removed event: a slip, impact, burn-out or border."""
     made = [(found().mechanism, found().duration) for found in motions.MOTIONS.values()]
     found: list[tuple[Trace, Event]] = []
     for mechanism, duration in [*made, *((machine(), 2.0) for machine in machines.SAMPLES.values())]:
@@ -149,7 +149,7 @@ def hidden() -> list[tuple[Trace, Event]]:
 
 
 def test_hidden_transitions_are_found() -> None:
-    """Most by 5σ (the rule alone: 43 of 52 in a prototype), all by the third difference."""
+    """The 5σ rule finds most (43 of 52 in a prototype), the third difference all."""
     caught = [
         {alarm.rule for alarm in alarms(trace) if abs(alarm.time - event.time) < 0.1} for trace, event in hidden()
     ]

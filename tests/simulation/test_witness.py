@@ -1,4 +1,4 @@
-"""The second engine vouches for rest and for small oscillations, and for nothing that is false."""
+"""Tests that the second engine confirms equilibria and small oscillations, and rejects wrong ones."""
 
 from dataclasses import replace
 
@@ -26,7 +26,7 @@ def _found(made: object) -> tuple[Rest, Oscillations]:
 
 @pytest.mark.parametrize("made", [light_rod, spring_block, string_pendulum])
 def test_it_agrees_with_what_is_right_alone(made: type) -> None:
-    """A period 1 % off, three times or a third of the true one, a force or a place that is not the right one."""
+    """A period off by 1 % or by a factor of three is rejected, as are a wrong force and a wrong position."""
     rest, modes = _found(made().mechanism)
     assert equilibrium_disagreement(rest) == ""
     assert mode_disagreement(rest, modes, 0) == ""
@@ -41,7 +41,7 @@ def test_it_agrees_with_what_is_right_alone(made: type) -> None:
 
 @pytest.mark.parametrize("recipe", RESTFUL)
 def test_both_engines_agree_on_random_scenes(recipe: str) -> None:
-    """On rest with all its forces, and on every mode."""
+    """The engines agree on equilibria with all their forces, and on every normal mode."""
     seen = 0
     for rest in rests(recipe):
         seen += 1

@@ -1,4 +1,4 @@
-"""Problems of every textbook, their closed forms written down here independently."""
+"""Tests of standard textbook problems against independent closed forms."""
 
 from dataclasses import replace
 from math import cos, radians, sin, sqrt
@@ -42,7 +42,7 @@ def test_a_block_that_slides_down_a_rough_ramp() -> None:
 
 
 def test_a_block_thrown_up_a_ramp_that_comes_back_slower() -> None:
-    """Up with g (sin + µ cos), down with g (sin − µ cos)."""
+    """The acceleration is g (sin + µ cos) on the way up and g (sin − µ cos) on the way down."""
     scene, steep, rub = ramp(angle=40.0, friction=0.2, speed=3.0), sin(radians(40.0)), 0.2 * cos(radians(40.0))
     found = solved(scene, "What is the speed of the block at t = 1.0 s?")
     up = 3.0 / (G * (steep + rub))
@@ -56,7 +56,7 @@ def test_a_distance_is_found_without_forces() -> None:
 
 
 def test_two_pucks_that_meet_aside() -> None:
-    """The centres are 2 R apart at the smaller root; only what moves along the line of centres changes."""
+    """The pucks meet when their centres are 2 R apart; only velocities along the line of centres change."""
     pucks = (Puck(mass=1.0, x=0.0, y=0.0, vx=2.0, vy=0.3), Puck(mass=2.0, x=1.0, y=0.1, vx=0.0, vy=0.0))
     entity = TwoDCollisionPlane(table=Table(), radius=0.1, pucks=pucks, restitution=0.5)
     scene = Scene(entities=(Named(name="table", entity=entity),))
@@ -92,7 +92,7 @@ def test_the_time_for_a_distance_from_rest() -> None:
 
 
 def test_what_a_string_pulls_at_the_lowest_point() -> None:
-    """T = m g (3 − 2 cos θ₀) + m v₀²/ℓ: three times the weight, if it falls from the level."""
+    """T = m g (3 − 2 cos θ₀) + m v₀²/ℓ, which is three times the weight after a release from level."""
     checked = 0
     for setting in problems("pendulum", "easy", 12, seed=5):
         swing = setting.scene.entities[0].entity

@@ -1,4 +1,4 @@
-"""Orbits, charges in fields, bodies on axles and rocking ones: textbooks' closed forms, written down independently."""
+"""Tests of orbits, charges in fields, and rotating and rocking bodies, against independent closed forms."""
 
 from dataclasses import replace
 from math import acos, asin, cos, cosh, degrees, exp, hypot, pi, radians, sin, sinh, sqrt
@@ -61,7 +61,10 @@ def at(quantity: str, subject: str, moment: Moment, kind: str = "event") -> Quer
 
 
 def orbit(query: Query, vy: float = 7.5) -> float:
-    """From x = 1 au, perihelion: with v² = GM(1 + e)/r; 2π au/yr is a circle."""
+    """Return the answer for an orbit with perihelion at x = 1 au.
+
+    v² = GM(1 + e)/r at the perihelion; 2π au/yr gives a circle.
+    """
     planet = Planet(x=1.0, y=0.0, vx=0.0, vy=vy)
     return answer("system", SolarSystem(star=Star(mass=1.0), planets=(planet,)), query)
 
@@ -81,7 +84,7 @@ def test_the_aphelion_comes_after_half_a_period_and_is_slowest() -> None:
 
 
 def test_a_quarter_of_the_way_round_it_is_at_the_semi_latus_rectum() -> None:
-    """With ν = 90°: r = ℓ = a(1 − e²), v² = GM(2/r − 1/a), time by E = arccos e and E − e sin E."""
+    """At ν = 90°: r = ℓ = a(1 − e²), v² = GM(2/r − 1/a), and the time follows from E = arccos e and E − e sin E."""
     late = acos(E) - E * sin(acos(E))
     assert orbit(Query("time_to_event", None, Orbited(PAIR, 90))) == pytest.approx(late * A**1.5 / (2.0 * pi))
     parameter = A * (1.0 - E**2)
@@ -105,7 +108,7 @@ def test_the_least_distance_and_the_greatest_displacement() -> None:
 
 
 def test_it_is_away_from_its_start_when_keplers_equation_says_so() -> None:
-    """With x = a (cos E − e), y = b sin E from the perihelion: distances sampled along the ellipse."""
+    """From the perihelion x = a (cos E − e) and y = b sin E; distances are sampled along the ellipse."""
     angles = np.linspace(0.0, 1.5, 400001)
     apart = np.hypot(A * (np.cos(angles) - 1.0), A * sqrt(1.0 - E**2) * np.sin(angles))
     grown = float(np.interp(0.5, apart, angles))
@@ -144,13 +147,13 @@ def test_a_magnetic_field_leads_round_a_circle() -> None:
 
 
 def test_an_electric_field_alone_gives_a_parabola() -> None:
-    """With a = qE/m across: v² = v₀² + (a t)²."""
+    """With a = qE/m perpendicular to the initial velocity, v² = v₀² + (a t)²."""
     speed = charged(at("velocity", BEAD, AtTime(1.5), "state"), electric=ELECTRIC)
     assert speed == pytest.approx(sqrt(SPEED**2 + (CHARGE * FIELD / BEAD_MASS * 1.5) ** 2))
 
 
 def test_crossed_fields_add_a_drift() -> None:
-    """The velocity of drift E/B to the right, and what turns about it: v between their difference and sum."""
+    """The drift E/B to the right is added to a circular motion, so v is between their difference and sum."""
     query = StretchQuery("extremum", None, AtTime(5.0), "least speed", BEAD)
     assert charged(query, MAGNETIC, ELECTRIC) == pytest.approx(abs(2.0 * FIELD / B - SPEED))
     place = charged(Query("state", Target("displacement", BEAD), AtTime(1.0)), MAGNETIC, ELECTRIC)
@@ -160,7 +163,7 @@ def test_crossed_fields_add_a_drift() -> None:
 
 
 def test_a_field_that_oscillates() -> None:
-    """With v_y = qE/(mν) sin νt."""
+    """v_y = qE/(mν) sin νt."""
     field = OscillatingElectric(strength=FIELD, way="positive y", frequency=3.0)
     speed = charged(at("velocity", BEAD, AtTime(0.7), "state"), electric=field)
     across = CHARGE * FIELD / BEAD_MASS / 3.0 * sin(3.0 * 0.7)
@@ -169,7 +172,7 @@ def test_a_field_that_oscillates() -> None:
 
 @pytest.mark.parametrize("trend", ["increases", "decreases"])
 def test_a_field_that_grows_along_itself_crosses_a_magnetic_one(trend: Trend) -> None:
-    """m v_x + q B y is kept, so that along y it is ÿ = a₀ + (±qk/m − Ω²) y; see Jackson, § 12.3."""
+    """m v_x + q B y is constant, so along y it is ÿ = a₀ + (±qk/m − Ω²) y; see Jackson, § 12.3."""
     electric = LinearElectric(strength=FIELD, way="positive y", trend=trend, axis="y", slope=0.4)
     first = CHARGE * FIELD / BEAD_MASS - TURNS * SPEED
     back = TURNS**2 - (1.0 if trend == "increases" else -1.0) * CHARGE * 0.4 / BEAD_MASS
@@ -189,7 +192,7 @@ def test_a_steep_field_drives_it_away_in_spite_of_a_magnetic_one() -> None:
 
 
 def test_from_rest_in_crossed_fields_it_is_fastest_at_the_far_end() -> None:
-    """With v_x = Ω y, and y = y_c (1 − cos ωt): v² is largest at y = 2 y_c, if −k q/m < Ω²; no time is needed."""
+    """With v_x = Ω y and y = y_c (1 − cos ωt), v² is largest at y = 2 y_c if −k q/m < Ω²; no time is needed."""
     electric = LinearElectric(strength=FIELD, way="positive y", trend="decreases", axis="y", slope=0.4)
     particle = ChargedBead(mass=2.0, charge=3.0, sign="positive")
     entity = EmEntity(magnetic=MAGNETIC, electric=electric, particle=particle, start=Released())
@@ -199,7 +202,7 @@ def test_from_rest_in_crossed_fields_it_is_fastest_at_the_far_end() -> None:
 
 
 def test_a_medium_that_resists_by_the_square_slows_what_a_magnetic_field_turns() -> None:
-    """From m v̇ = −c v²: v = v₀/(1 + c v₀ t/m), in the direction Ωt, so that the acceleration is that over 1 + γt."""
+    """m v̇ = −c v² gives v = v₀/(1 + c v₀ t/m), in the direction Ωt, and the deceleration γ v/(1 + γt)."""
     medium, rate = QuadraticDrag(coefficient=0.5), 0.5 * SPEED / BEAD_MASS
     slow = SPEED / (1.0 + 2.0 * rate)
     assert charged(at("velocity", BEAD, AtTime(2.0), "state"), MAGNETIC, medium=medium) == pytest.approx(slow)
@@ -214,7 +217,7 @@ def test_a_medium_that_resists_by_the_square_slows_what_a_magnetic_field_turns()
 
 
 def test_in_uniform_fields_only_a_medium_makes_the_acceleration_smaller() -> None:
-    """Its rate of change is that of a velocity without an electric field: a = a₀ exp(−bt/m), whatever B is."""
+    """The acceleration obeys the law of a velocity without an electric field: a = a₀ exp(−bt/m) for all B."""
     medium, first = LinearDrag(coefficient=0.5), CHARGE * FIELD / BEAD_MASS - TURNS * SPEED
     begun = hypot(first, 0.5 * SPEED / BEAD_MASS)
     found = charged(at("acceleration", BEAD, AtTime(2.0), "state"), MAGNETIC, ELECTRIC, medium)
@@ -236,7 +239,7 @@ def swung(query: Query) -> float:
 
 
 def test_the_angle_of_an_arm_is_that_of_its_centre_of_mass() -> None:
-    """Heavier on the far side, it begins at 180° − 60° and falls to 30°; ω² = 2 g S (cos 30° + cos 60°)/I."""
+    """The centre of mass starts at 180° − 60° and falls to 30°; ω² = 2 g S (cos 30° + cos 60°)/I."""
     light, heavy = UniformRod(mass=1.0, length=0.6), UniformRod(mass=3.0, length=LENGTH)
     pieces = (
         AxialPiece(distance=0.2, body=light, axis="along the arm"),
@@ -275,7 +278,7 @@ STIFF, FREE = 50.0, 0.4
 
 
 def sprung(query: Query) -> float:
-    """Let go 0.5 m from the nail, along a line of slope 3:4: x(t) = 0.1 cos √(k/m) t."""
+    """Return the answer for a block released 0.5 m from a nail on a line of slope 3:4: x(t) = 0.1 cos √(k/m) t."""
     spring = NailedSpring(stiffness=STIFF, length=FREE, x=0.1, y=0.1)
     entity = SpringBlock(block=Block(mass=MASS), springs=(spring,), x=0.4, y=0.5)
     return answer("springs", entity, query)
@@ -292,7 +295,7 @@ def test_a_block_oscillates_along_its_spring() -> None:
 
 
 def turning(query: Query) -> float:
-    """Sent off with 0.5 m/s along x, 0.3 m beside and 0.4 m behind the nail: h = 0.2 m²/s is kept."""
+    """Return the answer for a block launched from (0.3, 0.4) at 0.5 m/s along x, with h = 0.2 m²/s."""
     spring = NailedSpring(stiffness=STIFF, length=FREE, x=0.0, y=0.0)
     entity = SpringBlock(block=Block(mass=MASS), springs=(spring,), x=0.3, y=0.4, launch=Launch(x=0.5, y=0.0))
     return answer("springs", entity, query)
@@ -309,7 +312,7 @@ def test_a_spring_that_turns_keeps_energy_and_angular_momentum() -> None:
 
 
 def test_a_dashpot_pulls_at_the_start_by_how_fast_its_spring_grows() -> None:
-    """Thrown with 0.5 m/s along +x from where the spring has the direction (0.6, 0.8): F = k s + b 0.5·0.6."""
+    """Launched at 0.5 m/s along +x with the spring along (0.6, 0.8): F = k s + b 0.5·0.6."""
     spring = NailedSpring(stiffness=STIFF, length=FREE, x=0.1, y=0.1)
     entity = SpringBlock(
         block=Block(mass=MASS), springs=(spring,), damping=3.0, x=0.4, y=0.5, launch=Launch(x=0.5, y=0.0)
@@ -321,7 +324,7 @@ def test_a_dashpot_pulls_at_the_start_by_how_fast_its_spring_grows() -> None:
 
 
 def led_round(query: Query) -> float:
-    """Launched at 2 m/s along +x from the place (0.3, 0.4) beside the nail: h = 0.8 m²/s."""
+    """Return the answer for a block launched at 2 m/s along +x from (0.3, 0.4) relative to a nail: h = 0.8 m²/s."""
     spring = NailedSpring(stiffness=STIFF, length=FREE, x=0.1, y=0.1)
     entity = SpringBlock(block=Block(mass=MASS), springs=(spring,), x=0.4, y=0.5, launch=Launch(x=2.0, y=0.0))
     return answer("springs", entity, query)
@@ -350,7 +353,7 @@ def test_a_spring_leads_a_block_round_by_energy_and_angular_momentum() -> None:
 
 
 def held(nails: tuple[tuple[float, float], ...], free: float, query: Query) -> float:
-    """Springs of one stiffness and natural length; begun aside, thrown."""
+    """Return the answer for a block on identical springs, launched away from its equilibrium position."""
     springs = tuple(NailedSpring(stiffness=STIFF, length=free, x=x, y=y) for x, y in nails)
     entity = SpringBlock(block=Block(mass=MASS), springs=springs, x=0.5, y=0.1, launch=Launch(x=0.3, y=-0.1))
     return answer("springs", entity, query)
@@ -360,21 +363,21 @@ CORNERS = tuple((round(0.3 + 0.6 * cos(radians(a)), 2), round(0.2 + 0.6 * sin(ra
 
 
 def test_springs_at_the_corners_of_a_triangle_balance_near_its_centre() -> None:
-    """Where all are 0.6 m long, but for the rounding of the places to centimetres."""
+    """All springs are 0.6 m long at the centre, apart from the rounding of positions to centimetres."""
     query = EquilibriumQuery("equilibrium", Target("extension", "springs.springs.0"))
     assert held(CORNERS, 0.4, query) == pytest.approx(0.2, rel=2e-2)
 
 
 @pytest.mark.parametrize(("rank", "share"), [(0, 0.36), (1, 0.64)])
 def test_two_springs_that_are_not_strained_oscillate_along_and_across(rank: int, share: float) -> None:
-    """They are 0.6 m apart, and the place is 0.4 m from the line between: K = 2k diag(0.36, 0.64) along and across."""
+    """The nails are 0.6 m apart, the block 0.4 m from their line: K = 2k diag(0.36, 0.64) along and across it."""
     query = PeriodQuery("period", measure="frequency", small=True, of=("springs.block",), rank=rank, modes=2)
     found = held(((0.0, 0.0), (0.168, 0.576)), 0.5, query)
     assert found == pytest.approx(sqrt(2.0 * STIFF * share / MASS) / (2.0 * pi))
 
 
 def test_springs_nailed_nearly_above_each_other_are_nearly_at_a_right_angle_to_the_x_axis() -> None:
-    """Midway between two nails, K = 2k (1 − ℓ₀/ℓ) across; five digits of the run are too few for a tangent."""
+    """Midway between two nails, K = 2k (1 − ℓ₀/ℓ) across; a slope from rounded coordinates would be inaccurate."""
     query = PeriodQuery("period", measure="frequency", small=True, of=("springs.block",), rank=0, modes=2)
     found = held(((0.2, 0.0), (0.203, 0.8)), 0.3, query)
     assert found == pytest.approx(sqrt(2.0 * STIFF * (1.0 - 0.3 / hypot(0.0015, 0.4)) / MASS) / (2.0 * pi))
@@ -411,7 +414,7 @@ def rocked(query: Query, angle: float = 0.0) -> float:
 
 
 def test_a_bored_cylinder_rocks_on_a_level_plane() -> None:
-    """T = 2π √(I/(m g c)), I about the line of contact, the hole on top."""
+    """With the hole on top, T = 2π √(I/(m g c)), where I is about the line of contact."""
     about = OWN + MASS * (RADIUS - ASIDE) ** 2
     period = rocked(PeriodQuery("period", small=True, of=("roller.body",)))
     assert period == pytest.approx(2.0 * pi * sqrt(about / (MASS * G * ASIDE)))
@@ -427,7 +430,7 @@ def test_a_bored_cylinder_begins_to_roll() -> None:
 
 
 def test_on_a_slope_its_centre_of_mass_comes_to_rest_above_the_contact() -> None:
-    """With sin ψ = (R/c) sin β, at which it is R cos β − c cos ψ above the contact."""
+    """The equilibrium has sin ψ = (R/c) sin β, with the centre of mass R cos β − c cos ψ above the contact."""
     tilt = radians(3.0)
     psi = asin(RADIUS * sin(tilt) / ASIDE)
     about = OWN + MASS * (RADIUS * cos(tilt) - ASIDE * cos(psi)) ** 2

@@ -1,4 +1,4 @@
-"""Formulas as trees: every class has one, and a tree has the value of its formula."""
+"""Tests of formulas as trees: every class has one, and a tree has the value of its formula."""
 
 import json
 from collections.abc import Iterator
@@ -67,7 +67,7 @@ def test_a_tree_has_the_value_the_derivatives_and_the_symbols_of_its_formula(for
 
 
 def test_every_class_of_formulas_has_a_tree() -> None:
-    """Of a private or abstract base class nothing is made; a chain stands in the equation of a root alone."""
+    """Private and abstract base classes are left out; chains only occur in the equations of numeric roots."""
     made = {type(held).__name__ for formula in FORMULAS for held in (formula, *formula.parts)}
     ours = {found.__name__ for found in classes() if found.__module__.startswith("sim2reason.")}
     assert {name for name in ours if not name.startswith("_")} == made | {"Chain", "SpecialFunction"}

@@ -1,4 +1,4 @@
-"""How difficult a problem is by its solution, and what the docs say of labels."""
+"""Tests of the difficulty of a problem by its solution, and of the documented labels."""
 
 from dataclasses import replace
 from itertools import pairwise
@@ -44,7 +44,7 @@ def solution(*steps: Step, phases: int = 0) -> Solution:
 
 
 def test_unknowns_that_laws_connect_are_found_together() -> None:
-    """The acceleration and the tension of two blocks; a speed that a law defines is none."""
+    """The acceleration and the tension of two blocks are coupled; a speed defined by one law is not."""
     assert count_coupled_unknowns(solution(GIVEN, TOGETHER, SOLVED)) == 2
     alone = step(law(V, Root(A * F)), gives=("v",))
     assert count_coupled_unknowns(solution(GIVEN, TOGETHER, SOLVED, alone)) == 2
@@ -52,7 +52,7 @@ def test_unknowns_that_laws_connect_are_found_together() -> None:
 
 
 def test_a_law_that_holds_for_another_body_is_the_same() -> None:
-    """Apart from subscripts; another form is another law."""
+    """Laws that differ in subscripts only count once; another form is another law."""
     found = solution(
         step(law(Symbol("m_A") * Symbol("a_A"), F), law(Symbol("m_B") * Symbol("a_{B,2}"), F), law(T, F * V))
     )
@@ -60,7 +60,7 @@ def test_a_law_that_holds_for_another_body_is_the_same() -> None:
 
 
 def test_the_score_adds_up() -> None:
-    """Two laws, a second unknown, and two points for each further phase but the fifth and later ones."""
+    """The score counts two laws and a second unknown, and two points for each further phase up to the fourth."""
     whole = solution(GIVEN, TOGETHER, SOLVED)
     assert measure_difficulty((whole, 0)) == SolutionDifficulty(laws=2, phases=1, unknowns=2, needs=Need.ARITHMETIC)
     assert measure_difficulty((whole, 0)).score == 3
@@ -71,7 +71,7 @@ def test_the_score_adds_up() -> None:
 
 
 def test_parts_are_measured_together() -> None:
-    """A law counts once in all, phases and unknowns as in the part that has most, and the most advanced need."""
+    """Laws are counted over all parts; phases, unknowns and needs are the maxima over the parts."""
     whole = solution(GIVEN, TOGETHER, SOLVED)
     later = solution(GIVEN, TOGETHER, step(law(V, Root(A * F)), gives=("v",)))
     both = measure_difficulty((whole, 3), (later, 1))
@@ -90,7 +90,7 @@ def test_what_only_assumptions_are_verified_by_needs_nothing() -> None:
 
 
 def test_the_page_has_the_tables_of_the_code() -> None:
-    """Labels and needs, each row as it is declared."""
+    """The documentation page has a row for each label and each need as declared in the code."""
     lines = PAGE.read_text(encoding="utf-8").splitlines()
     labels = [f"| {name} | {band.text} | {band.meaning} |" for name, band in LABELS.items()]
     needs = [f"| {need.label} | {meaning} |" for need, meaning in MEANINGS.items()]
@@ -109,7 +109,7 @@ def test_bands_ascend_and_overlap() -> None:
 
 @pytest.mark.parametrize("recipe", ["pulley", "incline", "projectile"])
 def test_an_item_fits_its_label(recipe: str) -> None:
-    """By the numbers that it carries, which are those of its solution."""
+    """The item's own measures agree with those of its solution."""
     for label in DIFFICULTIES:
         item, found = made(Request(recipe, label, "numeric", 21, 0))
         assert item.measured is not None
@@ -120,7 +120,7 @@ def test_an_item_fits_its_label(recipe: str) -> None:
 
 
 def test_a_question_of_another_difficulty_is_refused() -> None:
-    """Only where a label was ordered."""
+    """A question is refused only if a label was ordered."""
     _, found = made(Request("pulley", "hard", "numeric", 21, 0))
     candidate, difficulty = found.candidate, FILTERS["difficulty"]
     assert candidate.measured is not None
@@ -132,5 +132,5 @@ def test_a_question_of_another_difficulty_is_refused() -> None:
 
 
 def test_every_strategy_declares_whether_it_integrates() -> None:
-    """So that a need is known without a numerical integration."""
+    """The declaration shows a problem's needs without a numerical integration."""
     assert [found.name for found in STRATEGIES.values() if found.integrates] == ["integration"]

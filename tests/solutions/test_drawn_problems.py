@@ -1,4 +1,4 @@
-"""What holds of every worked solution, over drawn problems of the recipes that strategies cover."""
+"""Tests of properties that all worked solutions share, over sampled problems of the covered recipes."""
 
 import random
 import re
@@ -83,7 +83,7 @@ def test_a_collision_is_solved_without_a_fault_or_says_why_not(difficulty: str, 
 
 
 def asks_a_pair(setting: ProblemContext) -> bool:
-    """How two that collide part hangs on restitution alone: their momentum is told for nothing."""
+    """Return whether the question is about a distance or relative speed, which needs no momentum."""
     return setting.query.target is not None and setting.query.target.quantity in ("distance", "relative speed")
 
 
@@ -117,7 +117,7 @@ def test_planted_faults_are_found_in_the_text_alone() -> None:
 
 
 def faulty(text: str, rng: random.Random) -> list[str]:
-    """The text with one number 7 % larger, and with one sign turned."""
+    """Return copies of a text, one with a number 7 % larger and one with a reversed sign."""
     numbers = list(re.finditer(r"\d+\.\d{2,}", text))
     signs = list(re.finditer(r" [+-] (?=[^$]*\$)", text))
     found: list[str] = []
@@ -134,7 +134,7 @@ def faulty(text: str, rng: random.Random) -> list[str]:
 @pytest.mark.parametrize("count", [3, pytest.param(8, marks=pytest.mark.slow)])
 @pytest.mark.parametrize(("recipe", "difficulty"), [("pulley", "hard"), ("hybrid", "easy"), ("box", "medium")])
 def test_strategies_check_each_other(recipe: str, difficulty: str, count: int) -> None:
-    """All derivations that there are agree, to 1e-9, and are without a fault; most problems have two."""
+    """All derivations of a problem agree to 1e-9 and have no faults; most problems have two."""
     both = several = 0
     for setting in problems(recipe, difficulty, count):
         held = [solve_with(strategy, setting) for strategy in STRATEGIES.values() if not strategy.integrates]

@@ -1,4 +1,4 @@
-"""Greatest and least values at an end of a stretch of motion: their value, and the reason why they are there."""
+"""Tests of greatest and least values at an end of a time interval: their value and their reason."""
 
 from math import cos, log, radians, sin, sqrt
 
@@ -43,7 +43,7 @@ def test_it_is_the_value_at_the_end_and_the_text_says_why(
 
 
 def test_at_the_start_nothing_but_the_reason_is_written() -> None:
-    """A block that friction and gravity slow down is fastest at the start, at the speed that the text gives."""
+    """A block slowed down by friction and gravity is fastest at the start, with the given speed."""
     found = solved("martian_ramp", "greatest speed", "stopped")
     assert found.solution.text.startswith(r"Given: $v = 6.0\ \text{m/s}$.")
     assert "opposite to its velocity, so its speed decreases" in found.solution.text
@@ -51,12 +51,12 @@ def test_at_the_start_nothing_but_the_reason_is_written() -> None:
 
 
 def test_the_speed_of_a_charge_on_a_circle_is_constant() -> None:
-    """Its velocity has no drift, of which the size was taken before."""
+    """The solution says that the magnetic force does no work, without a drift velocity."""
     assert "does no work, so the speed is always" in solved("cyclotron", "greatest speed").solution.text
 
 
 def test_a_smooth_extreme_within_the_stretch_is_none_at_its_end() -> None:
-    """A pendulum is fastest at the lowest point, which it passes."""
+    """A pendulum is fastest at the lowest point, which is within the time interval."""
     text = solved("pendulum", "greatest speed").solution.text
     assert "at the end" not in text
     assert "at the lowest point" in text

@@ -1,4 +1,4 @@
-"""Sums, limiting cases, reverse questions and integrations: closed forms of textbooks, and what holds of drawn ones."""
+"""Tests of sums, limiting cases, reverse questions and integrations, against closed forms and by sampling."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -59,7 +59,7 @@ def mass(scene: Scene) -> float:
 
 
 def test_the_heat_of_friction_is_friction_times_path() -> None:
-    """µ m g cos θ · ½ g (sin θ − µ cos θ) t²."""
+    """The heat is µ m g cos θ · ½ g (sin θ − µ cos θ) t²."""
     scene, slope = ramp(angle=40.0, friction=0.2), radians(40.0)
     path = 0.5 * G * (sin(slope) - 0.2 * cos(slope)) * TIME**2
     found = summed(scene, "energy dissipated by friction", block(scene))
@@ -67,7 +67,7 @@ def test_the_heat_of_friction_is_friction_times_path() -> None:
 
 
 def test_a_path_up_and_down_is_counted_to_and_fro() -> None:
-    """V²/2a up, and the rest of the time down, on a smooth slope: a = g sin θ both ways."""
+    """The path is v²/2a up, and then down for the rest of the time; a = g sin θ both ways on a smooth slope."""
     scene, slowing = ramp(angle=40.0, friction=0.0, speed=1.5), G * sin(radians(40.0))
     up = 1.5 / slowing
     assert up < TIME
@@ -93,7 +93,7 @@ def path_of(scene: Scene, noun: str) -> str:
 
 
 def test_a_friction_is_found_from_a_speed() -> None:
-    """v = g (sin θ − µ cos θ) t, so µ = tan θ − v/(g t cos θ); the engine's scene has just that friction."""
+    """v = g (sin θ − µ cos θ) t, so µ = tan θ − v/(g t cos θ), the value in the simulated scene."""
     slope = radians(40.0)
     friction = (sin(slope) - 2.0 / (G * TIME)) / cos(slope)
     scene = ramp(angle=40.0, friction=friction)
@@ -106,7 +106,7 @@ def test_a_friction_is_found_from_a_speed() -> None:
 
 
 def test_an_angle_is_found_from_a_speed() -> None:
-    """V = g t sin θ on a smooth slope."""
+    """v = g t sin θ on a smooth slope."""
     angle = degrees(atan(0.75))
     scene = ramp(angle=angle, friction=0.0)
     query = Query("state", Target("velocity", block(scene)), AtTime(TIME))
@@ -183,9 +183,9 @@ def _without_a_law(solution: Solution) -> Solution:
 
 
 def test_a_number_that_hardly_changes_what_is_given_is_weighed_by_how_much_it_does() -> None:
-    """A ball thrown level is d away after a bounce: D(h, T) = x² + y² − d² = 0.
+    """A ball launched horizontally bounces and is at distance d when D(h, T) = x² + y² − d² = 0.
 
-    dT/dh = −D_h/D_T, of which h/T is 18 %.
+    dT/dh = −D_h/D_T, and that times h/T is 18 %.
     """
     speed, restitution, distance, height = 4.9, 0.52, 3.5, 1.4
 

@@ -1,4 +1,4 @@
-"""Solutions of questions about how the answer to another question depends on a number: closed forms and drawn ones."""
+"""Tests of questions on how the answer to another question depends on a number."""
 
 import re
 from collections import Counter
@@ -128,7 +128,7 @@ def test_another_value_is_multiplied_out_of_powers() -> None:
 
 
 def test_the_second_of_two_cases_is_told_after_the_first() -> None:
-    """The block turns back before the time, but not with twice the speed."""
+    """The block turns back before the given time in the first case, but not with twice the speed."""
     scene = ramp(angle=26.0, friction=0.0, speed=2.5)
     way = "the total distance that the block travels between t = 0 and t = 0.89 s"
     found = doubling_the_speed(scene, "increase", way)
@@ -140,7 +140,7 @@ def test_the_second_of_two_cases_is_told_after_the_first() -> None:
 
 
 def test_what_no_strategy_has_a_way_to_is_known_before_it_is_drawn() -> None:
-    """Where a puck on two springs is at a time takes an integration; what acts at the start does not."""
+    """The position of a puck on two springs at a given time needs an integration; the forces at the start do not."""
     springs = tuple(NailedSpring(stiffness=80.0, length=0.4, x=x, y=0.1) for x in (-0.3, 0.5))
     entity = SpringBlock(block=Block(mass=1.5), springs=springs, x=0.2, y=0.6)
     scene = Scene(entities=(Named(name="springs", entity=entity),))
@@ -150,7 +150,7 @@ def test_what_no_strategy_has_a_way_to_is_known_before_it_is_drawn() -> None:
 
 
 def test_what_the_first_case_rests_on_is_shown_of_the_second_too() -> None:
-    """With half the stiffness the spring still pulls harder at the start than friction can hold."""
+    """With half the stiffness the initial spring force still exceeds the greatest static friction."""
     scene = row((1.8,), (132.0,), "right", friction=0.32, strain=0.2)
     path = next(p.path for p in scene.parameters if p.measure.name == "stiffness")
     trolley = next(body.name for body in scene.mechanism.bodies if body.mass)

@@ -1,4 +1,4 @@
-"""Why the opposite sign of what is given by its magnitude leads to no answer."""
+"""Tests of the reason why the opposite sign of a value given by its magnitude leads to no answer."""
 
 from math import pi
 
@@ -14,7 +14,7 @@ F, M = Symbol("F"), Symbol("m")
 
 
 def said(formula: Expression, value: float) -> str:
-    """Return what is said of −F, for a formula of m by the given magnitude F = 2."""
+    """Return the sentence about −F for a formula for m in terms of the given magnitude F = 2."""
     book = SolutionBuilder()
     book.set_value("F", 2.0)
     book.set_value("m", value)

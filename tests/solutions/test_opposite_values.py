@@ -1,10 +1,10 @@
-"""Why a quantity of which only the magnitude is given has one sign, where no formula for the unknown shows it."""
+"""Tests of the reason for the sign of a quantity given by its magnitude, if no formula shows that sign."""
 
 from worked import solution_text
 
 
 def test_a_sign_that_was_chosen_is_told_to_be_supposed_and_the_other_one_is_excluded() -> None:
-    """The displacement of a puck hangs on the unknown mass, so nothing says at first that it is to the left."""
+    """The displacement of the puck depends on the unknown mass, so its direction isn't known at first."""
     text = solution_text("collision-hard-reverse-301926-0")
     assert "$s_{A,3} = -s_{A,2}$, supposing that this is positive." in text
     other = r"the formula would give $-2.3529\ \text{kg}$ or $-3.1287\ \text{kg}$ for $m_C$, both negative."
@@ -12,7 +12,7 @@ def test_a_sign_that_was_chosen_is_told_to_be_supposed_and_the_other_one_is_excl
 
 
 def test_a_root_that_no_value_of_the_unknown_gives_is_told() -> None:
-    """With v'_B = v_A the pucks would not meet, and a puck sent back up the slope takes a negative sine."""
+    """With v'_B = v_A the pucks wouldn't collide; motion back up the slope would need a negative sine."""
     text = solution_text("collision-hard-reverse-301926-0")
     assert "No positive $m_C$ gives the other root, $-0.21000\\ \\text{m/s}$." in text
     text = solution_text("collision-hard-reverse-301930-0")

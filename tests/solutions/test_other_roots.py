@@ -1,4 +1,4 @@
-"""Why the second root of an equation does not count: the equation before squaring, or a comparison made before."""
+"""Tests of the reasons why the second root of an equation is excluded."""
 
 import pytest
 
@@ -15,7 +15,7 @@ X, A = Symbol("x"), Symbol("a")
 def told(
     value: float, found: Expression, others: list[float], written: list[Sides], *before: Relation, **known: float
 ) -> tuple[str, tuple[Relation, ...]]:
-    """Return what is said of the other root of x, and the relations of that step."""
+    """Return the sentence about the other root of x and the relations of that step."""
     book = SolutionBuilder()
     for name, number in {"x": value, **known}.items():
         book.set_value(name, number)
@@ -31,7 +31,7 @@ def told(
 
 
 def test_a_root_that_squaring_brought_in_does_not_satisfy_the_equation_before() -> None:
-    """Of √(x + 6) = x the quadratic x² − x = 6 also has the root −2; here with y = −x, so that it is positive."""
+    """Squaring √(x + 6) = x gives x² − x = 6, which also has the root −2; with y = −x that root is positive."""
     shown = (Power(X, 2) + X, Number(6.0))
     text, relations = told(-3.0, X, [], [shown, (Root(Number(6.0) - X), -X)])
     assert text == "The other root, $2.0000$, does not satisfy the equation before it is squared."
@@ -47,7 +47,7 @@ def test_a_negative_root_of_the_equation_that_is_shown_is_told() -> None:
 
 
 def test_a_root_that_contradicts_a_comparison_is_told() -> None:
-    """A stage that ends before 4 s, as was written, does not last for 5 s."""
+    """A stage that was stated to end before 4 s can't last for 5 s."""
     text, relations = told(3.0, X, [5.0], [(X, X)], Relation(A, X, "exceeds"), a=4.0)
     assert text == "With the other root, $5.0000$, $a$ would not be greater than $x$."
     assert [(r.left, r.right) for r in relations] == [(Number(5.0), A)]
@@ -92,7 +92,7 @@ def test_of_two_times_the_first_positive_one_counts(other: float, said: str) -> 
 
 
 def test_another_positive_value_of_the_unknown_is_excluded_in_the_end() -> None:
-    """With a = 4 − x, which is positive as was written, x is not 5 but 3."""
+    """With a = 4 − x, stated to be positive before, x is not 5 but 3."""
     book = SolutionBuilder()
     book.set_value("x", 3.0)
     book.set_value("a", 1.0)

@@ -1,4 +1,4 @@
-"""Solutions of several parts, and of problems with options."""
+"""Tests of solutions of several parts, and of problems with options."""
 
 from dataclasses import replace
 
@@ -15,7 +15,7 @@ def test_the_letter_of_an_option_stands_in_a_paragraph_of_its_own() -> None:
 
 
 def displaced(v: float) -> Solution:
-    """The displacement x = v/2, which is negative, by a sentence that says of what."""
+    """Return a solution for the displacement x = v/2 of B relative to A."""
     x, speed = Symbol("x"), Symbol("v")
     steps = (
         Step(0, "givens", f"Given: $v = {v}$.", (Relation(speed, Number(v), "given"),), ("v",), ()),
@@ -26,7 +26,7 @@ def displaced(v: float) -> Solution:
 
 
 def compressed(v: float) -> Solution:
-    """As far as a compression e = -x."""
+    """Return a solution for the compression e = -x."""
     found, e = displaced(v), Symbol("e")
     step = Step(3, "answer", "The compression is $e = -x$.", (Relation(e, -Symbol("x"), "law"),), ("e",), (2,))
     values = {**found.values, "e": -v / 2.0}
@@ -34,14 +34,14 @@ def compressed(v: float) -> Solution:
 
 
 def moved(v: float) -> Solution:
-    """The displacement y = 3 x."""
+    """Return a solution for the displacement y = 3 x."""
     found, y = displaced(v), Symbol("y")
     step = Step(3, "answer", "So $y = 3 x$.", (Relation(y, Number(3.0) * Symbol("x"), "law"),), ("y",), (2,))
     return replace(found, steps=(*found.steps, step), values={**found.values, "y": 1.5 * v}, goal="y", answer=1.5 * v)
 
 
 def test_a_later_part_does_not_call_a_compression_a_displacement() -> None:
-    """Its own x is positive, as large as the compression that the earlier part found from an x that is negative."""
+    """The x of the later part is positive and equals the compression found in the earlier part, not its x."""
     opposite = recall_results(moved(2.0), [("a", compressed(-2.0))], whole=True)
     assert "From part (a)" not in opposite.text
 

@@ -1,4 +1,4 @@
-"""Quantities at the moment when another one reaches a value: from the value to the moment, and on from there."""
+"""Tests of quantities at the moment when another quantity reaches a given value."""
 
 from math import acos, cos, degrees, radians, sin, sqrt
 
@@ -76,7 +76,7 @@ def test_a_value_that_follows_from_the_stated_one_needs_no_moment() -> None:
 
 @pytest.mark.parametrize("only", ["phase by phase", "integration"])
 def test_a_motion_is_also_followed_to_that_moment(only: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Where no law leads there, the value is the condition that ends the last phase."""
+    """Without a law for the moment, the value is the condition that ends the last phase."""
     for name, strategy in STRATEGIES.items():
         if name != only:
             monkeypatch.setattr(strategy, "kinds", frozenset[str](), raising=False)

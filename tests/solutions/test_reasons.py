@@ -1,4 +1,4 @@
-"""A root, a sign or an extreme value is taken with its reason: energy, direction, or what another one would mean."""
+"""Tests of the reasons for the choice of a root, a sign or an extreme value."""
 
 import re
 from math import cos, radians, sqrt
@@ -38,13 +38,13 @@ def only(name: str, entity: object) -> Scene:
 
 
 def swinging(angle: float = 50.0) -> Scene:
-    """A ball on a rod on a carriage."""
+    """Return a scene with a ball on a light rod that hangs from a carriage."""
     rod = LightRodPendulum(bob=Ball(mass=1.4), rod=LightRod(length=0.9), angle=angle)
     return scene({"cart": SliderMass(carriage=Carriage(mass=3.2)), "it": rod}, pivot("cart.pivot", "it.base"))
 
 
 def reverse(made: Scene, query: Query, path: str, digits: str, unit: str) -> Solution:
-    """With one number unknown and the result given."""
+    """Return the checked solution for one unknown number with the result given."""
     plain = asked(made, query)
     unknown = next(p.path for p in made.parameters if p.path.endswith(path))
     stated = StatedResult(digits, unit)
@@ -56,7 +56,7 @@ def reverse(made: Scene, query: Query, path: str, digits: str, unit: str) -> Sol
 
 
 def test_a_string_goes_slack_at_a_height_that_is_reached() -> None:
-    """y = (v² − 2gℓ)/3g lies between 0 and ℓ where 2gℓ < v² < 5gℓ; the flight has a time of its own."""
+    """y = (v² − 2gℓ)/3g is between 0 and ℓ for 2gℓ < v² < 5gℓ; the flight has a time variable of its own."""
     pendulum = Pendulum(bob=Ball(mass=MASS), hanger=Cord(length=LENGTH), angle=0.0, speed=FAST)
     query = Query("event", Target("momentum", "pendulum.bob"), WentTaut("pendulum.hanger"))
     found = derived(only("pendulum", pendulum), query)
@@ -68,7 +68,7 @@ def test_a_string_goes_slack_at_a_height_that_is_reached() -> None:
 
 
 def test_a_carriage_is_fastest_where_the_rod_hangs_whatever_the_angle_at_which_it_began() -> None:
-    """From above its axle the rod pushes at first, so that its sense of pull is no reason."""
+    """The formula for the speed is the reason: a rod that starts above its axle pushes at first."""
     query = StretchQuery("extremum", None, Stopped(CART), "greatest speed", CART)
     found = derived(swinging(), query)
     fall = 2.0 * 0.9 * G * (1.0 - cos(radians(50.0)))
@@ -87,7 +87,7 @@ def test_an_angle_is_the_arcsine_as_the_rod_rises_no_higher_than_at_first() -> N
 
 
 def test_with_friction_the_first_swing_is_the_fastest() -> None:
-    """About µmg/k before the natural length: ω (s − µmg/k)."""
+    """The first swing is about the point µmg/k before the natural length: its greatest speed is ω (s − µmg/k)."""
     made, rate, shift = row((2.0,), (50.0,), "left", strain=0.3, friction=0.1), 5.0, 0.1 * 2.0 * G / 50.0
     query = StretchQuery("extremum", None, AtTime(1.5), "greatest speed", "row.carts.0")
     found = derived(made, query)
@@ -107,7 +107,7 @@ def test_a_planet_that_approaches_comes_nearest_within_half_a_turn() -> None:
 
 
 def test_another_root_may_be_later_than_the_end() -> None:
-    """Spinning on the spot at ω, it rolls from t = Rω/2µg on: s = ½µg t (2T − t) holds for two times t, one after T."""
+    """A hoop spinning at ω rolls from t = Rω/2µg on, and s = ½µg t (2T − t) has two roots t, one after T."""
     radius, friction, spin, end = 0.15, 0.46, 8.6, 0.68
     hoop = RollingEntity(
         body=Hoop(mass=2.0, radius=radius), plane=Incline(angle=0.0), grip=Rough(friction=friction),
@@ -139,7 +139,7 @@ SPRUNG = (
 
 
 def test_what_slides_on_a_plank_on_a_slope_moves_up_and_down_the_slope() -> None:
-    """No text speaks of the face of a plank."""
+    """The text doesn't mention the face of a plank."""
     text = solve_prompt(PLANKS)[0].text
     assert "the face" not in text
     assert "up the slope" in text

@@ -1,4 +1,4 @@
-"""What a solution assumes of the motion is checked in its text: fuel, thrust, flights, friction, and other roots."""
+"""Tests of checked assumptions about the motion: fuel, thrust, flights, friction, and other roots."""
 
 import re
 from math import cos, radians, sin
@@ -37,7 +37,7 @@ def solved(setting: ProblemContext) -> Solution:
 
 
 def verified(found: Solution) -> dict[str, float]:
-    """The values of what is only checked, by symbol."""
+    """Return the values of the relations that are only verified, by symbol."""
     held = (relation for relation in found.relations if relation.role == "verified")
     return {relation.left.latex(): float(relation.right.value(found.values).real) for relation in held}
 
@@ -58,7 +58,7 @@ def test_a_rocket_rises_if_its_thrust_is_larger_than_its_weight_and_has_burned_o
 
 
 def test_a_ball_that_bounced_is_still_in_the_air() -> None:
-    """It would land again 2 v/g after it left the ground at v."""
+    """The next landing would be 2 v/g after leaving the ground at v."""
     thrown = scene(Projectile(ball=Ball(mass=0.5), height=2.0, speed=3.0, angle=20.0, restitution=0.6))
     (ball,) = (body.name for body in thrown.mechanism.bodies)
     found = solved(asked(thrown, Query("state", Target("kinetic energy", ball), AtTime(1.0))))
@@ -69,7 +69,7 @@ def test_a_ball_that_bounced_is_still_in_the_air() -> None:
 
 
 def test_a_slab_below_a_sliding_one_stays_at_rest() -> None:
-    """It is held against its weight along the slope and the friction of what slides up on it."""
+    """Static friction balances its weight component along the slope and the friction of the slab sliding on it."""
     slabs = StackedMassPlane(
         plane=Plane(angle=30.0, friction=0.9), lower=Slab(mass=3.0), upper=Slab(mass=1.0), friction=0.4, speed=2.0
     )
@@ -83,14 +83,14 @@ def test_a_slab_below_a_sliding_one_stays_at_rest() -> None:
 
 
 def test_another_root_is_named_that_the_question_excludes() -> None:
-    """v² = u² + 2 g d sin θ has the roots ±u; with x² + x = 6 the other one is −3."""
+    """v² = u² + 2 g d sin θ has the roots ±u; x² + x = 6 has the other root −3."""
     x = Symbol("x")
     assert other_solutions("x", Power(x, 2) + x, Number(6.0), {"x": 2.0}) == [pytest.approx(-3.0)]
     assert other_solutions("x", Number(2.0) * x, Number(6.0), {"x": 3.0}) == []
 
 
 def test_a_reverse_problem_says_why_the_other_root_does_not_count() -> None:
-    """How far a spring was stretched, from the way that a struck cart has come by a time: a quadratic equation."""
+    """The initial extension of the spring follows from the path of a struck cart by a quadratic equation."""
     carts = row((1.2,), (107.0, 151.0), "both", strain=0.09, speed=0.93, at=1)
     cart = next(body.name for body in carts.mechanism.bodies if body.mass)
     query = StretchQuery("sum", None, AtTime(0.54), "distance travelled", cart)
@@ -103,6 +103,6 @@ def test_a_reverse_problem_says_why_the_other_root_does_not_count() -> None:
 
 
 def test_an_answer_that_is_an_absolute_value_is_not_called_by_the_component() -> None:
-    """The friction that holds a block may be up or down the slope; asked is its magnitude."""
+    """The friction on the block may act up or down the slope, and the question asks for its magnitude."""
     text = solution_text("hybrid-medium-symbolic-301928-0")
     assert r"Answer: $\left|f_A\right| = \boxed{\frac{g \left|2\,m_A \sin\theta - m_B\right|}{2}}$" in text

@@ -1,4 +1,4 @@
-"""Numbers found from given results: the equation that is solved, both of its roots, and the sign of a magnitude."""
+"""Tests of numbers found from given results: the solved equation, both roots, and the sign of a magnitude."""
 
 from math import sqrt
 
@@ -166,14 +166,14 @@ def test_the_other_angle_with_a_sine_is_more_than_a_right_angle() -> None:
 
 
 def test_numbers_whose_difference_is_small_have_guard_digits() -> None:
-    """A quadratic in I₀ whose root is the difference of 2.0211 and 1.8131: five digits of each leave four."""
+    """The root of a quadratic in I₀ is the difference of 2.0211 and 1.8131: five digits of each would leave four."""
     text = solution_text("rotation-medium-reverse-72-19")
     assert r"$I_0 = \frac{\sqrt{4.084869} - 1.813135}{7.29} = 0.028528\ \text{kg m}^2$" in text
     assert (sqrt(4.084869) - 1.813135) / 7.29 == pytest.approx(0.028528, rel=2e-5)
 
 
 def test_a_greatest_value_that_is_given_is_no_function_of_time() -> None:
-    """Modes leave other instants at which the derivative vanishes, so the equations have more than one solution."""
+    """With several modes the derivative vanishes at other instants too, so the equations have several solutions."""
     text = solution_text("chain-hard-reverse-906400-13")
     assert "and $x_{A,1} = 0.038" in text
     assert "Let $x_A$ and $x_B$ be the displacements" in text

@@ -1,4 +1,4 @@
-"""Solutions about rockets write the velocity as a function of time before they integrate it."""
+"""Tests of rocket solutions, which write the velocity as a function of time before integrating it."""
 
 import re
 from dataclasses import replace
@@ -54,7 +54,7 @@ each_flight = pytest.mark.parametrize(("place", "rate", "moment"), list(FLIGHTS)
 def test_a_distance_is_the_integral_of_the_velocity_that_is_written(
     place: StartingPlace, rate: float, moment: object
 ) -> None:
-    """By Gauss and Legendre, from the text alone."""
+    """Gauss-Legendre quadrature of the velocity in the text gives the distance in the text."""
     found = flight(place, rate, moment)
     (velocity,), ((until, name),) = VELOCITY.findall(found.text), UPPER.findall(found.text)
     end = read(f"$y = {until}$", found.values).values["y"]
@@ -70,7 +70,7 @@ def test_a_distance_is_the_integral_of_the_velocity_that_is_written(
 def test_the_integral_over_the_mass_is_displayed_with_its_antiderivative(
     place: StartingPlace, rate: float, moment: object
 ) -> None:
-    """The displayed integral is the distance, and the antiderivative has the right differences."""
+    """The displayed integral equals the distance and the difference of the displayed antiderivative."""
     found = flight(place, rate, moment)
     (_, name), held = UPPER.findall(found.text)[0], MASSES.search(found.text)
     assert held is not None, found.text
@@ -97,7 +97,7 @@ def test_the_velocity_at_burnout_is_named(place: StartingPlace, words: str) -> N
 
 
 def test_how_high_a_rocket_comes_does_not_take_how_long_it_falls_free() -> None:
-    """Nor when it lifts off."""
+    """The time of liftoff isn't needed either."""
     found = flight(LevelGround(), LIGHT, Stopped)
     assert r"t_{\text{off}}" not in found.text
     assert r"t_{\text{lift}}" not in found.text
@@ -136,7 +136,7 @@ def test_a_far_distance_is_covered_after_burnout(place: StartingPlace) -> None:
 
 
 def test_what_is_assumed_of_an_unknown_rocket_is_verified_in_the_end() -> None:
-    """Solve for the empty mass of a rocket from its speed after burnout."""
+    """The empty mass of a rocket follows from its speed after burnout."""
     rocket = RocketEntity(rocket=Rocket(mass=700.0, dry=300.0), place=LevelGround(), exhaust=0.6, rate=LIGHT)
     scene = Scene(entities=(Named(name="e", entity=rocket),))
     (body,) = (body.name for body in scene.mechanism.bodies if body.coordinates)
@@ -175,7 +175,7 @@ def test_the_distance_of_a_rocket_in_deep_space_has_no_other_sign() -> None:
 
 
 def test_a_rocket_that_falls_is_shown_to_be_still_in_the_air() -> None:
-    """Its height is the integral of u ln(m/m(t)) − g t, up to burnout and after it."""
+    """The height is the integral of u ln(m/m(t)) − g t up to burnout and after it."""
     found = flight(LevelGround(), HEAVY, AtTime(60.0), "velocity")
     assert found.values["v"] < 0.0
     u, rate, burnt = 600.0, HEAVY, (700.0 - 300.0) / HEAVY

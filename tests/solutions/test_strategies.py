@@ -1,4 +1,4 @@
-"""What strategies say of mechanisms, against what the exact engine does with them, and against what they find."""
+"""Tests of what strategies state about mechanisms, against the exact engine and against their solutions."""
 
 from math import cos, radians, sin
 
@@ -29,7 +29,7 @@ LINEAR = ("energy", "momentum", "oscillation", "half swings", "Lagrange's equati
 
 @pytest.mark.parametrize("recipe", list(RECIPES))
 def test_accelerations_change_where_the_engine_integrates(recipe: str) -> None:
-    """It follows a motion by steps of an integrator just where accelerations change as it moves."""
+    """The engine uses a numerical integrator exactly for motions with varying accelerations."""
     scene = sample(recipe, "medium", seed=3)
     segments = motion(scene.mechanism, SHARE * scene.horizon).segments
     assert bool(varying_acceleration(scene.mechanism)) == any(segment.flow is not None for segment in segments)
@@ -39,7 +39,10 @@ def test_accelerations_change_where_the_engine_integrates(recipe: str) -> None:
 def test_a_strategy_that_is_unfit_for_a_mechanism_would_find_nothing(
     recipe: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """No question about it is lost by not being put to it; where things may collide, it is a matter of caution."""
+    """No strategy that declares a mechanism unsuitable could solve a question about it.
+
+    Mechanisms with possible collisions are left out, since strategies may exclude these cautiously.
+    """
     scene = sample(recipe, "hard", seed=4)
     study, description = SimulatedScene.of(scene, np.linspace(0.0, scene.horizon, 41)), describe(scene, 1)
     words, rng = words_of(description), np.random.default_rng(1)
@@ -58,7 +61,7 @@ def test_a_strategy_that_is_unfit_for_a_mechanism_would_find_nothing(
 
 
 def test_no_formula_is_looked_for_where_none_fits_into_a_box() -> None:
-    """Pucks that meet aside, a block between springs at angles, a rocket above a planet: the strategies say so."""
+    """Oblique collisions, blocks on springs at angles and heavy planets have no formulas that fit an answer."""
     heavy = (HeavyPlanet(mass=1e-3, x=x, y=0.0, vx=0.0, vy=vy) for x, vy in ((1.0, 6.28), (2.0, 4.44)))
     system = SolarSystem(star=Star(mass=1.0), planets=tuple(heavy))
     planets = Scene(entities=(Named(name="system", entity=system),))
@@ -80,13 +83,13 @@ def test_no_formula_is_looked_for_where_none_fits_into_a_box() -> None:
 
 @pytest.mark.parametrize(("carts", "kinds"), [(2, {"period"}), (3, set[str]())])
 def test_periods_of_two_modes_alone_are_formulas(carts: int, kinds: set[str]) -> None:
-    """The roots of a quadratic equation."""
+    """With two modes the squares of the frequencies are the roots of a quadratic equation."""
     mechanism = row((2.0,) * carts, (50.0,) * (carts + 1), "both", strain=0.1).mechanism
     assert STRATEGIES["normal modes"].formulas(mechanism) == kinds
 
 
 def test_how_far_what_rolls_slips_hangs_on_forces() -> None:
-    """Of a pipe with a = g (sin θ - µ cos θ) and R α = µ g cos θ, friction takes µ m g cos θ d (1 - R α/a)."""
+    """For a pipe with a = g (sin θ - µ cos θ) and R α = µ g cos θ, friction takes µ m g cos θ d (1 - R α/a)."""
     mass, slope, friction, distance = 2.0, radians(40.0), 0.1, 5.5
     pipe = RollingEntity(body=Pipe(mass=mass, radius=0.1), plane=Incline(angle=40.0), grip=Rough(friction=friction))
     energy = "How much energy does friction between the tube and the plane dissipate"

@@ -1,4 +1,4 @@
-"""Sentences of worked solutions that hold in every problem in which they are written, not only in the one at hand."""
+"""Tests of sentences in worked solutions that must hold in every problem in which they are written."""
 
 from worked import solution_text
 
@@ -10,7 +10,7 @@ def test_static_friction_of_either_sense_is_counted_in_one_direction() -> None:
 
 
 def test_friction_that_dissipates_is_between_two_bodies_of_a_stack() -> None:
-    """Friction acts on both faces of board B, so that the text has to say which one it means."""
+    """Friction acts on both faces of board B, so the text has to name the other board."""
     text = solution_text("incline-hard-multipart-301930-0")
     assert "The energy that friction between board B and board A dissipates is $Q = " in text
     assert "Friction acts on board" not in text
@@ -46,6 +46,6 @@ def test_a_velocity_after_half_a_turn_rests_on_no_sine_that_was_not_written() ->
 
 
 def test_an_extension_of_either_sign_is_not_told_as_a_stretch() -> None:
-    """At its maximum compression the spring is not *stretched by* anything: its extension is negative."""
+    """At maximum compression the spring isn't *stretched by* anything: its extension is negative."""
     text = solution_text("mixed-medium-reverse-301932-1")
     assert r"The extension of the spring is $\ell + x - \ell_0$." in text

@@ -1,4 +1,4 @@
-"""The gate: what does not lead to the answer from its own data is no solution, and the next strategy is tried."""
+"""Tests of the verification that rejects solutions whose data don't lead to the answer."""
 
 import json
 from dataclasses import replace
@@ -68,7 +68,7 @@ def test_a_number_that_is_only_asserted_is_no_solution(role: Role) -> None:
 
 @pytest.mark.parametrize("name", ["Z_hidden", "T"])
 def test_an_invented_given_is_no_solution(name: str) -> None:
-    """A number that neither the text nor the question says, be it the answer or its name, leads to nothing."""
+    """A given number that neither the text nor the question contains is rejected, whatever its name."""
     held = setting()
     data = as_data(solve(held))
     goal = data["goal"]
@@ -81,7 +81,7 @@ def test_an_invented_given_is_no_solution(name: str) -> None:
 
 @pytest.mark.parametrize("problem", ["pendulum-hard-reverse-301914-0", "rolling-easy-reverse-301921-0"])
 def test_what_a_question_leaves_unknown_is_not_given(problem: str) -> None:
-    """An angle, and the time of a result that is stated."""
+    """The unknown is an angle in one problem and the time of a given result in the other."""
     (held,) = settings_of(problem)
     data = as_data(solve(held))
     assert not verification_fault(data, held)

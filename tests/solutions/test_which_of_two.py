@@ -1,4 +1,4 @@
-"""Solutions of questions for one of two: both answers in one text, then which it is."""
+"""Tests of solutions of questions that compare two bodies: both answers in one text, then the comparison."""
 
 from collections import Counter
 from functools import cache

@@ -1,4 +1,4 @@
-"""The exact engine compared with motions computed once more, and what such tests read of it."""
+"""Comparison of the exact engine with independently computed motions."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ Columns = Callable[[State], Sequence[Array]]
 
 @dataclass(frozen=True)
 class Measured:
-    """The worst differences of one test."""
+    """Greatest differences found by one test."""
 
     name: str
     columns: float
@@ -35,12 +35,12 @@ MEASURED = pytest.StashKey[list[Measured]]()
 
 
 def relative(found: Array, wanted: Array) -> float:
-    """The largest difference, of the largest value of each column."""
+    """Return the greatest difference, relative to the greatest value of each column."""
     return float((np.abs(found - wanted).max(axis=0) / np.maximum(np.abs(wanted).max(axis=0), SLIGHT)).max())
 
 
 class Agreement:
-    """Compares an exact motion with a reference."""
+    """Callable that compares an exact motion with a reference."""
 
     def __init__(self, request: pytest.FixtureRequest) -> None:
         self._request = request
@@ -54,7 +54,10 @@ class Agreement:
         events: dict[str, str] | None = None,
         substeps: int = 2,
     ) -> Record:
-        """`events` maps the engine's kinds of event to the reference's names for them, with bars between."""
+        """Assert that the motions agree, and return the record of the reference.
+
+        `events` maps the engine's kinds of event to the reference's names for them, separated by bars.
+        """
         phase, start = reference
         record, finer = (follow(phase, start, times, n) for n in (substeps, 2 * substeps))
         own = relative(record.array, finer.array)
@@ -71,7 +74,7 @@ class Agreement:
         return record
 
     def _events(self, found: Sequence[Event], wanted: Sequence[tuple[float, str]], names: dict[str, str]) -> float:
-        """How far the same events are apart, s."""
+        """Return the greatest difference in s between the times of corresponding events."""
         told = [event for event in found if event.kind in names]
         assert len(told) == len(wanted), (told, wanted)
         for event, (_, name) in zip(told, wanted, strict=True):
@@ -80,7 +83,7 @@ class Agreement:
 
 
 def about_y(moment: float) -> Tensor:
-    """The inertia of a body of which only the moment about y matters."""
+    """Return the inertia tensor of a body for which only the moment about y matters."""
     return (moment, moment, moment, 0.0, 0.0, 0.0)
 
 
@@ -93,7 +96,7 @@ def rate(state: State, name: str, sign: float = 1.0) -> Array:
 
 
 def plane_body(frame: Frame, name: str, mass: float, at: Vector, speed: tuple[float, float] = (0.0, 0.0)) -> Frame:
-    """A particle free in the plane, with a hook."""
+    """Build a particle that moves freely in the plane, with a hook."""
     made = frame.body(name, mass, at=at).slide(X, speed[0], name="x").slide(Z, speed[1], name="z")
     return made.site(f"{name}.hook")
 

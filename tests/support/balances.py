@@ -1,4 +1,4 @@
-"""What a motion should keep an account of: energy by work, momentum by impulse, angular momentum by that of torques.
+"""Balances of a motion: energy and work, momentum and impulse, angular momentum and the impulse of torques.
 
 Integrals are taken by Gauss's rule over every step of the exact engine; positions and velocities are sums over bodies,
 written here with `Frames` alone, and forces are those that the engine reports.
@@ -21,12 +21,12 @@ SHORT = 1e-6  # s: what lasts less is no span of time to integrate over
 
 
 def array(vector: object, like: Array) -> Array:
-    """A triple of numbers or arrays as (m, 3)."""
+    """Return a triple of numbers or arrays as an array of shape (m, 3)."""
     return np.stack([np.broadcast_to(np.asarray(part, dtype=float), like.shape) for part in vector], axis=1)  # type: ignore[attr-defined]
 
 
 class Moment:
-    """A mechanism at many instants."""
+    """Mechanism at many instants."""
 
     def __init__(self, state: State) -> None:
         self.state, self.mechanism, self.times = state, state.mechanism, state.times
@@ -55,7 +55,7 @@ class Moment:
         return total
 
     def potential(self) -> Array:
-        """Of weight, springs, attraction, and forces that have one everywhere."""
+        """Return the potential energy of weight, springs, attractions and forces with a potential."""
         total = np.zeros(len(self.times))
         for body in self.mechanism.bodies:
             total -= body.mass * self.place(body.name) @ np.array(self.mechanism.gravity)
@@ -73,7 +73,7 @@ class Moment:
         return total
 
     def power(self) -> Array:
-        """Of friction, damping, hands, winches and forces without a potential."""
+        """Return the power of friction, damping, hands, winches and forces without a potential."""
         total = np.zeros(len(self.times))
         number = self.mechanism.number
         for face in self.mechanism.faces:
@@ -115,7 +115,7 @@ class Moment:
         )
 
     def field(self, force: Force) -> Array:
-        """A force, zero outside its region."""
+        """Return a force, which is zero outside its region."""
         point = self.frames.center(force.body)
         found = array(force.law.force(point.place, point.velocity, self.times, np), self.times)
         if force.region is None:
@@ -124,7 +124,10 @@ class Moment:
         return found * (margins > 0.0).all(axis=0)[:, None]
 
     def outside(self) -> Iterator[tuple[Array, Array]]:
-        """Every force on a moving body: where it acts and how large it is, (m, 3) each; pairs cancel by themselves."""
+        """Yield the point of action and the value of every force on a moving body, each of shape (m, 3).
+
+        Pairs of internal forces cancel in the sum.
+        """
         for body in self.mechanism.bodies:
             if body.name in self.moving:
                 weight = body.mass * np.array(self.mechanism.gravity)
@@ -142,7 +145,7 @@ class Moment:
         yield from self._pressed()
 
     def _pulled(self) -> Iterator[tuple[Array, Array]]:
-        """What lines do at the points that they lead through."""
+        """Yield the forces of lines at the points through which they lead."""
         for line in self.mechanism.lines:
             tension = self.tension(line)[:, None]
             for first, last in pairwise(line.through):
@@ -153,7 +156,7 @@ class Moment:
                         yield place, sign * pull
 
     def _pressed(self) -> Iterator[tuple[Array, Array]]:
-        """What the room's faces do to the bodies on them."""
+        """Yield the forces of the room's faces on the bodies that touch them."""
         for face in self.mechanism.faces:
             body = self.mechanism.body[face.subject]
             if body.parent is None:
@@ -166,7 +169,7 @@ class Moment:
         return sum((masses[name].mass * self.velocity(name) for name in self.moving), np.zeros((len(self.times), 3)))
 
     def angular_momentum(self) -> Array:
-        """About the room's origin, of particles."""
+        """Return the angular momentum of all particles about the room's origin."""
         each = (
             self.mechanism.body[name].mass * np.cross(self.place(name), self.velocity(name)) for name in self.moving
         )
@@ -175,7 +178,7 @@ class Moment:
 
 @dataclass(frozen=True)
 class Account:
-    """One stretch of a motion without events: errors of the balances, relative to the largest entry of each."""
+    """Errors of the balances over a time interval without events, relative to the largest entry of each."""
 
     energy: float
     momentum: float
@@ -183,13 +186,13 @@ class Account:
 
 
 def spans(motion: Motion) -> Iterator[tuple[float, float]]:
-    """The times between events."""
+    """Return the time intervals between events."""
     borders = [*(segment.start for segment in motion.segments), motion.end]
     return ((a, b) for a, b in pairwise(borders) if b - a > SHORT)
 
 
 def account(motion: Motion, start: float, end: float) -> Account:
-    """The balances of one stretch."""
+    """Return the balances of one time interval."""
     last = end - BEFORE
     inner = motion.knots[(motion.knots > start) & (motion.knots < last)]
     edges = np.array([start, *inner, last])

@@ -1,4 +1,4 @@
-"""What acceptance tests draw from: every recipe in every difficulty."""
+"""Samples for acceptance tests: scenes and questions of every recipe in every difficulty."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -17,12 +17,12 @@ CELLS = [(recipe, difficulty) for recipe in RECIPES for difficulty in DIFFICULTI
 
 
 def drawn(recipe: str, difficulty: Difficulty, number: int, seed: int = 11) -> Iterator[Scene]:
-    """The first scenes of a cell, as drawn."""
+    """Return the first scenes of a cell, unfiltered."""
     return (sample(recipe, difficulty, seed=seed, index=index) for index in range(number))
 
 
 def asked(recipe: str, difficulty: Difficulty, seed: int = 11) -> Iterator[tuple[Scene, CertifiedQuestion]]:
-    """Questions of a cell that passed every filter, each with its scene, for ever."""
+    """Yield without end questions of a cell that passed every filter, each with its scene."""
     for attempt in count():
         rng = generator("acceptance", recipe, difficulty, seed, attempt)
         try:

@@ -1,4 +1,4 @@
-"""One entity drawn at random, and what must hold of it: it travels through text and file, and both engines agree."""
+"""Random entities, and assertions about their text, their file and the agreement of both engines."""
 
 import numpy as np
 
@@ -12,7 +12,7 @@ TRIES = 50
 
 
 def drawn_entity(cls: type[Entity], seed: int, choices: Choices) -> Entity:
-    """A random one; what is refused is drawn again, as recipes do."""
+    """Return a random valid entity; refused draws are repeated, as in recipes."""
     rng = np.random.default_rng(seed)
     for _ in range(TRIES):
         try:
@@ -23,7 +23,7 @@ def drawn_entity(cls: type[Entity], seed: int, choices: Choices) -> Entity:
 
 
 def travels(entity: Entity, seed: int) -> None:
-    """Assert that its text and its file lead back to it."""
+    """Assert that the text and the file of an entity lead back to it."""
     scene = alone(entity)
     text = sim2reason.describe(scene, seed).text
     assert sim2reason.parse_scene(text).scene.entities[0].entity == entity, text
@@ -31,6 +31,6 @@ def travels(entity: Entity, seed: int) -> None:
 
 
 def certified(entity: Entity) -> float:
-    """The part of its horizon for which both engines agree."""
+    """Return the fraction of the scene's horizon for which both engines agree."""
     scene = alone(entity)
     return sim2reason.certify(scene)[1].stable_until / scene.horizon

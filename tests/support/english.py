@@ -1,4 +1,4 @@
-"""A prompt taken apart, for whoever checks its English."""
+"""Analysis of prompts for tests of their English."""
 
 import re
 from dataclasses import dataclass
@@ -21,66 +21,66 @@ STRING = re.compile(
 
 @dataclass(frozen=True)
 class Prose:
-    """A prompt of some shape: its story with its table, its question and its format line."""
+    """Prompt of some shape, split into its story with its table, its question and its format line."""
 
     text: str
     shape: str = "scene_first"
 
     @cached_property
     def usual(self) -> Draft:
-        """Its story and its question as they would stand in the usual shape."""
+        """Story and question in the order of the usual shape."""
         return next(iter(SHAPES[self.shape].drafts(self.body)))
 
     @cached_property
     def body(self) -> str:
-        """All but the format line."""
+        """Text without the format line."""
         return FORMAT.sub("", self.text).strip()
 
     @cached_property
     def plain(self) -> str:
-        """The story and the question without the rows of a table."""
+        """Story and question without the rows of a table."""
         return " ".join(line.strip() for line in self.body.splitlines() if line and not line.startswith("|"))
 
     @cached_property
     def sentences(self) -> list[str]:
-        """Sentences, the question last; a full stop inside a number ends nothing."""
+        """Sentences, the question last; a decimal point ends no sentence."""
         return [found.strip() for found in re.split(r"(?<=[.?])\s+(?=[A-Z0-9])", self.plain) if found.strip()]
 
     @property
     def question(self) -> str:
-        """The sentence that asks."""
+        """Sentence that asks the question."""
         return self.usual.question
 
     @cached_property
     def story(self) -> list[str]:
-        """All others, in the usual order."""
+        """Sentences other than the question, in the usual order."""
         return [unit for unit in units(self.usual.story) if not is_table(unit)]
 
     @property
     def words(self) -> int:
-        """As a reader counts them: no bars of a table, no format line."""
+        """Number of words, without the bars of a table and the format line."""
         return sum(bool(re.search(r"\w", word)) for word in self.body.split())
 
     @property
     def verb(self) -> str:
-        """The word that asks."""
+        """Verb of the question."""
         found = VERB.search(self.question)
         return found.group().lower() if found else ""
 
 
 def shape(sentence: str) -> str:
-    """A sentence with its numbers and letters masked."""
+    """Return a sentence with its numbers and letters masked."""
     return LETTER.sub("X", re.sub(rf"{NUMBER.pattern} ?(?:{UNITS})?", "#", sentence))
 
 
 def digits(number: str) -> int:
-    """Significant digits as written; zeros that end a whole number don't count."""
+    """Return the number of significant digits; trailing zeros of a whole number don't count."""
     whole = number.replace(".", "").lstrip("0")
     return len(whole if "." in number else whole.rstrip("0")) or 1
 
 
 def introduced(letter: str, story: str) -> bool:
-    """Whether the first time that a letter stands in a text, a noun or a list of like bodies introduces it."""
+    """Return whether a noun or a list of like bodies introduces a letter where it first occurs in a text."""
     noun = r"\b(?!(?:from|to|of|and|at|on|over|with|round|joins|reaches|carries)\b)[a-z]+"
     first = re.search(rf"(?<![A-Za-z$]){letter}(?![A-Za-z$])", story)
     before = story[: first.start()] if first else ""

@@ -1,4 +1,4 @@
-"""Makers for tests: fast and deterministic; some crash, hang or raise at certain indices."""
+"""Fast and deterministic makers for tests, some of which crash, hang or raise at certain indices."""
 
 import hashlib
 import os
@@ -12,7 +12,7 @@ BAD = 7  # the index of the item that goes wrong
 
 
 def steady(request: Request) -> Made:
-    """A problem whose numbers are a hash of the request; index 3 finds no draw."""
+    """Return a problem whose numbers are a hash of the request; index 3 of inclines finds no item."""
     if request.index == 3 and request.recipe == "incline":
         return Made(None, {"shortcut": 12})
     number = int.from_bytes(hashlib.sha256(request.id.encode()).digest()[:4], "big")
@@ -45,18 +45,18 @@ def steady(request: Request) -> Made:
 
 
 def wanting(request: Request) -> Made:
-    """Steady, but what is wanted is always a period."""
+    """Return the problem of `steady` with a period as the wanted kind."""
     return replace(steady(request), wanted="period")
 
 
 def nothing(request: Request) -> Made:
-    """Return no item, as if no scene of the cell could be asked about."""
+    """Return no item, as if no question could be asked about any scene of the cell."""
     del request
     return Made(None, {"nothing to ask": 40})
 
 
 def slow(request: Request) -> Made:
-    """Steady, but 5 ms each, so that there is time to be killed."""
+    """Return the problem of `steady` after 5 ms, so that a run can be killed meanwhile."""
     time.sleep(0.005)
     return steady(request)
 
@@ -83,7 +83,7 @@ def raising(request: Request) -> Made:
 
 
 def twins(request: Request) -> Made:
-    """Items of odd index repeat the words of the one before."""
+    """Return items of which each odd index repeats the prompt of the index before."""
     made = steady(request)
     if made.item is None or request.index % 2 == 0:
         return made
@@ -93,19 +93,19 @@ def twins(request: Request) -> Made:
 
 
 def impostor(request: Request) -> Made:
-    """An item that bears another's id."""
+    """Return an item with the id of another one."""
     made = steady(request)
     return Made(made.item and made.item.model_copy(update={"id": "other"}), made.rejected)
 
 
 def one_scene(request: Request) -> Made:
-    """Steady, but of one scene, about which each asks something else."""
+    """Return the problem of `steady` with one common scene, about which each item asks a different question."""
     made = steady(request)
     return Made(made.item and made.item.model_copy(update={"scene": "scene: {}\n"}), made.rejected)
 
 
 def with_answers(request: Request) -> Made:
-    """Steady, but of all kinds of answers: a weight, a signed component, a count, a formula; with wrong ones."""
+    """Return items with all kinds of answers (weight, signed component, count, formula) and wrong options."""
     made = steady(request)
     if made.item is None:
         return made
@@ -141,7 +141,7 @@ def _weight(value: float) -> Answer:
 
 
 def masses(request: Request) -> Made:
-    """Steady, but of one problem, whose only number is a mass of three digits; some say the same in the same words."""
+    """Return items of one problem whose only number is a mass of three digits; some have equal prompts."""
     made = steady(request)
     if made.item is None:
         return made
@@ -157,7 +157,7 @@ def masses(request: Request) -> Made:
 
 
 def few(request: Request) -> Made:
-    """Steady, but of one problem that has only a dozen masses, each a tenth from the next, in no order."""
+    """Return items of one problem with only a dozen masses, successive ones a tenth apart, in random order."""
     made = steady(request)
     if made.item is None:
         return made

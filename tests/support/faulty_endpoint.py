@@ -1,4 +1,4 @@
-"""An OpenAI-compatible endpoint on this machine that does wrong what endpoints are known to do wrong."""
+"""Local OpenAI-compatible endpoint with the typical faults of endpoints."""
 
 import json
 import sys
@@ -15,7 +15,7 @@ KEY = "sk-test-7Kq0secret/+=9"
 
 
 def answer(text: object, finish: object = "stop", **message: object) -> dict[str, Any]:
-    """A whole answer with its usage."""
+    """Return a complete answer with its usage."""
     return {
         "choices": [
             {"index": 0, "message": {"role": "assistant", "content": text, **message}, "finish_reason": finish}
@@ -26,7 +26,7 @@ def answer(text: object, finish: object = "stop", **message: object) -> dict[str
 
 @dataclass
 class Said:
-    """What the server does with one request."""
+    """Response of the server to one request."""
 
     body: bytes | dict[str, Any] = b""
     status: int = 200
@@ -53,7 +53,7 @@ Behaviour = Callable[[int, dict[str, Any], str], Said]
 
 @dataclass
 class Endpoint:
-    """A running server."""
+    """Running server."""
 
     url: str
     requests: list[dict[str, Any]] = field(default_factory=list[dict[str, Any]])
@@ -62,7 +62,7 @@ class Endpoint:
 
 @contextmanager
 def serving(behaviour: Behaviour) -> Generator[Endpoint, None, None]:
-    """Serve on a free port while the block runs."""
+    """Serve on a free port within the context."""
     lock, running = threading.Lock(), [0]
 
     class Handler(BaseHTTPRequestHandler):
@@ -106,10 +106,10 @@ def serving(behaviour: Behaviour) -> Generator[Endpoint, None, None]:
 
 
 def _main(log: str) -> None:
-    """Serve until killed: faults at first, then answers; each whole answer is noted in the file `log`, one line each.
+    """Serve until killed, faults first and then answers, and append a line per complete answer to the file `log`.
 
-    The address stands in the first line that is printed. What is done hangs on the prompt and on how often it was
-    asked, so that every fault is met, and no request fails for ever.
+    The first line printed is the address. The response depends on the prompt and on the number of earlier requests
+    for it, so that every fault occurs and no request fails forever.
     """
     seen: dict[str, int] = {}
     lock, faults = threading.Lock(), [*FAULTS.values()]

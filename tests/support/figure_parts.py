@@ -25,7 +25,7 @@ class Slider(Entity):
     pivot = Mount(sites=("pin",), place="{carriage}")
 
     def build(self, room: Frame) -> None:
-        """One slide."""
+        """Build one slide."""
         carriage = room.body("carriage", self.carriage.mass).slide(X)
         carriage.site("left", faces=(-1.0, 0.0, 0.0)).site("right", faces=X).site("pin")
 
@@ -40,12 +40,12 @@ class RodPendulum(Entity):
     top = Base(held="{bob}")
 
     def build(self, room: Frame) -> None:
-        """One hinge, about y."""
+        """Build one hinge about y."""
         length = self.rod.length
         room.body("bob", self.bob.mass, center=(length * sin(LEANING), 0.0, -length * cos(LEANING))).hinge(Y)
 
 
 def scene_of(*connections: Connection, **entities: Entity) -> Scene:
-    """A scene of entities by name."""
+    """Return a scene of entities by name."""
     named = tuple(Named(name=name, entity=entity) for name, entity in entities.items())
     return Scene(entities=named, connections=connections)

@@ -1,4 +1,4 @@
-"""Formulas apart from their spelling: valued independently of the grader, spelled at random, and mutated."""
+"""Formula trees that are evaluated without the grader, written at random, and mutated."""
 
 import math
 import operator
@@ -39,7 +39,7 @@ FORMS = {  # s: a part as it is, p: the part in parentheses, n: the exponent
 
 @dataclass(frozen=True)
 class Tree:
-    """A formula: a symbol by name, a number, or a kind of operation on parts; a power has its exponent as number."""
+    """Formula: a symbol by name, a number, or an operation on parts; a power has its exponent as number."""
 
     kind: str
     parts: tuple["Tree", ...] = ()
@@ -47,7 +47,7 @@ class Tree:
     number: float = 0.0
 
     def value(self, at: dict[str, float]) -> float:
-        """What it is worth where the symbols are set as in `at`."""
+        """Return the value of the formula for the symbols in `at`."""
         if self.kind == "number":
             return self.number
         if self.kind == "symbol":
@@ -56,17 +56,17 @@ class Tree:
         return math.pow(parts[0], self.number) if self.kind == "power" else MEANING[self.kind](*parts)
 
     def nodes(self) -> list["Tree"]:
-        """It and all that it is made of."""
+        """Return the node and all nodes below it."""
         return [self, *(node for part in self.parts for node in part.nodes())]
 
     def replaced(self, old: "Tree", new: "Tree") -> "Tree":
-        """The formula with the very object `old` exchanged."""
+        """Return the formula with the very object `old` exchanged."""
         if self is old:
             return new
         return Tree(self.kind, tuple(part.replaced(old, new) for part in self.parts), self.name, self.number)
 
     def spell(self, rng: random.Random) -> str:
-        """One of its many spellings."""
+        """Return one of the many spellings of the formula."""
         if self.kind == "number":
             return f"{self.number:g}"
         if self.kind == "symbol":
@@ -80,12 +80,12 @@ class Tree:
 
 
 def leaf(kind: str, **fields: object) -> Tree:
-    """A symbol or a number."""
+    """Return a symbol or a number."""
     return Tree(kind, (), **fields)
 
 
 def mutant(tree: Tree, rng: random.Random) -> Tree:
-    """The tree with one sign, factor, exponent, symbol, term or constant changed."""
+    """Return the tree with one sign, factor, exponent, symbol, term or constant changed."""
     node = rng.choice(tree.nodes())
     changes = [
         Tree("minus", (node,)),
@@ -106,7 +106,7 @@ def mutant(tree: Tree, rng: random.Random) -> Tree:
 
 
 def values(tree: Tree, points: list[dict[str, float]]) -> list[float | None]:
-    """The values at `points`, None where there is none."""
+    """Return the values at `points`, None where there is none."""
     found: list[float | None] = []
     for point in points:
         try:

@@ -1,7 +1,7 @@
-"""Grade hostile texts in a process of its own: ``python fuzz.py COUNT SEED`` prints what went wrong, as JSON.
+"""Fuzz test of the grader in a separate process: ``python fuzz.py COUNT SEED`` prints the failures as JSON.
 
-An audit hook notes anything that touches the world while a text is graded. References and tolerance are such that
-no text made here can be right by luck, so every accepted one is a false accept.
+An audit hook records all access to files, processes and the like during grading. References and tolerance are such
+that no text made here can be right by luck, so every accepted one is a false accept.
 """
 
 import itertools
@@ -43,7 +43,7 @@ def seconds(kind: str, text: str) -> float:
 
 
 class EventDetector:
-    """Notes, while it is on, what touches the world; an audit hook can't be taken away again."""
+    """Recorder of audit events while it is on; an audit hook can't be removed again."""
 
     def __init__(self) -> None:
         self.on, self.events = False, []
@@ -84,7 +84,7 @@ def main(count: int, seed: int) -> dict[str, object]:
 
 
 def memory(giants: list[str]) -> int:
-    """The most bytes that grading any of them takes."""
+    """Return the peak memory in bytes of grading all texts."""
     tracemalloc.start()
     for text in giants:
         for grade in GRADES.values():

@@ -1,4 +1,4 @@
-"""The published cases of the grader, and the verdict on one of them."""
+"""Published cases of the grader, and the verdict on one of them."""
 
 import json
 from pathlib import Path
@@ -17,7 +17,7 @@ REFUSALS: dict[str, str] = json.loads((DATA / "refusals.json").read_text(encodin
 
 
 def grade(case: dict[str, str]) -> Score:
-    """The score of a case; a numeric reference is a number, with its unit after a space if it is known.
+    """Return the score of a case; a numeric reference is a number, with its unit after a space if it is known.
 
     The kind *lenient* is numeric without a box; *scoring:RULE* is scored by a benchmark's rule.
     """
@@ -34,5 +34,5 @@ def grade(case: dict[str, str]) -> Score:
 
 
 def verdict(case: dict[str, str]) -> str:
-    """The whole score as text, to be compared across threads and processes."""
+    """Return the whole score as text, for comparisons across threads and processes."""
     return repr(grade(case))

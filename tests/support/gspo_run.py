@@ -1,4 +1,4 @@
-"""A run of GSPO on a tiny random model, in this process or by torchrun; it tells what was learned from.
+"""Run of GSPO on a tiny random model, in this process or by torchrun, with a log of its batches.
 
 python gspo_run.py FOLDER '{"settings": {...}, "rewards": ["parity"], ...}'
 """
@@ -18,7 +18,7 @@ HOPELESS = 3  # one prompt of so many has no right completion
 
 
 class Numbers:
-    """Prompts with a number each, without end or up to `length`."""
+    """Endless or finite stream of prompts, each with one number."""
 
     cpu_seconds = 0.0
 
@@ -54,7 +54,7 @@ class Numbers:
 
 
 def parity(number: Sequence[int], completion_ids: Tokens, **_: Thing) -> list[float]:
-    """1 if the sum of tokens is even, but never for hopeless prompts."""
+    """Return 1 for an even sum of tokens and 0 for an odd one, and 0 for all hopeless prompts."""
     return [
         float(sum(ids) % 2 == 0 and which % HOPELESS != 0) for ids, which in zip(completion_ids, number, strict=True)
     ]
@@ -65,7 +65,7 @@ def never(completion_ids: Tokens, **_: Thing) -> list[float]:
 
 
 def first(number: Sequence[int], completion_ids: Tokens, **_: Thing) -> list[float]:
-    """Right now and then for two prompts, never for others."""
+    """Return 1 for an even sum of tokens of the first two prompts, and 0 for all others."""
     return [float(sum(ids) % 2 == 0 and which < 2) for ids, which in zip(completion_ids, number, strict=True)]
 
 
@@ -81,7 +81,7 @@ REWARDS = {each.__name__: each for each in (parity, never, first, of_ground_trut
 
 
 def tiny_model(folder: Path, heads: int = 2) -> Path:
-    """A Qwen2 of two layers with a token for each byte."""
+    """Write a Qwen2 of two layers with a token for each byte, and return its folder."""
     import torch
     from tokenizers import Tokenizer, decoders, models, pre_tokenizers
     from transformers import PreTrainedTokenizerFast, Qwen2Config, Qwen2ForCausalLM
@@ -123,7 +123,7 @@ def settings(**changed: Thing) -> Thing:
 
 
 def trainer(model: Path, out: Path, stream: Thing, rewards: Sequence[str], **changed: Thing) -> Thing:
-    """A trainer that writes what each step learns from to `out`."""
+    """Return a trainer that logs the batch of each step in `out`."""
     from transformers import AutoTokenizer
 
     from sim2reason.training.gspo import make_trainer
@@ -142,7 +142,7 @@ def trainer(model: Path, out: Path, stream: Thing, rewards: Sequence[str], **cha
 
 
 def tell(trainer: Thing, batch: Thing, path: Path) -> None:
-    """A line with what is learned: prompts, tokens of completions, advantages."""
+    """Append a line with a batch: prompts, tokens of completions, advantages."""
     shown = {
         "step": trainer.state.global_step // trainer.settings.minibatches + 1,
         "prompts": [

@@ -1,4 +1,4 @@
-"""What runs of GSPO tell, read back."""
+"""Reading and checks of the logs of GSPO runs."""
 
 import json
 from collections.abc import Iterator
@@ -13,7 +13,7 @@ from gspo_run import HOPELESS
 
 @dataclass(frozen=True)
 class LearnedGroup:
-    """What a step learned from one prompt, on one process."""
+    """Completions of one prompt in the batch of a step, on one process."""
 
     step: int
     rank: int
@@ -27,7 +27,7 @@ def lines(path: Path) -> list[dict[str, Any]]:
 
 
 def learned(out: Path, generations: int) -> Iterator[LearnedGroup]:
-    """All groups; each is of one prompt."""
+    """Yield all groups of completions, each with one prompt."""
     for path in sorted(out.glob("learned-*.jsonl")):
         rank = int(path.stem.rpartition("-")[2])
         for line in lines(path):
@@ -41,7 +41,7 @@ def learned(out: Path, generations: int) -> Iterator[LearnedGroup]:
 
 
 def check_groups(out: Path, prompts: int, generations: int, ranks: int) -> None:
-    """All groups have unequal rewards, as their tokens say, each prompt is learned once, and all share alike."""
+    """Assert unequal rewards and right advantages in each group, unique prompts, and equal shares per process."""
     groups = list(learned(out, generations))
     for group in groups:
         rewards = [float(sum(ids) % 2 == 0 and group.number % HOPELESS != 0) for ids in group.completions]

@@ -1,4 +1,4 @@
-"""Answers that try to crash, stall, blow up or outwit a grader; shared by the tests and the benchmark."""
+"""Answers that try to crash, stall, blow up or mislead a grader; shared by the tests and the benchmark."""
 
 import random
 from collections.abc import Iterator
@@ -62,7 +62,7 @@ PIECES = [
 
 
 def giants() -> dict[str, str]:
-    """One answer for each way that is known to hurt, at its largest."""
+    """Return the largest answer of each kind that is known to be harmful."""
     deep = "1"
     for _ in range(25):
         deep = rf"\frac{{1}}{{1+{deep}}}"
@@ -144,7 +144,7 @@ def giants() -> dict[str, str]:
 
 
 def strings(count: int, seed: int) -> Iterator[str]:
-    """Random boxed texts: soups of pieces, nested pieces, code, broken answers."""
+    """Yield random boxed texts: mixed pieces, nested pieces, code, broken answers."""
     rng = random.Random(seed)
     for _ in range(count):
         length = rng.choice((1, 2, 3, 5, 8, 13, 40, 150))

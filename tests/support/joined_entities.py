@@ -1,4 +1,4 @@
-"""Scenes of an entity whose ports are joined to others, by hand or at random, and how their motion is read."""
+"""Scenes of an entity whose ports are joined to others, by hand or at random, and their motion."""
 
 from collections.abc import Mapping
 
@@ -33,18 +33,18 @@ CHOICES: Mapping[str, Choice] = {
 
 
 def scene(entities: Mapping[str, Entity], *connections: Connection) -> Scene:
-    """A scene of named entities."""
+    """Return a scene of named entities."""
     named = tuple(Named(name=name, entity=entity) for name, entity in entities.items())
     return Scene(entities=named, connections=connections)
 
 
 def string(*ports: str) -> String:
-    """A string through ports as a file writes them: ``string("stack.upper_right", "load.tail")``."""
+    """Return a string through ports written as in a file: ``string("stack.upper_right", "load.tail")``."""
     return String(links=tuple(_link(port) for port in ports))
 
 
 def pivot(mount: str, base: str) -> Pivot:
-    """A pivot that lets the second hang from the first."""
+    """Return a pivot from which the second entity hangs on the first."""
     return Pivot(links=(_link(mount), _link(base)))
 
 
@@ -54,32 +54,32 @@ def _link(port: str) -> Link:
 
 
 class Followed:
-    """The motion of a scene as the exact engine finds it, read by the names of coordinates and lines."""
+    """Motion of a scene by the exact engine, with access by the names of coordinates and lines."""
 
     def __init__(self, made: Scene, until: float, count: int = 101) -> None:
-        """Evenly spaced times from 0 to `until`, s."""
+        """Simulate the scene at evenly spaced times from 0 to `until` in s."""
         self.times: Array = np.linspace(0.0, until, count)
         self.trace: Trace = simulate(made.mechanism, self.times)
         self._number = made.mechanism.number
 
     def q(self, name: str) -> Array:
-        """A coordinate, m or rad."""
+        """Return a coordinate in m or rad."""
         return self.trace.state.q[:, self._number[name]]
 
     def v(self, name: str) -> Array:
-        """Its rate."""
+        """Return the first time derivative of a coordinate."""
         return self.trace.state.v[:, self._number[name]]
 
     def a(self, name: str) -> Array:
-        """The rate of that."""
+        """Return the second time derivative of a coordinate."""
         return self.trace.state.a[:, self._number[name]]
 
     def tension(self, name: str) -> Array:
-        """The tension of a line, N."""
+        """Return the tension of a line in N."""
         return self.trace.state.tension[name]
 
     def events(self, *kinds: str) -> list[tuple[str, tuple[str, ...], float]]:
-        """The events of some kinds, or of all but turns."""
+        """Return the events of the given kinds, by default all but turning points."""
         wanted = [e for e in self.trace.events if (e.kind in kinds if kinds else e.changes_motion)]
         return [(e.kind, e.subjects, e.time) for e in wanted]
 
@@ -92,7 +92,7 @@ def close(found: object, wanted: object, scale: float = 0.0) -> None:
 
 
 def at_random(kind: str, seed: int) -> Scene:
-    """An entity of a class whose ports are joined at random to what can close them."""
+    """Return a scene with an entity of a class whose ports are joined at random to others that fit."""
     return _Composition(kind, np.random.default_rng([7, seed])).made()
 
 

@@ -1,4 +1,4 @@
-"""Scenes of one entity, and how their motion is sampled."""
+"""Scenes of one entity, and samples of their motion."""
 
 from collections.abc import Mapping
 
@@ -13,17 +13,17 @@ from sim2reason.simulation.trace import Trace
 
 
 def alone(entity: Entity) -> Scene:
-    """A scene of nothing else."""
+    """Return a scene with only the given entity."""
     return Scene(entities=(Named(name="it", entity=entity),))
 
 
 def drawn(name: str, seed: int, choices: Mapping[str, Choice] | None = None) -> Scene:
-    """A random entity of a class, by itself."""
+    """Return a scene with one random entity of a class."""
     return alone(draw(ENTITIES[name], np.random.default_rng(seed), choices or {}))
 
 
 def followed(entity: Entity, until: float, count: int = 201) -> Trace:
-    """The motion of an entity by itself, as the exact engine finds it, at evenly spaced times."""
+    """Return the motion of a lone entity by the exact engine, at evenly spaced times."""
     return simulate(alone(entity).mechanism, np.linspace(0.0, until, count))
 
 
@@ -35,10 +35,10 @@ def close(found: object, wanted: object, scale: float = 0.0) -> None:
 
 
 def planar(trace: Trace) -> tuple[Array, Array, Array, Array]:
-    """The first two coordinates of a motion and their rates, (n,) each."""
+    """Return the first two coordinates of a motion and their rates, (n,) each."""
     return trace.state.q[:, 0], trace.state.q[:, 1], trace.state.v[:, 0], trace.state.v[:, 1]
 
 
 def happened(trace: Trace, *kinds: str) -> list[tuple[str, float]]:
-    """The events of some kinds, or of all but turns, with their times, s."""
+    """Return the events of the given kinds, by default all but turning points, with their times in s."""
     return [(e.kind, e.time) for e in trace.events if (e.kind in kinds if kinds else e.changes_motion)]

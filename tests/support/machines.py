@@ -1,4 +1,4 @@
-"""Mechanisms that several tests of the simulation share, made with the builder alone."""
+"""Mechanisms shared by tests of the simulation, made with the builder alone."""
 
 from collections.abc import Callable
 from math import cos, radians, sin
@@ -11,7 +11,7 @@ from sim2reason.scenes.dsl.vectors import Vector, scale
 
 
 def face(angle: float, side: float = 1.0) -> tuple[Vector, Vector]:
-    """Up the slope and out of it; `side` −1 mirrors it."""
+    """Return the unit vectors up the slope and normal to it; `side` −1 mirrors them."""
     slope = radians(angle)
     return (side * cos(slope), 0.0, sin(slope)), (-side * sin(slope), 0.0, cos(slope))
 
@@ -80,7 +80,7 @@ def wedge(
     floor: float = 0.0,
     weight: float = 0.0,
 ) -> Mechanism:
-    """A wedge on the floor, a block on its face, and with `weight` another block hanging at its upright side."""
+    """Build a wedge on the floor with a block on its face and, with `weight`, another one hanging at its side."""
     builder = Builder()
     carrier = builder.room().body("wedge", mass).rest(X, Z, floor)
     uphill, out = face(angle)
@@ -100,7 +100,7 @@ def prism(
     friction: tuple[float, float, float] = (0.0, 0.0, 0.0),
     slack: float = 0.0,
 ) -> Mechanism:
-    """Two blocks on the faces of a prism that may slide; friction of left block, right block and floor."""
+    """Build two blocks on the faces of a prism that may slide, with friction of left block, right block and floor."""
     builder = Builder()
     carrier = builder.room().body("prism", mass).rest(X, Z, friction[2])
     carrier.site("top")
@@ -134,7 +134,7 @@ def stack(
 def discs(
     restitution: float = 0.5, speed: float = 2.0, offset: float = 0.05, first: float = 1.0, second: float = 2.0
 ) -> Mechanism:
-    """Two discs on a smooth table, the first thrown at the second."""
+    """Build two discs on a smooth table, the first thrown at the second."""
     builder = Builder()
     room = builder.room()
     a = room.body("first", first).rest(X, Z, speed=speed).slide(Y, name="across")
@@ -146,7 +146,7 @@ def discs(
 def carts(
     restitution: float = 0.5, friction: float = 0.1, weight: float = 0.3, masses: tuple[float, float] = (2.0, 1.0)
 ) -> Mechanism:
-    """A cart runs into another, which a string over the table's edge ties to a weight, if there is one."""
+    """Build two carts that collide; with `weight`, a string over the table's edge ties the second to a weight."""
     builder = Builder()
     room = builder.room()
     runner = room.body("runner", masses[0], at=(-1.0, 0.0, 0.0)).rest(X, Z, friction, speed=4.0)
@@ -160,7 +160,7 @@ def carts(
 
 
 def train(rng: np.random.Generator) -> Mechanism:
-    """Carts in a row, some tied, some loose, some that bounce, some carrying a block or a slope, drawn by pulleys."""
+    """Build a row of random carts, some tied or bouncing, some with a block or a slope on them, drawn by pulleys."""
     builder = Builder()
     room = builder.room()
     previous: Frame | None = None
@@ -214,7 +214,7 @@ def _cargo(cart: Frame, number: int, rng: np.random.Generator) -> None:
 
 
 def _drawn(room: Frame, count: int, rng: np.random.Generator) -> None:
-    """What draws the last cart: nothing, a hand, a weight over a pulley, or two weights over a movable one."""
+    """Add the random drive of the last cart: nothing, a hand, a weight over a pulley, or two over a movable one."""
     kind, last = rng.random(), f"front{count - 1}"
     edge = 2.0 * count + 1.0
     if kind < 0.2:
@@ -242,7 +242,7 @@ def _drawn(room: Frame, count: int, rng: np.random.Generator) -> None:
 
 
 def _corner(room: Frame, edge: float, rng: np.random.Generator) -> Rim:
-    """The pulley at the edge of the table, whose left rim point is level with the table."""
+    """Return the pulley at the edge of the table, whose left rim point is level with the table."""
     mass = float(rng.choice([0.0, round(rng.uniform(0.2, 3.0), 2)]))
     return room.pulley("corner", (edge, 0.0, 0.0), mass=mass, radius=0.1)
 

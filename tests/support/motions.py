@@ -20,14 +20,14 @@ SAMPLES = 41
 
 
 class Motion:
-    """A mechanism, how its text calls what is in it, and how long it is followed."""
+    """Mechanism with its names in the text and the duration of its motion."""
 
     def __init__(self, mechanism: Mechanism, mentions: Mapping[str, str], duration: float) -> None:
-        """`mentions` are the bodies, springs and strings of the text by address."""
+        """Take `mentions` as the bodies, springs and strings of the text by address."""
         self.mechanism, self.mentions, self.duration = mechanism, mentions, duration
 
     def told(self) -> tuple[SimulatedScene, Words]:
-        """The motion by the exact engine, and the words of a text that says every number."""
+        """Return the motion by the exact engine, and the words of a text that states every number."""
         trace = simulate(self.mechanism, np.linspace(0.0, self.duration, SAMPLES))
         numbers = ("mass", "charge", "stiffness", "length")
         said = frozenset(f"{name}.{number}" for name in self.mentions for number in numbers)
@@ -36,7 +36,7 @@ class Motion:
 
 
 def string_pendulum(share: float = 3.5, length: float = 1.0) -> Motion:
-    """A bob that hangs on a string and is struck: v₀² = share·gℓ; for 2 < share < 5 the string goes slack."""
+    """Build a bob hanging on a string and struck with v₀² = share·gℓ; for 2 < share < 5 the string goes slack."""
     builder = Builder()
     room = builder.room("swing")
     room.site("point")
@@ -47,7 +47,7 @@ def string_pendulum(share: float = 3.5, length: float = 1.0) -> Motion:
 
 
 def rod_pendulum(angle: float = 60.0) -> Motion:
-    """A uniform rod of 1.2 m and 2 kg on a hinge at its end, let go from an angle with the vertical, in degrees."""
+    """Build a uniform rod of 1.2 m and 2 kg, hinged at its end, released at `angle` degrees from the vertical."""
     builder = Builder()
     away = radians(angle)
     down = (sin(away), 0.0, -cos(away))
@@ -58,12 +58,12 @@ def rod_pendulum(angle: float = 60.0) -> Motion:
 
 
 def tensor(matrix: np.ndarray) -> tuple[float, ...]:
-    """The six numbers of a symmetric matrix: xx, yy, zz, xy, xz, yz."""
+    """Return the six numbers of a symmetric matrix: xx, yy, zz, xy, xz, yz."""
     return tuple(float(matrix[i, j]) for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)))
 
 
 def light_rod(angle: float = 60.0) -> Motion:
-    """A bob on a light rod of 0.8 m, let go."""
+    """Build a bob on a light rod of 0.8 m, released from rest."""
     builder = Builder()
     away = radians(angle)
     rod = builder.room("swing").body("hanger").hinge(Y)
@@ -72,7 +72,7 @@ def light_rod(angle: float = 60.0) -> Motion:
 
 
 def rolling_ball(speed: float = 3.0, friction: float = 0.2) -> Motion:
-    """A solid ball of 2 kg and 0.1 m that is set sliding on a level floor, without spin."""
+    """Build a solid ball of 2 kg and 0.1 m that starts sliding on a level floor, without spin."""
     builder = Builder()
     inertia = 0.4 * 2.0 * 0.1**2
     ball = builder.room("lane").body("ball", 2.0, inertia=(inertia, inertia, inertia, 0.0, 0.0, 0.0))
@@ -81,7 +81,7 @@ def rolling_ball(speed: float = 3.0, friction: float = 0.2) -> Motion:
 
 
 def spring_block(stretch: float = 0.2) -> Motion:
-    """A block of 0.5 kg on a spring of 20 N/m and 0.6 m on a smooth floor, pulled out and let go."""
+    """Build a block of 0.5 kg on a spring of 20 N/m and 0.6 m on a smooth floor, pulled out and released."""
     builder = Builder()
     room = builder.room("bench")
     room.site("wall", at=(-0.6 - stretch, 0.0, 0.0))
@@ -91,7 +91,7 @@ def spring_block(stretch: float = 0.2) -> Motion:
 
 
 def rubbed_spring(friction: float = 0.1) -> Motion:
-    """As `spring_block`, pulled out by 0.2 m on a rough floor: each half period its swing shrinks by 2µmg/k."""
+    """Build `spring_block` pulled out by 0.2 m on a rough floor: the amplitude drops by 2µmg/k per half period."""
     builder = Builder()
     room = builder.room("bench")
     room.site("wall", at=(-0.8, 0.0, 0.0))
@@ -101,7 +101,7 @@ def rubbed_spring(friction: float = 0.1) -> Motion:
 
 
 def orbit(eccentricity: float = 0.5, constant: float = 4.0 * pi**2, units: UnitSystem = SI) -> Motion:
-    """A planet, at first in its perihelion, about a fixed star of mass 1, with semi-major axis 1; e < 0: aphelion."""
+    """Build a planet in its perihelion about a fixed star of mass 1, semi-major axis 1; for e < 0 in its aphelion."""
     builder = Builder(gravity=ZERO, units=units)
     room = builder.room("sky")
     star = room.body("star", 1.0)
@@ -113,7 +113,7 @@ def orbit(eccentricity: float = 0.5, constant: float = 4.0 * pi**2, units: UnitS
 
 
 def rocket() -> Motion:
-    """A rocket of 10 kg that burns 0.5 kg/s with an exhaust speed of 400 m/s for 6 s, straight up."""
+    """Build a rocket of 10 kg that burns 0.5 kg/s with an exhaust speed of 400 m/s for 6 s, straight up."""
     builder = Builder()
     body = builder.room("pad").body("rocket", 10.0).slide(Z, name="rise")
     body.burn(0.5, 400.0, 6.0)
@@ -121,7 +121,7 @@ def rocket() -> Motion:
 
 
 def heavy_rocket() -> Motion:
-    """A rocket of 10 kg that stands on a prop and burns 0.5 kg/s at an exhaust speed of 160 m/s: for 3.7 s in vain."""
+    """Build a rocket of 10 kg on a prop that burns 0.5 kg/s at 160 m/s and doesn't lift off for 3.7 s."""
     builder = Builder()
     room = builder.room("pad")
     room.site("ground", at=(0.0, 0.0, -1.0))
@@ -133,7 +133,7 @@ def heavy_rocket() -> Motion:
 
 
 def thrown_ball(restitution: float | None = 0.8) -> Motion:
-    """A ball of 0.2 kg thrown at 5 m/s and 40° from a height of 1 m; it bounces, or its flight ends on the ground."""
+    """Build a ball of 0.2 kg thrown at 5 m/s and 40° from a height of 1 m, which bounces or ends on the ground."""
     builder = Builder()
     room = builder.room("field")
     rise = 5.0 * sin(radians(40.0))
@@ -145,7 +145,7 @@ def thrown_ball(restitution: float | None = 0.8) -> Motion:
 
 
 def charge(field: float = 3.0) -> Motion:
-    """A particle of 0.1 kg that flies into a half-space with a magnetic field, in which it describes half a circle."""
+    """Build a particle of 0.1 kg that flies into a half-space with a magnetic field, on half a circle."""
     builder = Builder(gravity=ZERO)
     room = builder.room("lab")
     particle = room.body("charge", 0.1).slide(X, 2.0, name="x").slide(Z, name="y")
@@ -154,7 +154,7 @@ def charge(field: float = 3.0) -> Motion:
 
 
 def driven_charge() -> Motion:
-    """A particle of 0.1 kg in E = (1 + 2x) along x, in N/C with its charge of 1 C."""
+    """Build a particle of 0.1 kg and 1 C in the field E = (1 + 2x) along x, in N/C."""
     builder = Builder(gravity=ZERO)
     particle = builder.room("lab").body("charge", 0.1).slide(X, 0.5, name="x").slide(Z, 0.5, name="y")
     particle.force("push", Push(X, Profile(1.0, slope=2.0)))
@@ -162,7 +162,7 @@ def driven_charge() -> Motion:
 
 
 def dome() -> Motion:
-    """A small block that slides off a smooth dome of 1 m, from 10° beside its top."""
+    """Build a small block that slides off a smooth dome of 1 m, from 10° beside its top."""
     builder = Builder()
     away = radians(10.0)
     top = (sin(away), 0.0, cos(away))
@@ -172,7 +172,7 @@ def dome() -> Motion:
 
 
 def pushed_block(growth: float = 3.0, friction: float = 0.4) -> Motion:
-    """A block of 1 kg at rest on a rough floor, and a horizontal force that grows by `growth` N/s."""
+    """Build a block of 1 kg at rest on a rough floor, and a horizontal force that grows by `growth` N/s."""
     builder = Builder()
     block = builder.room("bench").body("block", 1.0).rest(X, Z, friction)
     block.force("push", Push(X, Profile(0.0, rate=growth)))
@@ -180,7 +180,7 @@ def pushed_block(growth: float = 3.0, friction: float = 0.4) -> Motion:
 
 
 def slab() -> Motion:
-    """A block of 1 kg thrown at 2 m/s on a rough slab of 3 kg on a smooth floor, until both move as one."""
+    """Build a block of 1 kg thrown at 2 m/s on a rough slab of 3 kg on a smooth floor, until both move as one."""
     builder = Builder()
     slab = builder.room("bench").body("slab", 3.0).rest(X, Z)
     slab.body("block", 1.0).rest(X, Z, 0.3, speed=2.0)
@@ -188,7 +188,7 @@ def slab() -> Motion:
 
 
 def pucks() -> Motion:
-    """Two pucks of 1 kg and 2 kg that meet obliquely at 2 m/s with a restitution of 0.5, then one meets a wall."""
+    """Build two pucks of 1 kg and 2 kg that collide obliquely at 2 m/s, restitution 0.5, and a wall for one."""
     builder = Builder(gravity=ZERO)
     room = builder.room("table")
     a = room.body("a", 1.0).slide(X, 2.0, name="x").slide(Z, name="y")
@@ -198,7 +198,7 @@ def pucks() -> Motion:
 
 
 def two_strings() -> Motion:
-    """Block A of 1 kg, which a hand pulls up with 30 N, and block B of 2 kg on a string below it."""
+    """Build block A of 1 kg, which a hand pulls up with 30 N, and block B of 2 kg on a string below it."""
     builder = Builder()
     room = builder.room("crane")
     a = room.body("a", 1.0).slide(Z).site("a.eye").site("a.hook")
@@ -211,7 +211,7 @@ def two_strings() -> Motion:
 
 
 def strut() -> Motion:
-    """A block of 1 kg in a vertical guide and one of 2 kg on a smooth floor, joined by a light rod at 45°."""
+    """Build a block of 1 kg in a vertical guide and one of 2 kg on a smooth floor, joined by a light rod at 45°."""
     builder = Builder()
     room = builder.room("ladder")
     room.body("a", 1.0, at=(0.0, 0.0, 1.0)).slide(Z).site("upper")
@@ -244,6 +244,6 @@ MOTIONS: Mapping[str, Callable[[], Motion]] = {
 
 @cache
 def told_motions() -> tuple[tuple[SimulatedScene, Words], ...]:
-    """All of them, and some that begin or end otherwise, each simulated once."""
+    """Return all motions and some variants of them with another start or end, each simulated once."""
     others = (thrown_ball(None), orbit(-0.5), spring_block(-0.2), rubbed_spring())
     return (*(made().told() for made in MOTIONS.values()), *(motion.told() for motion in others))

@@ -1,4 +1,4 @@
-"""Worked solutions of questions that a person puts in parts about the scenes in `tests/data`."""
+"""Worked solutions of users' questions about the scenes in `tests/data`."""
 
 from pathlib import Path
 
@@ -17,7 +17,7 @@ G = 9.8  # m/s², in all of these scenes but those on other planets
 
 
 def solved(name: str, find: str, when: str = "", of: str = "") -> SolvedProblem:
-    """Return a problem whose solution is sound and leads to the answer from the motion."""
+    """Return a problem after checking that its solution leads to the answer from the motion."""
     found = sim2reason.solve(next(DATA.glob(f"*_scenes/{name}.yaml")), find=find, when=when, of=of)
     assert found.answer is not None
     assert found.solution.answer == pytest.approx(found.answer, rel=1e-9), found.reason

@@ -1,4 +1,4 @@
-"""How the package of a third party in `third_party` is built and installed, without an index or a build tool."""
+"""Build and installation of the package in `third_party`, without an index or a build tool."""
 
 import os
 import shutil
@@ -10,7 +10,7 @@ SOURCE = Path(__file__).parent / "third_party"
 
 
 def installed(folder: Path) -> Path:
-    """The package, built and installed by pip below `folder`; gives the directory that must be on the path."""
+    """Build and install the package by pip below `folder`, and return the directory to add to the path."""
     source, target = folder / "source", folder / "site"
     shutil.copytree(SOURCE, source)
     options = ["--no-index", "--no-deps", "--no-build-isolation", "--quiet", "--disable-pip-version-check"]
@@ -21,6 +21,6 @@ def installed(folder: Path) -> Path:
 
 
 def environment(target: Path) -> dict[str, str]:
-    """The environment of a process in which the package is installed."""
+    """Return the environment variables of a process in which the package is installed."""
     before = os.environ.get("PYTHONPATH", "")
     return {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, (str(target), before)))}

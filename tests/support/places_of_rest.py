@@ -1,10 +1,7 @@
-"""Where a mechanism can stay at rest: Newton's method on the exact formulas, with every velocity and acceleration zero.
+"""Equilibria of a mechanism by Newton's method on the exact formulas, with zero velocities and accelerations.
 
-With the coordinates q and the force λ of each row that acts, an equilibrium solves
-
-    F(q) − Jᵀ(q) λ = 0,   spare(q) = 0
-
-and is stable where the stiffness −∂(F − Jᵀλ)/∂q is positive along all motions that the rows allow.
+With the coordinates q and the force λ of each active row, an equilibrium solves F(q) − Jᵀ(q) λ = 0 and
+spare(q) = 0. It is stable if the stiffness −∂(F − Jᵀλ)/∂q is positive along all motions that the rows allow.
 """
 
 import math
@@ -35,7 +32,7 @@ DIFFERENCE = 6e-6  # of the size of a coordinate, for central differences
 
 @dataclass(frozen=True)
 class Equilibrium:
-    """One place of rest."""
+    """Equilibrium position of a mechanism."""
 
     coordinates: Mapping[str, float]
     """Of each coordinate, counted from where the mechanism starts, m or rad."""
@@ -48,12 +45,11 @@ class Equilibrium:
 
 
 def equilibria(mechanism: Mechanism) -> tuple[Equilibrium, ...]:
-    """All equilibria that Newton's method finds from points all over the reach, the stable ones first.
+    """Return all equilibria that Newton's method finds from points all over the reach, the stable ones first.
 
-    Raises:
-        UnsupportedError: friction holds over a range of places, something burns, is reeled in or stands on feet, there
-            are too many strings, or no place of rest is isolated, so that it is not one place.
-        SimulationError: there is none.
+    An UnsupportedError is raised if friction holds over a range of positions, if a body burns, is reeled in or
+    stands on feet, if there are too many strings, or if no equilibrium is isolated. A SimulationError is raised if
+    there is none.
     """
     _check(mechanism)
     system = System(mechanism)
@@ -85,13 +81,13 @@ def _check(mechanism: Mechanism) -> None:
 
 
 def _taut(system: System) -> Iterator[tuple[bool, ...]]:
-    """Every set of rows that may act, all of them first."""
+    """Yield every set of rows that may act, beginning with all of them."""
     kinds = system.kinds(system.phase)
     yield from product(*((True,) if kind.both else (True, False) for kind in kinds))
 
 
 def _starts(system: System) -> Iterator[Vector]:
-    """Points to begin at: the mechanism's own start, then points spread over its reach, always the same ones."""
+    """Yield the initial points: the mechanism's own start, then fixed points spread over its reach."""
     mechanism = system.mechanism
     reach = max([1.0, *(system.starts[line.name] for line in mechanism.lines)])
     low = [max(c.lower, -math.pi if c.kind == "hinge" else -reach) for c in mechanism.coordinates]
@@ -113,7 +109,7 @@ def _same(mechanism: Mechanism, one: Equilibrium, other: Equilibrium) -> bool:
 
 
 class _Rest(NamedTuple):
-    """What acts at rest: the load on each coordinate, and what is left of each row, with its gradient."""
+    """Load on each coordinate at rest, and the remainder of each row with its gradient."""
 
     force: Vector  # (n,)
     spare: Vector  # (rows,)
@@ -121,7 +117,7 @@ class _Rest(NamedTuple):
 
 
 def _formulas(system: System) -> Callable[[Vector], _Rest]:
-    """The same as code, for any coordinates."""
+    """Return code that computes loads and remainders for any coordinates."""
     n = system.size
     tape = Tape(["t", *(f"q{number}" for number in range(n))])
     _, *q = tape.inputs.values()
@@ -139,7 +135,7 @@ def _formulas(system: System) -> Callable[[Vector], _Rest]:
 
 
 class _Statics:
-    """The equations of rest of one set of taut strings."""
+    """Equilibrium equations for one set of taut strings."""
 
     def __init__(self, system: System, formulas: Callable[[Vector], _Rest], taut: tuple[bool, ...]) -> None:
         self.system, self.formulas, self.taut, self.n = system, formulas, taut, system.size
@@ -147,7 +143,7 @@ class _Statics:
         self.scale = float(np.abs(formulas(np.zeros(self.n)).force).max(initial=0.0)) or 1.0
 
     def rest(self, start: Vector) -> Equilibrium | None:
-        """The equilibrium that Newton's method reaches from a point; None where it reaches none that holds."""
+        """Return the valid equilibrium that Newton's method reaches from a point, or None."""
         try:
             found = self._newton(np.concatenate([start, np.zeros(len(self.active))]))
             return None if found is None else self._equilibrium(found)
@@ -183,7 +179,7 @@ class _Statics:
         return Assembly(self.system.mechanism, self.system.phase, ([*map(float, q)], still, 0.0), math)
 
     def _residual(self, x: Vector) -> Vector:
-        """Forces as shares of the largest at the start, then what each taut row lacks, m."""
+        """Return forces as fractions of the largest at the start, then the remainder of each taut row in m."""
         rest = self.formulas(x[: self.n])
         pulled = x[self.n :] @ rest.along[self.active]
         return np.concatenate([rest.force / self.scale - pulled, rest.spare[self.active]])
@@ -218,7 +214,7 @@ class _Statics:
         return Equilibrium(places, tensions, tuple(normal), self._is_stable(x))
 
     def _holds(self, assembly: Assembly, acting: Mapping[int, float], normal: list[float]) -> bool:
-        """Whether strings pull, faces push, slack strings are long enough, and nothing overlaps."""
+        """Return whether strings pull, faces push, slack strings are long enough, and nothing overlaps."""
         little = SAME * self.scale
         kinds = self.system.kinds(self.system.phase)
         rows = assembly.rows(self.system.starts)
@@ -232,7 +228,7 @@ class _Statics:
         return all(limit.room + limit.sign * float(q[limit.coordinate]) >= -SAME for limit in self.system.limits)
 
     def _is_stable(self, x: Vector) -> bool:
-        """Whether the stiffness is positive along what the rows allow; raises where a motion costs nothing."""
+        """Return whether the stiffness is positive along the allowed motions; raise if a motion needs no force."""
         jacobian = self._jacobian(x)
         stiffness, rows = -jacobian[: self.n, : self.n], jacobian[self.n :, : self.n]
         allowed = _null_space(rows)
@@ -245,7 +241,7 @@ class _Statics:
 
 
 def _null_space(rows: Vector) -> Vector:
-    """Orthonormal columns that all rows map to zero."""
+    """Return orthonormal columns that all rows map to zero."""
     _, sizes, ways = (
         np.linalg.svd(rows, full_matrices=True) if rows.size else (None, np.zeros(0), np.eye(rows.shape[1]))
     )

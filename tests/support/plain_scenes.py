@@ -24,19 +24,19 @@ G = 9.8
 
 
 def ramp(mass: float = 2.0, angle: float = 30.0, friction: float = 0.0, speed: float | None = None) -> Scene:
-    """A block on a plane."""
+    """Return a scene with a block on a plane."""
     plane = Plane(angle=angle, friction=friction)
     entity = TwoSideMassPlane(plane=plane, blocks=(Block(mass=mass),), speed=speed)
     return Scene(entities=(Named(name="ramp", entity=entity),))
 
 
 def atwood(left: float = 3.0, right: float = 2.0) -> Scene:
-    """Two hanging blocks on a string over light fixed pulleys."""
+    """Return a scene with two hanging blocks on a string over light fixed pulleys."""
     return _over_pulleys((left, right), (None, None))
 
 
 def massive(mass: float) -> Scene:
-    """Blocks of 3 kg and 2 kg on a string over a uniform disc of some mass and a light pulley."""
+    """Return a scene with blocks of 3 kg and 2 kg on a string over a uniform disc of some mass and a light pulley."""
     return _over_pulleys((3.0, 2.0), (mass, None))
 
 
@@ -46,20 +46,20 @@ def _over_pulleys(blocks: tuple[float, float], pulleys: tuple[float | None, floa
 
 
 def half_atwood() -> Scene:
-    """A block of 2 kg on a smooth slope of 30°, and one of 3 kg that hangs from a string to it."""
+    """Return a scene with a block of 2 kg on a smooth slope of 30°, and one of 3 kg hanging from a string to it."""
     entity = TwoSideMassPlane(plane=Plane(angle=30.0, friction=0.0), blocks=(Block(mass=2.0),))
     return _joined(Named(name="ramp", entity=entity), _hanging("other", 3.0, None))
 
 
 def drawn_shell() -> Scene:
-    """A spherical shell that rolls up a slope of 30°, drawn at its axle by a block, to a pulley 2.8 m away."""
+    """Return a scene with a rolling spherical shell drawn up a slope of 30° by a block, to a pulley 2.8 m away."""
     shell = SphericalShell(mass=1.1, radius=0.36)
     rolls = Named(name="roll", entity=RollingEntity(body=shell, plane=Incline(angle=30.0), grip=NoSlipping()))
     return _joined(rolls, _hanging("other", 0.95, None), free=2.8)
 
 
 def bight(mass: float, load: float, disc: float | None = None) -> Scene:
-    """A block on a string over a fixed pulley, under a movable one with a load, and up to a hook."""
+    """Return a scene with a block on a string over a fixed pulley, under a movable one with a load, to a hook."""
     pulley = MovablePulley() if disc is None else MovablePulley(mass=disc)
     loaded = Named(name="loaded", entity=MassWithReverseMovablePulley(pulley=pulley, load=Block(mass=load)))
     hook = Named(name="hook", entity=FixedSupport())
@@ -69,7 +69,7 @@ def bight(mass: float, load: float, disc: float | None = None) -> Scene:
 
 
 def nested_atwood(mass: float, left: float, right: float) -> Scene:
-    """A block on a string over a fixed pulley to the axle of a movable one, over which two more blocks hang."""
+    """Return a scene with a block on a string to the axle of a movable pulley, over which two more blocks hang."""
     ends = [Hanging(blocks=(Block(mass=held),)) for held in (left, right)]
     carried = MassWithMovablePulley(left=ends[0], right=ends[1], pulley=MovablePulley())
     string = String(links=(Link(entity="one", port="tail"), Link(entity="two", port="top")))
@@ -90,14 +90,14 @@ def _joined(one: Named, other: Named, free: float = FREE_LENGTH) -> Scene:
 
 
 def table(restitution: float = 0.5, speed: float = 2.0, tilt: float = 0.0) -> Scene:
-    """A puck that meets one twice as heavy, head on, after (1 − 0.2) m."""
+    """Return a scene with a puck that collides head on with one twice as heavy, after (1 − 0.2) m."""
     pucks = (Puck(mass=1.0, x=0.0, y=0.0, vx=speed, vy=0.0), Puck(mass=2.0, x=1.0, y=0.0, vx=0.0, vy=0.0))
     entity = TwoDCollisionPlane(table=Table(angle=tilt), radius=0.1, pucks=pucks, restitution=restitution)
     return Scene(entities=(Named(name="table", entity=entity),))
 
 
 def three() -> Scene:
-    """A puck that meets another off centre, which then meets a third: what the first two do hangs on all masses."""
+    """Return a scene with a puck that hits another off centre, which then hits a third."""
     places = ((1.0, 0.0, 0.0, 2.0), (2.0, 1.0, 0.05, 0.0), (1.5, 1.8, 0.3, -0.2))
     pucks = tuple(Puck(mass=m, x=x, y=y, vx=vx, vy=0.0) for m, x, y, vx in places)
     entity = TwoDCollisionPlane(table=Table(), radius=0.1, pucks=pucks, restitution=0.6)
@@ -105,20 +105,20 @@ def three() -> Scene:
 
 
 def squeezed(heavy: float = 4.0, restitution: float = 1.0) -> Scene:
-    """A light cart of 1 kg at rest between a heavy one, which comes from the left at 1 m/s, and a wall."""
+    """Return a scene with a cart of 1 kg at rest between a heavy one, arriving from the left at 1 m/s, and a wall."""
     carts = (Glider(mass=heavy, x=0.0, v=1.0), Glider(mass=1.0, x=1.0, v=0.0))
     entity = ComplexCollisionPlane(track=Track(), gliders=carts, right=2.0, restitution=restitution)
     return Scene(entities=(Named(name="track", entity=entity),))
 
 
 def swing(angle: float = 60.0) -> Scene:
-    """A ball of 0.5 kg on a string of 0.8 m, let go."""
+    """Return a scene with a ball of 0.5 kg on a string of 0.8 m, released from rest."""
     entity = Pendulum(bob=Ball(mass=0.5), hanger=Cord(length=0.8), angle=angle)
     return Scene(entities=(Named(name="swing", entity=entity),))
 
 
 def arm(angle: float = 60.0, rate: float | None = None) -> Scene:
-    """A sphere of 2 kg and a radius of 0.2 m on a light arm, its centre 0.9 m from the axle, let go or set turning."""
+    """Return a scene with a sphere of 2 kg and 0.2 m on a light arm, its centre 0.9 m from the axle."""
     piece = RoundPiece(body=Sphere(mass=2.0, radius=0.2), distance=0.9)
     return Scene(entities=(Named(name="arm", entity=RotationEntity(pieces=(piece,), angle=angle, rate=rate)),))
 
@@ -134,7 +134,7 @@ def row(
     tilt: float = 0.0,
     friction: float = 0.0,
 ) -> Scene:
-    """Carts in a row; spring `at` is stretched by `strain`, and the last cart moves to the right."""
+    """Return a row of carts; spring `at` is stretched by `strain`, and the last cart moves to the right."""
     by_how_much = Strained(spring=at, by=strain) if strain else Strained()
     blow = Blow(cart=len(masses) - 1, toward="right", speed=speed) if speed else None
     chain = SpringMassChain(

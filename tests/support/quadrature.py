@@ -1,4 +1,4 @@
-"""Uniform figures as clouds of weighted points: Gauss rules in coordinates that fit each, and no formula of moments."""
+"""Uniform figures as clouds of weighted points by Gauss rules, without formulas of moments."""
 
 from collections.abc import Callable, Sequence
 from itertools import pairwise
@@ -36,7 +36,7 @@ Square = Callable[[Array], Array]
 
 
 def moments(cloud: Cloud) -> tuple[float, Array, Array]:
-    """The size, the centroid and the second moments about it (3, 3)."""
+    """Return the size, the centroid and the second moments about it, of shape (3, 3)."""
     points, shares = cloud
     size = float(shares.sum())
     center = shares @ points / size
@@ -44,13 +44,13 @@ def moments(cloud: Cloud) -> tuple[float, Array, Array]:
 
 
 def gauss(low: float, high: float, count: int = 24) -> tuple[Array, Array]:
-    """Nodes and weights between two bounds."""
+    """Return nodes and weights between two bounds."""
     nodes, weights = np.polynomial.legendre.leggauss(count)
     return low + 0.5 * (high - low) * (nodes + 1.0), 0.5 * (high - low) * weights
 
 
 def turned_about_z(height: Array, square: Array, shares: Array, around: int = 8) -> Cloud:
-    """Circles about the z axis, each as points on it."""
+    """Return circles about the z axis, each as points on it."""
     angles = 2.0 * np.pi * np.arange(around) / around
     radius = np.sqrt(square)
     points = [np.stack([radius * np.cos(a), radius * np.sin(a), height], axis=1) for a in angles]
@@ -58,7 +58,7 @@ def turned_about_z(height: Array, square: Array, shares: Array, around: int = 8)
 
 
 def lathe(outer: Square, inner: Square, breaks: Sequence[float]) -> Cloud:
-    """A solid of revolution about z, between two radii, in pieces within which they are smooth."""
+    """Return a solid of revolution about z between two radii, in pieces within which they are smooth."""
     heights: list[Array] = []
     squares: list[Array] = []
     shares: list[Array] = []
@@ -74,47 +74,47 @@ def lathe(outer: Square, inner: Square, breaks: Sequence[float]) -> Cloud:
 
 
 def ball(radius: float, center: float = 0.0) -> Square:
-    """The square of the radius of a ball's cross-section; negative outside."""
+    """Return the square of the radius of a ball's cross-section, negative outside."""
     return lambda height: radius**2 - (height - center) ** 2
 
 
 def nothing(height: Array) -> Array:
-    """No radius."""
+    """Return a radius of zero."""
     return 0.0 * height
 
 
 def circle(radius: float) -> Cloud:
-    """A thin ring."""
+    """Return a thin ring."""
     return turned_about_z(np.zeros(1), np.array([radius**2]), np.array([2.0 * np.pi * radius]))
 
 
 def annulus(inner: float, outer: float) -> Cloud:
-    """A flat ring."""
+    """Return a flat ring."""
     nodes, weights = gauss(inner**2, outer**2)
     return turned_about_z(0.0 * nodes, nodes, np.pi * weights)
 
 
 def surface(radius: float) -> Cloud:
-    """A sphere's surface: equal heights have equal areas (Archimedes)."""
+    """Return the surface of a sphere; equal heights have equal areas (Archimedes)."""
     height, weights = gauss(-radius, radius)
     return turned_about_z(height, radius**2 - height**2, 2.0 * np.pi * radius * weights)
 
 
 def block(*sides: float) -> Cloud:
-    """A box about the origin."""
+    """Return a box about the origin."""
     (x, p), (y, q), (z, r) = (gauss(-0.5 * side, 0.5 * side, 3) for side in sides)
     points = np.stack(np.meshgrid(x, y, z, indexing="ij"), axis=-1).reshape(-1, 3)
     return points, np.einsum("i,j,k->ijk", p, q, r).ravel()
 
 
 def line(length: float) -> Cloud:
-    """A rod along z."""
+    """Return a rod along z."""
     height, weights = gauss(-0.5 * length, 0.5 * length)
     return np.stack([0.0 * height, 0.0 * height, height], axis=1), weights
 
 
 def column(sides: int, radius: float, height: float) -> Cloud:
-    """A regular prism, sector by sector, from its axis to its faces."""
+    """Return a regular prism, sector by sector, from its axis to its faces."""
     points: list[Array] = []
     shares: list[Array] = []
     half = np.pi / sides
@@ -128,13 +128,13 @@ def column(sides: int, radius: float, height: float) -> Cloud:
 
 
 def flat(cloud: Cloud) -> Cloud:
-    """A figure 1 m high, pressed flat."""
+    """Return a figure 1 m high, flattened to z = 0."""
     points, shares = cloud
     return points * np.array([1.0, 1.0, 0.0]), shares
 
 
 def bored(body: BoredCylinder) -> Cloud:
-    """A disc in the plane of x and z less its hole, from the hole's centre outwards."""
+    """Return a disc in the xz plane less its hole, from the hole's centre outwards."""
     points: list[Array] = []
     shares: list[Array] = []
     count = 200
@@ -147,7 +147,7 @@ def bored(body: BoredCylinder) -> Cloud:
 
 
 def lens(radius: float, other: float, distance: float) -> Cloud:
-    """What two balls share, one about the origin, one about z = distance."""
+    """Return the intersection of two balls, one about the origin, one about z = distance."""
     one, two = ball(radius), ball(other, distance)
     meet = (radius**2 - other**2 + distance**2) / (2.0 * distance)
     low, high = max(-radius, distance - other), min(radius, distance + other)
@@ -156,7 +156,7 @@ def lens(radius: float, other: float, distance: float) -> Cloud:
 
 
 def opened(body: HollowSphereWithHole) -> Cloud:
-    """A wall, less a ball: wherever one of the three spheres meets another or the axis a new piece begins."""
+    """Return a spherical shell less a ball, with a new piece wherever one sphere meets another or the axis."""
     wide, narrow, hole, d = body.radius, body.radius - body.thickness, body.hole, body.offset
     cavity, cut = ball(narrow), ball(hole, d)
     meet = [(radius**2 - hole**2 + d**2) / (2.0 * d) for radius in (wide, narrow)]
@@ -165,13 +165,13 @@ def opened(body: HollowSphereWithHole) -> Cloud:
 
 
 def holed(body: SphereWithHole) -> Cloud:
-    """A ball less another within it."""
+    """Return a ball less another within it."""
     r, hole, d = body.radius, body.hole, body.offset
     return lathe(ball(r), ball(hole, d), (-r, d - hole, d + hole, r))
 
 
 def cup(body: Bowl) -> Cloud:
-    """Between two concentric spheres, on one side of a plane."""
+    """Return the solid between two concentric spheres, on one side of a plane."""
     middle = body.height - body.radius
     outer, inner = ball(body.radius, middle), ball(body.radius - body.thickness, middle)
     return lathe(outer, inner, (0.0, body.height - body.thickness, body.height))

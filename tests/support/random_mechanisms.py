@@ -1,4 +1,4 @@
-"""Random mechanisms of four families, each a function of a seed: what both engines are tried on."""
+"""Random mechanisms of four families for tests of both engines, each a function of a seed."""
 
 import numpy as np
 
@@ -7,7 +7,7 @@ from sim2reason.scenes.dsl.mechanism import ZERO, X, Y, Z
 
 
 def hang(builder: Builder, rng: np.random.Generator, x: float, z: float, depth: int) -> str:
-    """Hang a load, or a pulley with two more of these, from a string; the site for its end."""
+    """Hang a load, or a pulley with two more of these, from a string, and return the site for its end."""
     name = f"b{len(builder.finish().bodies)}"
     z -= rng.uniform(15.0, 25.0)
     split = depth > 0 and rng.random() < 0.6
@@ -21,13 +21,13 @@ def hang(builder: Builder, rng: np.random.Generator, x: float, z: float, depth: 
 
 
 def over(builder: Builder, rng: np.random.Generator, pulley: Rim, at: tuple[float, float], depth: int) -> None:
-    """Lay a string over a pulley, with something at both ends."""
+    """Lay a string over a pulley, with a body or pulley at both ends."""
     left, right = (hang(builder, rng, at[0] + side * pulley.radius, at[1], depth) for side in (-1.0, 1.0))
     builder.room().string(f"s.{pulley.left}", left, pulley, right)
 
 
 def pulleys(seed: int) -> Builder:
-    """A tree of pulleys, light and heavy, three levels deep."""
+    """Build a tree of pulleys, light and heavy, three levels deep."""
     rng = np.random.default_rng(seed)
     builder = Builder()
     top = builder.room().pulley("top", mass=rng.choice([0.0, 1.0]), radius=0.3)
@@ -36,7 +36,7 @@ def pulleys(seed: int) -> Builder:
 
 
 def wedges(seed: int) -> Builder:
-    """A movable wedge with a block on its face, perhaps tied over the top to a load in a guide, that meets a ball."""
+    """Build a movable wedge with a block on its face, perhaps tied over the top to a load in a guide, and a ball."""
     rng = np.random.default_rng(seed)
     builder = Builder()
     room = builder.room()
@@ -59,7 +59,7 @@ def wedges(seed: int) -> Builder:
 
 
 def table(seed: int, restitution: float | None = None) -> Builder:
-    """Discs on an open table."""
+    """Build discs on an open table."""
     rng = np.random.default_rng(seed)
     builder = Builder(gravity=ZERO)
     room = builder.room()
@@ -75,7 +75,7 @@ def table(seed: int, restitution: float | None = None) -> Builder:
 
 
 def rough(seed: int) -> Builder:
-    """A rough wedge with a rough block on either face, one carrying another, joined over the top; and a striker."""
+    """Build a rough wedge with rough blocks on both faces, one carrying another, a string over the top, a striker."""
     rng = np.random.default_rng(seed)
     builder = Builder()
     room = builder.room()

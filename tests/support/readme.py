@@ -1,15 +1,15 @@
-"""Run what a Markdown file shows, in order, in one new folder, and hold its output to what is printed.
+"""Run the commands and programs of Markdown pages in order, and compare their output with the page.
 
-    python tests/support/readme.py README.md            fails where the page shows something else
-    python tests/support/readme.py README.md --write    writes what commands print into the page
-    python tests/support/readme.py docs/integrations/*  several pages, one after the other, in one folder
+``python tests/support/readme.py README.md`` fails if an output differs from the page; with ``--write`` it writes
+the output of commands into the page. Several pages, as ``docs/integrations/*``, are run one after the other in one
+new folder.
 
-A command is a line that begins with ``$ `` inside a block fenced as ``console``; what follows it is output, where
-``…`` stands for anything, on a line of its own for any lines. A command without output is only run.
-Lines of set-up (pip, git, make, cd) are left out: whoever runs this has done them.
+A command is a line that begins with ``$ `` inside a block fenced as ``console``; the lines after it are its output,
+in which ``…`` stands for anything, on a line of its own for any lines. A command without output is only run.
+Lines of set-up (pip, git, make, cd) are left out, as they have been run before.
 A block fenced as ``python`` is run as a program. One with lines that begin with ``>>>`` is run as a doctest that
 ignores differences in whitespace, so that a long line of output can be wrapped. A block whose libraries are not all
-installed is left out, and said so; so are commands fenced as ``console LIBRARY`` without it.
+installed is left out with a message; so are commands fenced as ``console LIBRARY`` without it.
 """
 
 import argparse
@@ -53,7 +53,7 @@ IMPORTED = re.compile(r"^\s*(?:>>> )?(?:from|import) (\w+)", re.MULTILINE)
 
 @dataclass(frozen=True)
 class Shown:
-    """A command and the output that the page shows, with the lines between which that stands."""
+    """Command with its output on the page and the lines between which that stands."""
 
     command: str
     output: tuple[str, ...]
@@ -62,7 +62,7 @@ class Shown:
 
 
 def shown(text: str, *, write: bool = False) -> Iterator[Shown]:
-    """What is to be run of `text`, in order; with `write` a doctest is replaced by one with its actual output."""
+    """Yield the commands and programs of `text` in order; with `write` a doctest is replaced by its actual output."""
     for language, lines, start in _blocks(text):
         kind, _, library = language.partition(" ")
         if kind == "console" and library and importlib.util.find_spec(library) is None:
@@ -77,7 +77,7 @@ def shown(text: str, *, write: bool = False) -> Iterator[Shown]:
 
 
 def _blocks(text: str) -> Iterator[tuple[str, list[str], int]]:
-    """The fenced blocks: language, lines, and the number of the first line."""
+    """Yield the fenced blocks: language, lines, and the number of the first line."""
     lines = text.splitlines()
     fences = [number for number, line in enumerate(lines) if line.startswith("```")]
     for begin, end in zip(fences[::2], fences[1::2], strict=False):
@@ -93,7 +93,7 @@ def _commands(lines: list[str], start: int) -> Iterator[Shown]:
 
 
 def _program(lines: list[str]) -> str:
-    """The command that runs a block in Python."""
+    """Return the command that runs a block in Python."""
     if missing := _missing(lines):
         return _left_out(missing)
     source = "\n".join(lines)
@@ -102,7 +102,7 @@ def _program(lines: list[str]) -> str:
 
 
 def _missing(lines: list[str]) -> list[str]:
-    """The libraries that a block in Python imports and that are not installed."""
+    """Return the libraries that a block in Python imports and that are not installed."""
     names = set(IMPORTED.findall("\n".join(lines)))
     return sorted(name for name in names if importlib.util.find_spec(name) is None)
 
@@ -112,12 +112,12 @@ def _left_out(missing: list[str]) -> str:
 
 
 def commands(text: str) -> Iterator[str]:
-    """What is to be run of `text`, in order, without what it prints."""
+    """Return the commands of `text` in order, without their output."""
     return (found.command for found in shown(text))
 
 
 def fits(output: tuple[str, ...], printed: str) -> bool:
-    """Whether a program printed what the page shows."""
+    """Return whether the output of a program is that on the page."""
     pattern = "".join(r"(?:.*\n)*?" if line == "…" else _line(line) for line in output)
     return (
         not output or re.fullmatch(pattern, "".join(line.rstrip() + "\n" for line in printed.splitlines())) is not None
@@ -129,7 +129,7 @@ def _line(line: str) -> str:
 
 
 def main(*paths: str, write: bool = False) -> int:
-    """Run them; the exit code of the first that fails or prints something else, or 0."""
+    """Run the pages and return the exit code of the first that fails or has another output, or 0."""
     environ = os.environ | {"PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}", "COLUMNS": "100"}
     with tempfile.TemporaryDirectory() as folder:
         for name in SHARED:

@@ -1,4 +1,4 @@
-"""Random scenes that have a position of equilibrium."""
+"""Random scenes that have an equilibrium position."""
 
 from collections.abc import Iterator
 
@@ -13,7 +13,7 @@ SCENES = 12
 
 
 def rests(recipe: str) -> Iterator[Rest]:
-    """The equilibria of some medium scenes of a recipe."""
+    """Return the equilibria of some medium scenes of a recipe."""
     for index in range(SCENES):
         try:
             scene = RECIPES[recipe]("medium", generator(recipe, "medium", "numeric", 5, index, 0))

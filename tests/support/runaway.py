@@ -1,4 +1,4 @@
-"""Simulations that may run away: what is tried, and what became of it."""
+"""Simulations that may use too much time or memory, and their outcomes."""
 
 import resource
 import signal
@@ -46,7 +46,7 @@ SPOILED: dict[str, Callable[[int], Mechanism]] = {
 
 @dataclass(frozen=True)
 class Try:
-    """What became of one mechanism."""
+    """Outcome of the simulation of one mechanism."""
 
     kind: str
     seed: int
@@ -57,12 +57,12 @@ class Try:
 
     @property
     def bad(self) -> bool:
-        """Whether it ran away."""
+        """Return whether the simulation failed or used too much time or memory."""
         return self.outcome.startswith("failed") or self.exact + self.witness > LONGEST or self.memory > LARGEST
 
 
 def attempt(job: tuple[str, int]) -> Try:
-    """Simulate one mechanism by both engines."""
+    """Simulate one mechanism by both engines and return the outcome."""
     kind, seed = job
     signal.signal(signal.SIGVTALRM, _give_up)
     signal.setitimer(signal.ITIMER_VIRTUAL, GIVEN_UP)
@@ -85,7 +85,7 @@ def attempt(job: tuple[str, int]) -> Try:
 
 
 def _peak() -> float:
-    """The most memory that the process ever had, GB."""
+    """Return the peak memory of the process in GB."""
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2**20
 
 

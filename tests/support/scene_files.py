@@ -1,4 +1,4 @@
-"""Random scenes, and ways to spoil the files that they make."""
+"""Random scenes, and ways to corrupt their files."""
 
 import copy
 from collections.abc import Callable, Iterator
@@ -31,7 +31,7 @@ CLOSERS = ("FixedSupport", "ConstantForcePuller")
 
 
 def drawn(count: int, seed: int = 0) -> Iterator[Scene]:
-    """Scenes of all recipes and difficulties, by turns."""
+    """Yield random scenes, cycling through all recipes and difficulties."""
     kinds = [(recipe, difficulty) for recipe in RECIPES for difficulty in DIFFICULTIES]
     made = 0
     for attempt in range(20 * count):
@@ -46,7 +46,7 @@ def drawn(count: int, seed: int = 0) -> Iterator[Scene]:
 
 
 def composed(rng: Rng) -> dict[str, Any]:
-    """A scene file, as data, of entities that no recipe chose, their ends joined at random and all closed."""
+    """Return the data of a scene file with random entities whose ends are joined at random and all closed."""
     entities = [_entity(KINDS[rng.integers(len(KINDS))], f"e{n}", rng) for n in range(rng.integers(1, 4))]
     ends = [
         {"entity": entity["name"], "direction": direction}
@@ -90,7 +90,7 @@ VALUES = (
 
 
 def _places(data: object) -> list[tuple[Any, Any]]:
-    """Every container with each of its keys."""
+    """Return every container with each of its keys."""
     found: list[tuple[Any, Any]] = []
     for key in list(data) if isinstance(data, dict) else range(len(data)) if isinstance(data, list) else ():
         found.append((data, key))
@@ -134,7 +134,7 @@ def _rename(data: object, rng: Rng) -> None:
 
 
 def _scale(data: object, rng: Rng) -> None:
-    """A number that stays one: this is what most often still loads."""
+    """Multiply a number by a random factor, a change with which files most often still load."""
     numbers = [(held, key) for held, key in _places(data) if isinstance(held[key], float)]
     if numbers:
         held, key = numbers[rng.integers(len(numbers))]
@@ -168,7 +168,7 @@ JUNK = (
 
 
 def spoiled_text(text: str, rng: Rng) -> str:
-    """A text with a line or a few characters gone, doubled, moved or replaced by junk."""
+    """Return a text with a line or some characters removed, doubled, moved or replaced by junk."""
     lines = text.splitlines(keepends=True)
     at, other = (int(rng.integers(len(lines))) for _ in range(2))
     match int(rng.integers(6)):
@@ -190,7 +190,7 @@ def spoiled_text(text: str, rng: Rng) -> str:
 
 
 def spoiled(seed: int, scenes: list[Scene]) -> str:
-    """A file that once was a scene's, or was composed at random, changed in one to three ways."""
+    """Return a corrupted scene file, recorded or composed at random, with one to three changes."""
     rng = np.random.default_rng([seed, 77])
     data = composed(rng) if rng.random() < 0.3 else yaml.safe_load(dump(scenes[rng.integers(len(scenes))]))
     in_text = rng.random() < 0.4

@@ -1,4 +1,4 @@
-"""Numeric items that several tests look at, made once for all of them by whichever process comes first."""
+"""Numeric items shared by several tests, made once by the first process that needs them."""
 
 import fcntl
 from collections.abc import Mapping
@@ -15,20 +15,20 @@ Cell = tuple[str, str]
 
 
 class SharedItems:
-    """The first items of each cell, in a folder that all processes of a run share."""
+    """First items of each cell, in a folder that all processes of a test run share."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         folder.mkdir(exist_ok=True)
 
     def of(self, cell: Cell, count: int) -> list[Item]:
-        """The first so many of a cell, without those of which no draw passes the filters."""
+        """Return the first `count` items of a cell, except those for which no draw passes the filters."""
         found = self._first(cell, count, wait=True)
         assert found is not None
         return found
 
     def of_all(self, counts: Mapping[Cell, int]) -> list[Item]:
-        """The first so many of each cell; those that another process makes meanwhile are not made again."""
+        """Return the first items of each cell; those that another process is making are awaited, not made again."""
         found = dict[Cell, list[Item]]()
         for wait in (False, True):
             for cell, count in counts.items():
@@ -37,7 +37,7 @@ class SharedItems:
         return [item for cell in counts for item in found[cell]]
 
     def _first(self, cell: Cell, count: int, *, wait: bool) -> list[Item] | None:
-        """None if nobody shall wait, and another process is at this cell."""
+        """Return the first items of a cell, or None if `wait` is false and another process is making them."""
         with (self.folder / "-".join(cell)).open("a+", encoding="utf-8") as file:
             try:
                 fcntl.flock(file, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))  # until it is closed

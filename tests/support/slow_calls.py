@@ -1,10 +1,10 @@
-"""What a foreign library may do to a process that calls it."""
+"""Calls of a foreign library that may hang or raise."""
 
 import time
 
 
 def slow(text: str) -> str:
-    """Shout, hang or raise."""
+    """Return the text in upper case, hang, or raise."""
     if text == "hang":
         time.sleep(600.0)
     if text == "raise":

@@ -1,4 +1,4 @@
-"""A maker whose module takes longer to import than a batch may take."""
+"""Maker whose module takes longer to import than a batch may take."""
 
 import time
 

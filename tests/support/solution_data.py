@@ -1,4 +1,4 @@
-"""Data of worked solutions written by hand: steps of relations and of phases."""
+"""Data of worked solutions written by hand: steps with relations and with integrated phases."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any

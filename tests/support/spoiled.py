@@ -1,4 +1,4 @@
-"""A small entity that conforms, and ones like it with one fault each: what the conformance kit must catch."""
+"""Small entity that passes the conformance kit, and variants with one fault each."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -29,7 +29,7 @@ PUSHED = either(
 
 @contextmanager
 def registered(*classes: type[Entity]) -> Iterator[None]:
-    """Entity classes that files and texts know for a while."""
+    """Register entity classes within the context."""
     for cls in classes:
         ENTITIES.add(cls.__name__, cls)
     try:
@@ -40,7 +40,7 @@ def registered(*classes: type[Entity]) -> Iterator[None]:
 
 
 def pushed(room: Frame, block: Block, thrust: float, name: str = "block") -> Frame:
-    """A block on a smooth track along x, and a steady force on it."""
+    """Build a block on a smooth track along x with a constant force on it."""
     body = room.body(name, block.mass).rest(X, Z)
     body.force("thrust", Push(X, Profile(thrust)))
     return body
@@ -161,22 +161,22 @@ class Lying:
     strength: float
 
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
-        """Less and less along x."""
+        """Return a force along x that decreases with the velocity."""
         del place, time, maths
         return times(self.strength - velocity[0], X)
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
-        """None."""
+        """Return None."""
         del place, maths
         return None
 
     @property
     def constant(self) -> bool:
-        """So it says."""
+        """Return True, wrongly."""
         return True
 
     def moved(self, by: Vector) -> "Lying":
-        """The same everywhere."""
+        """Return the law unchanged, as it doesn't depend on the position."""
         del by
         return self
 
@@ -196,22 +196,22 @@ class Moody:
     asked: "count[int]" = field(default_factory=count, compare=False)
 
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
-        """Along x."""
+        """Return a force along x."""
         del place, velocity, time, maths
         return times(self.strength + 0.1 * next(self.asked), X)
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
-        """None."""
+        """Return None."""
         del place, maths
         return None
 
     @property
     def constant(self) -> bool:
-        """So it says."""
+        """Return True, wrongly."""
         return True
 
     def moved(self, by: Vector) -> "Moody":
-        """The same everywhere."""
+        """Return the law unchanged, as it doesn't depend on the position."""
         del by
         return self
 

@@ -1,6 +1,6 @@
-"""Mechanisms that nobody should have built: extreme numbers, parts gone, doubled or changed for another, collapses.
+"""Faulty mechanisms: extreme numbers, parts removed, doubled or exchanged, and singularities.
 
-Each is a function of a seed; its names still refer to what there is.
+Each is a function of a seed; its names still refer to existing parts.
 """
 
 from collections.abc import Callable
@@ -29,7 +29,7 @@ def _with(items: tuple[Any, ...], number: int, **changes: object) -> tuple[Any, 
 
 
 def massive(mechanism: Mechanism, rng: Rng) -> Mechanism:
-    """One body as heavy as a ship or as light as a grain."""
+    """Return the mechanism with an extreme mass of one body."""
     number = _one_of(mechanism.bodies, rng)
     mass = float(rng.choice(MASSES))
     ratio = mass / (mechanism.bodies[number].mass or 1.0)
@@ -38,7 +38,7 @@ def massive(mechanism: Mechanism, rng: Rng) -> Mechanism:
 
 
 def fast(mechanism: Mechanism, rng: Rng) -> Mechanism:
-    """One coordinate that begins at a speed out of this world."""
+    """Return the mechanism with an extreme initial speed of one coordinate."""
     number = _one_of(mechanism.bodies, rng)
     body = mechanism.bodies[number]
     if not body.coordinates:
@@ -48,7 +48,7 @@ def fast(mechanism: Mechanism, rng: Rng) -> Mechanism:
 
 
 def stiff(mechanism: Mechanism, rng: Rng) -> Mechanism:
-    """The hardest springs, on what weighs next to nothing."""
+    """Return the mechanism with very stiff springs on very light bodies."""
     lines = tuple(
         replace(line, law=replace(line.law, stiffness=1e6, damping=float(rng.choice((0.0, 1.0, 1e4)))))
         if isinstance(line.law, Elastic)
@@ -59,7 +59,7 @@ def stiff(mechanism: Mechanism, rng: Rng) -> Mechanism:
 
 
 def doubled(mechanism: Mechanism, rng: Rng) -> Mechanism:
-    """A line twice, the second time perhaps by another law: they share a load, or contradict each other."""
+    """Return the mechanism with one line doubled, perhaps with another law."""
     if not mechanism.lines:
         return massive(mechanism, rng)
     line = mechanism.lines[_one_of(mechanism.lines, rng)]
@@ -69,7 +69,7 @@ def doubled(mechanism: Mechanism, rng: Rng) -> Mechanism:
 
 
 def lost(mechanism: Mechanism, rng: Rng) -> Mechanism:
-    """One line, face, force or meeting is gone."""
+    """Return the mechanism without one of its lines, faces, forces or collisions."""
     kinds = [kind for kind in ("lines", "faces", "forces", "meetings", "attractions") if getattr(mechanism, kind)]
     if not kinds:
         return fast(mechanism, rng)
@@ -80,7 +80,7 @@ def lost(mechanism: Mechanism, rng: Rng) -> Mechanism:
 
 
 def swapped(mechanism: Mechanism, rng: Rng) -> Mechanism:
-    """Two bodies change masses, and two lines their laws."""
+    """Return the mechanism with the masses of two bodies and the laws of two lines exchanged."""
     one, other = _one_of(mechanism.bodies, rng), _one_of(mechanism.bodies, rng)
     masses = mechanism.bodies[one].mass, mechanism.bodies[other].mass
     bodies = _with(_with(mechanism.bodies, one, mass=masses[1]), other, mass=masses[0])
@@ -93,7 +93,7 @@ def swapped(mechanism: Mechanism, rng: Rng) -> Mechanism:
 
 
 def moved(mechanism: Mechanism, rng: Rng) -> Mechanism:
-    """A site lies where another one does, or far away."""
+    """Return the mechanism with a site moved to another one or far away."""
     if not mechanism.sites:
         return fast(mechanism, rng)
     number = _one_of(mechanism.sites, rng)
@@ -102,13 +102,13 @@ def moved(mechanism: Mechanism, rng: Rng) -> Mechanism:
 
 
 def heavy(mechanism: Mechanism, rng: Rng) -> Mechanism:
-    """Gravity upside down, sideways, or that of a white dwarf."""
+    """Return the mechanism with gravity upwards, sideways, or that of a white dwarf."""
     gravities = ((0.0, 0.0, 9.8), (9.8, 0.0, 0.0), (0.0, 0.0, -1e6), (0.0, 9.8, 0.0), ZERO)
     return replace(mechanism, gravity=gravities[int(rng.integers(len(gravities)))])
 
 
 def slippery(mechanism: Mechanism, rng: Rng) -> Mechanism:
-    """Faces as rough as rubber or with no friction at all, collisions that lose all or next to nothing."""
+    """Return the mechanism with extreme coefficients of friction and restitution."""
     faces = tuple(replace(face, friction=float(rng.choice((0.0, 1e-9, 5.0, 1e6)))) for face in mechanism.faces)
     meetings = tuple(
         replace(meeting, restitution=float(rng.choice((0.0, 1e-9, 0.999999, 1.0)))) for meeting in mechanism.meetings
@@ -117,7 +117,7 @@ def slippery(mechanism: Mechanism, rng: Rng) -> Mechanism:
 
 
 def reeled(mechanism: Mechanism, rng: Rng) -> Mechanism:
-    """All strings are wound in, slowly or at the speed of sound, or are slack by a hair."""
+    """Return the mechanism with all strings wound in, at any speed up to that of sound, or slightly slack."""
     law = Inextensible(float(rng.choice((0.0, 1e-9, 1e3))), float(rng.choice((0.0, 1e-6, 0.5, 300.0))))
     lines = tuple(replace(line, law=law) if isinstance(line.law, Inextensible) else line for line in mechanism.lines)
     return replace(mechanism, lines=lines)
@@ -127,7 +127,7 @@ SPOILS: tuple[Spoil, ...] = (massive, fast, stiff, doubled, lost, swapped, moved
 
 
 def spoiled(seed: int) -> Mechanism:
-    """A mechanism of any curved family with one to three things wrong."""
+    """Return a mechanism of any curved family with one to three faults."""
     rng = np.random.default_rng([seed, 99])
     mechanism = FAMILIES[str(rng.choice(list(FAMILIES)))](int(rng.integers(1000)))
     for _ in range(int(rng.integers(1, 4))):
@@ -136,13 +136,13 @@ def spoiled(seed: int) -> Mechanism:
 
 
 def collapse(seed: int) -> Mechanism:
-    """What runs into a singularity, or has events without end: falls, chatter, grazing, stiff springs."""
+    """Return a mechanism that leads to a singularity or to endless events."""
     rng = np.random.default_rng([seed, 98])
     return COLLAPSES[seed % len(COLLAPSES)](rng)
 
 
 def _fall(rng: Rng) -> Mechanism:
-    """Straight into a centre of attraction, or past it by a hair."""
+    """Build a body that falls into a centre of attraction, or passes very close to it."""
     builder = Builder(ZERO)
     room = builder.room()
     stone = room.body("stone", float(rng.choice((1e-6, 1.0))), at=(1.0, 0.0, 0.0))
@@ -155,7 +155,7 @@ def _fall(rng: Rng) -> Mechanism:
 
 
 def _chatter(rng: Rng) -> Mechanism:
-    """A ball between two bodies, or a floor and a body, that come together."""
+    """Build a ball between two approaching bodies, or between a floor and an approaching body."""
     builder = Builder((0.0, 0.0, -float(rng.choice((0.0, 9.8)))))
     room = builder.room()
     low, high = (
@@ -170,7 +170,7 @@ def _chatter(rng: Rng) -> Mechanism:
 
 
 def _grazing(rng: Rng) -> Mechanism:
-    """Discs that just touch in passing, or miss by less than rounding."""
+    """Build discs that just touch in passing, or miss by less than rounding errors."""
     builder = Builder(ZERO)
     room = builder.room()
     miss = float(rng.choice((-1e-9, 0.0, 1e-15, 1e-9)))
@@ -183,7 +183,7 @@ def _grazing(rng: Rng) -> Mechanism:
 
 
 def _singing(rng: Rng) -> Mechanism:
-    """Grains on the stiffest springs, one after the other, from 1e6 N/m on 1e-6 kg."""
+    """Build light bodies on the stiffest springs, one after the other, from 1e6 N/m on 1e-6 kg."""
     builder = Builder()
     room = builder.room()
     room.site("wall", (-1.0, 0.0, 0.0))
@@ -198,7 +198,7 @@ def _singing(rng: Rng) -> Mechanism:
 
 
 def _crowded(rng: Rng) -> Mechanism:
-    """Very many bodies that all move: long chains of pendulums and of springs."""
+    """Build long chains of pendulums and of springs, with very many moving bodies."""
     builder = Builder()
     room = builder.room()
     room.site("top")

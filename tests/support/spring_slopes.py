@@ -1,4 +1,4 @@
-"""A block on a smooth slope of 18°, held by a spring at its foot and pulled up by a load over a heavy pulley."""
+"""Scene with a block on a smooth slope of 18°, a spring at its foot, and a load over a heavy pulley."""
 
 from sim2reason import load
 from sim2reason.scenes.dsl.scene import Scene
@@ -29,5 +29,5 @@ scene:
 
 
 def spring_slope(stiffness: float) -> Scene:
-    """With a spring of that stiffness, N/m."""
+    """Return the scene with a spring of the given stiffness in N/m."""
     return load(TEXT.format(stiffness=stiffness))

@@ -1,4 +1,4 @@
-"""States with some of their arrays changed."""
+"""Copies of states with some of their arrays changed."""
 
 from collections.abc import Mapping
 
@@ -6,7 +6,7 @@ from sim2reason.scenes.dsl.state import Array, Dynamics, State
 
 
 def altered(state: State, **changes: Array | Mapping[str, Array]) -> State:
-    """The same with other places, speeds, accelerations or forces, by their names."""
+    """Return a copy with other positions, speeds, accelerations or forces, by their names."""
     names = ("q", "v", *Dynamics._fields)
     assert changes.keys() <= {*names}
     q, v, *forces = (changes.get(name, getattr(state, name)) for name in names)

@@ -1,4 +1,4 @@
-"""Whether the texts of an entity lead back to it: for the tests of entities."""
+"""Checks for tests of entities that their texts lead back to the same scene."""
 
 from collections.abc import Iterator
 
@@ -17,12 +17,12 @@ from sim2reason.text.prose.description import Description, describe
 
 
 def scene_of(entity: Entity) -> Scene:
-    """A scene of one entity."""
+    """Return a scene of one entity."""
     return Scene(entities=(Named(name="it", entity=entity),))
 
 
 def drawn(kind: type[Entity], count: int, seed: int = 0) -> Iterator[Scene]:
-    """That many random scenes of one entity, by its own ranges."""
+    """Yield `count` random scenes of one entity, by its own ranges."""
     index = 0
     while count:
         try:
@@ -34,14 +34,14 @@ def drawn(kind: type[Entity], count: int, seed: int = 0) -> Iterator[Scene]:
 
 
 def check_told(scene: Scene, seed: int) -> None:
-    """Text and file of a scene lead back to it."""
+    """Assert that the text and the file of a scene lead back to it."""
     description = describe(scene, seed)
     assert understood(description.text) == meaning(description), description.text
     assert load(dump(scene)) == scene
 
 
 def check_whole(scene: Scene, seed: int) -> None:
-    """No sentence, and no row of a table, can be cut without another meaning, or none."""
+    """Assert that a text without any one sentence or table row has another meaning or none."""
     description = describe(scene, seed)
     for text in shortened(list(pieces(description.text))):
         try:
@@ -52,25 +52,25 @@ def check_whole(scene: Scene, seed: int) -> None:
 
 
 def certified(scene: Scene) -> bool:
-    """Whether both engines agree on all of a motion."""
+    """Return whether both engines agree on the whole motion."""
     _, certificate = certify(scene)
     whole = certificate.stable_until >= 0.999 * scene.horizon
     return whole and max(certificate.agreement.values()) <= certificate.tolerance
 
 
 def meaning(description: Description) -> Signature:
-    """What a scene means, with the names that its text gives."""
+    """Return the signature of a scene with the names of its text."""
     return signature(description.scene, {address: description.mention(address) for address in description.scene.bodies})
 
 
 def understood(text: str) -> Signature:
-    """What a text means."""
+    """Return the signature of the scene that a text describes."""
     reading = parse_scene(text)
     return signature(reading.scene, {address: name for name, address in reading.names.items()})
 
 
 def shortened(parts: list[str]) -> Iterator[str]:
-    """A text without one of its sentences, or one row of its table."""
+    """Yield the text without each of its sentences and each row of its table."""
     for index, part in enumerate(parts):
         yield _together(parts[:index] + parts[index + 1 :]) or " "
         rows = part.split("\n")

@@ -1,4 +1,4 @@
-"""A policy for tests, in no need of a model: it says what a table of answers tells it."""
+"""Policy for tests that answers from a table, without a model."""
 
 from collections.abc import Sequence
 
@@ -8,7 +8,7 @@ from sim2reason.evaluation.policies import Completion, Policy, SampleRequest
 
 
 class Told(Policy):
-    """Says for each problem and sample what the table has; right or wrong answers to *How much is N?* by default."""
+    """Policy with a table of responses; by default right or wrong answers to *How much is N?*."""
 
     right: float = 1.0
     """The share of problems that it answers rightly, the first ones."""
@@ -19,7 +19,7 @@ class Told(Policy):
     _asked: list[SampleRequest] = PrivateAttr(default_factory=list)
 
     def complete(self, requests: Sequence[SampleRequest]) -> Sequence[Completion]:
-        """At once, with 3 tokens each."""
+        """Return the responses at once, with 3 tokens each."""
         self._asked.extend(requests)
         return [self._said(request) for request in requests]
 

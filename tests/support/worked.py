@@ -1,4 +1,4 @@
-"""Settings of worked solutions: of problems that are kept, of drawn ones, and of questions about plain scenes."""
+"""Problems for tests of worked solutions: stored ones, sampled ones, and questions about plain scenes."""
 
 import json
 from collections import Counter
@@ -47,9 +47,9 @@ def solution_text(problem: str) -> str:
 
 @cache
 def settings_of(problem: str) -> tuple[ProblemContext, ...]:
-    """Return what each part of such a problem asks.
+    """Return the problem of each part of a stored problem.
 
-    Prompts are kept, those of multiple choice without options, so that a problem stays the same whatever recipes draw.
+    Stored prompts keep the problems the same when recipes change; multiple-choice ones have no options.
     """
     held = _stored()[problem]
     prompt, given = str(held["prompt"]), cast("dict[str, str]", held.get("given", {}))
@@ -60,13 +60,13 @@ def settings_of(problem: str) -> tuple[ProblemContext, ...]:
 
 @cache
 def _stored() -> dict[str, dict[str, object]]:
-    """What is kept of each problem, by id."""
+    """Return the stored problems by id."""
     rows = [cast("dict[str, object]", json.loads(line)) for line in PROBLEMS.read_text("utf-8").splitlines()]
     return {str(row["id"]): row for row in rows}
 
 
 def _in_symbols(parsed: ParsedPrompt, given: Mapping[str, str], formula: str) -> ProblemContext:
-    """A question about symbols of which `given` has the numbers; some are the question's own, such as a time."""
+    """Return a question in symbols with the numbers in `given`, including the question's own, such as a time."""
     plain = setting_of(parsed)
     symbols = {path: symbol for path, symbol in plain.symbols.items() if symbol in given}
     others = {symbol: said for symbol, said in given.items() if symbol not in symbols.values()}
@@ -77,7 +77,7 @@ def _in_symbols(parsed: ParsedPrompt, given: Mapping[str, str], formula: str) ->
 
 
 def asked(scene: Scene, question: str | Query) -> ProblemContext:
-    """A question about a scene, in the words of the library or as a query."""
+    """Return a problem about a scene, from a question in the library's words or a query."""
     search = QuestionSearch(scene, 0)
     query = question if isinstance(question, Query) else parse_question(question, search.study, search.words)
     assert query is not None, question
@@ -85,7 +85,7 @@ def asked(scene: Scene, question: str | Query) -> ProblemContext:
 
 
 def derived(scene: Scene, query: Query) -> Solution:
-    """Return the derivation of an answer, every check passed, its text alone included."""
+    """Return the derivation of an answer after checking it, its data and its text."""
     setting = asked(scene, query)
     found = solve(setting)
     assert found.answer is not None, found.reason
@@ -99,7 +99,7 @@ def derived(scene: Scene, query: Query) -> Solution:
 
 
 def answer(name: str, entity: Entity, query: Query) -> float:
-    """Return what is derived about a lone entity."""
+    """Return the derived answer about a lone entity."""
     found = derived(Scene(entities=(Named(name=name, entity=entity),)), query)
     assert found.answer is not None
     return found.answer
@@ -108,7 +108,7 @@ def answer(name: str, entity: Entity, query: Query) -> float:
 def problems(
     recipe: str, difficulty: str, count: int, seed: int = 3, kinds: Sequence[str] = ANSWERED
 ) -> Iterator[ProblemContext]:
-    """Drawn problems that pass every filter, of each kind that strategies answer in turn."""
+    """Yield sampled problems that pass every filter, with the answerable kinds in turn."""
     for index in range(count):
         found = _problem(recipe, difficulty, seed, index, kinds)
         if found is not None:

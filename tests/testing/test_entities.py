@@ -1,4 +1,4 @@
-"""Every registered entity, present and future, conforms."""
+"""Tests that every registered entity passes the conformance kit."""
 
 import pytest
 
@@ -22,7 +22,7 @@ def test_nothing_in_its_text_can_be_left_out(name: str) -> None:
 
 @pytest.mark.parametrize("name", list(ENTITIES)[::3])
 def test_it_is_asked_about(name: str) -> None:
-    """Every sentence of `test_registries` leads back, too."""
+    """`test_registries` checks the texts of each entity."""
     check_entity(ENTITIES[name], seeds=range(1), checks=["questions"])
 
 

@@ -1,4 +1,4 @@
-"""Faults that are found from the text of a multipart solution alone."""
+"""Tests of faults that can be found from the text of a multipart solution alone."""
 
 import pytest
 

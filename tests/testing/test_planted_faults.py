@@ -1,4 +1,4 @@
-"""Faults planted in the data of solutions: each is another solution, and each is refused."""
+"""Tests that faults planted in the data of solutions change them and are rejected."""
 
 import random
 from collections import Counter
@@ -18,7 +18,7 @@ from worked import asked
 
 
 def twice_thrown() -> Data:
-    """A ball falls by h, rebounds, and rises to e² h, in the time √(2 h/g) (1 + e); both are needed."""
+    """Return the data of a ball that falls by h and rebounds to e² h, in the time √(2 h/g) (1 + e)."""
     falling = relation("a", ["+", 0.0, ["*", -1.0, "g"]])
     fall = phase([coordinate("y", "v", "a", "h", 0.0)], [falling], "y", {"\\tau": "t_1", "v": "u"}, direction=-1)
     rise = phase([coordinate("y", "v", "a", 0.0, "w")], [falling], "v", {"\\tau": "t_2", "y": "H"}, begin="t_1")
@@ -62,7 +62,7 @@ def test_each_fault_in_an_elimination_is_refused() -> None:
 
 
 def test_what_has_no_effect_is_not_planted() -> None:
-    """A term that is zero may have either sign, nothing rests on i and j; a law that stands twice goes twice."""
+    """A zero term may have either sign, nothing depends on i and j, and a repeated law is dropped twice."""
     law = relation("x", ["+", "y", ["*", "z", "y"]])
     idle = relation("i", ["*", 2.0, "x"]), relation("j", ["+", "i", 1.0])
     data = solution({"y": 2.0, "z": 0.0}, "x", step(law), step(law), step(*idle))

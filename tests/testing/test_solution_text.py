@@ -1,4 +1,4 @@
-"""What a text alone says of its last line."""
+"""Tests of what a text alone says about its last line."""
 
 from math import sin
 
@@ -22,7 +22,7 @@ def test_a_magnitude_of_a_sum_is_read() -> None:
 
 
 def test_roots_within_fractions_within_roots_are_read() -> None:
-    """J = m (v − u) = √(√(m⁴ (v − u)⁴)), however deep."""
+    """J = m (v − u) = √(√(m⁴ (v − u)⁴)), at any depth."""
     deep = r"\sqrt{\frac{\sqrt{m^{4} \left(v %s u\right)^{\frac{8}{2}}}}{1}}"
     right, wrong = (read(ending(deep % sign), KNOWN) for sign in "-+")
     assert not right.unread
@@ -35,7 +35,7 @@ def test_a_last_line_that_can_not_be_read_is_told() -> None:
 
 
 def test_a_number_without_a_value_follows_from_what_rounding_spoils_least() -> None:
-    """b sin(w t) says little of b where the sine is close to zero, and t is told to five digits."""
+    """b sin(w t) hardly determines b if the sine is close to zero, as t has five digits only."""
     told = r"$a = 2.0000$, $c = 1.3000$, $w = 40.000$ and $t = 2.3557$"
     means, wave = r"$b = \frac{a c}{3}$", rf"$b \sin\left(w t\right) + {SINE:.7f}\,a = 0$"
     for text in (f"{told}: {means}, {wave}.", f"{told}: {wave}, {means}."):
@@ -45,7 +45,7 @@ def test_a_number_without_a_value_follows_from_what_rounding_spoils_least() -> N
 
 @pytest.mark.parametrize(("number", "law", "broken"), [("3.0000", "m g", False), ("3.0000", "2 m g", True)])
 def test_a_law_goes_on_holding_in_a_sum_where_its_result_is_said_too(number: str, law: str, broken: bool) -> None:
-    """N = m g = 3.0 N is put into the sum, as N = m g alone would be."""
+    """N = m g = 3.0 N is substituted into the sum like N = m g alone."""
     text = (
         "Given: $m = 1.5$, $g = 2.0$ and $F = 7.0$.\n\n"
         f"Perpendicular to the surface, block A: $N = m g = {number}$.\n\n"

@@ -1,4 +1,4 @@
-"""The checks themselves: each catches the fault that it is for, planted in a solution that was sound."""
+"""Tests that each check finds the fault that it is for, planted in a sound solution."""
 
 from dataclasses import replace
 from math import cos, radians, sin
@@ -26,7 +26,7 @@ def sound() -> Solution:
 
 
 def altered(solution: Solution, kind: str, change: "object") -> Solution:
-    """With the relations of all steps of a kind changed."""
+    """Return a copy with the relations of all steps of a kind changed."""
     steps = tuple(
         replace(step, relations=change(step.relations)) if step.kind == kind else step  # type: ignore[operator]
         for step in solution.steps
@@ -69,7 +69,7 @@ def test_a_law_that_is_superfluous() -> None:
 
 
 def test_what_tells_since_when_bodies_stick_is_not_superfluous() -> None:
-    """Their common momentum gives the speed of two boards, whatever the friction between them was, once they stick."""
+    """The common momentum gives the speed of two boards that stick together, whatever their friction was before."""
     boards = StackedMassPlane(
         plane=Plane(angle=50.0, friction=0.3), lower=Slab(mass=3.0), upper=Slab(mass=2.0), friction=0.4, speed=2.0
     )
@@ -118,7 +118,7 @@ def test_the_reader_adds_labelled_equations_up(old: str, new: str) -> None:
 
 
 def test_what_rounding_leaves_of_zero_does_not_make_a_law_idle() -> None:
-    """In a limiting case both accelerations are zero, one of them but for 1e-16: its law is needed all the same."""
+    """In a limiting case both accelerations are zero, one of them up to 1e-16, but its law is still needed."""
     a, b, m = Symbol("a"), Symbol("b"), Symbol("m")
     laws = (
         Relation(m, added(Number(2.0), a), "law"),
@@ -132,7 +132,7 @@ def test_what_rounding_leaves_of_zero_does_not_make_a_law_idle() -> None:
 
 
 def test_a_name_without_a_number_is_taken_from_where_rounding_counts_least() -> None:
-    """a_P is 0.766: (a) has it to 1e-3 only, as a small difference, (b) to 6e-5."""
+    """a_P is 0.766; as a small difference, (a) has it to 1e-3 only, (b) to 6e-5."""
     text = """So $a_A = 2.2372\\ \\text{m/s}^2$. In numbers: (a) $21.500\\,a_A + 1.2000\\,a_P = 49.019$; \
 (b) $1.2000\\,a_A + 11.850\\,a_P = 11.760$."""
     found = read(text)
@@ -151,7 +151,7 @@ until slab B has moved 3.5 m. Write the answer in J, to three significant figure
 
 
 def test_what_an_assumption_is_verified_by_is_told() -> None:
-    """Slab A sticks to B while C still slides on A: that rests on accelerations on which the answer does not."""
+    """Slab A sticks to B while C still slides on A, which depends on accelerations that the answer doesn't need."""
     found, setting = solve_prompt(STACK)
     assert "$a_{B,1} = " in found.text
     assert not read(found.text).broken

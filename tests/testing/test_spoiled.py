@@ -1,4 +1,4 @@
-"""Each check of the kit catches an entity that has just that fault, and says in words what it is."""
+"""Tests that each check of the conformance kit finds the entity with that fault and describes it."""
 
 import pytest
 
@@ -98,7 +98,7 @@ def test_an_error_tells_all_findings_with_scenes() -> None:
 
 
 def test_an_entity_that_comes_later_is_known_to_files() -> None:
-    """Also once files have been read."""
+    """The entity is registered after the first file has been read."""
     load(dump(ramp()))
     with registered(Sled):
         scene = specimen(Sled, 0).scene

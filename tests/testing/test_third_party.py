@@ -1,4 +1,4 @@
-"""An entity of somebody else's package, installed with an entry point, appears everywhere."""
+"""Tests that an entity of another package, installed with an entry point, appears everywhere."""
 
 import json
 import shutil

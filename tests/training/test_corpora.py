@@ -1,4 +1,4 @@
-"""Corpora: rows of datasets, draws and files, mixed by weight and put into tokens."""
+"""Tests of corpora: rows of datasets, samples and files, mixed by weight and tokenized."""
 
 import json
 from collections import Counter
@@ -23,7 +23,7 @@ Tokenizer = Any  # of the transformers library
 
 
 def lines(path: Path, count: int, name: str = "row") -> dict[str, object]:
-    """A file of rows, and the settings of the corpus that it is."""
+    """Write a file of rows and return the settings of a corpus with it."""
     path.write_text("".join(f"{json.dumps({'q': f'{name} {n}?', 'a': f'{n}.'})}\n" for n in range(count)))
     return {"kind": "jsonl", "file": str(path), "prompt": "q", "completion": "a"}
 

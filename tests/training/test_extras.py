@@ -1,4 +1,4 @@
-"""Libraries that a run needs are looked for before anything else is done."""
+"""Tests that libraries needed by a run are looked up before anything else is done."""
 
 from importlib.util import find_spec
 from pathlib import Path
@@ -21,7 +21,7 @@ CHOSEN = {
 
 
 def without(missing: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """As if all libraries were installed but one."""
+    """Simulate an environment with all libraries but one."""
     spec = find_spec("json")
     monkeypatch.setattr("sim2reason.training.extras.find_spec", lambda name: None if name == missing else spec)
 

@@ -1,4 +1,4 @@
-"""Rows that are drawn when a trainer asks for them, with stored ones between them by weight."""
+"""Tests of rows that are made when a trainer asks for them, mixed with stored ones by weight."""
 
 import pickle
 from collections import Counter

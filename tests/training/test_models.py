@@ -1,4 +1,4 @@
-"""Models: settings right and wrong, and a tiny one made here that everything loads by its folder."""
+"""Tests of models: valid and invalid settings, and a tiny model that everything loads from its folder."""
 
 import os
 import subprocess
@@ -22,7 +22,7 @@ TINY = {"kind": "scratch", "layers": 2, "width": 32, "heads": 2, "vocabulary": 4
 
 
 def texts() -> list[str]:
-    """What problems of all recipes say, and what no problem does."""
+    """Return texts of problems of all recipes, and a text that is in none of them."""
     scenes = [sample(recipe, difficulty, seed=2) for recipe in RECIPES for difficulty in DIFFICULTIES]
     return [
         *(describe(scene, 3).text for scene in scenes),

@@ -1,4 +1,4 @@
-"""The stream of problems: shares, cells, the place that a checkpoint holds, what is kept out."""
+"""Tests of the stream of problems: shares, cells, its position in checkpoints, and held-out problems."""
 
 import json
 from collections import Counter
@@ -14,7 +14,7 @@ from sim2reason.training.sources.problems import Fresh
 
 
 class Counting(ProblemSource):
-    """Problems that are their own coordinates; every seventh request is filled by none."""
+    """Source of problems that are their own coordinates; every seventh request finds none."""
 
     held: tuple[str, ...] = ("easy", "hard")
     empty: bool = False

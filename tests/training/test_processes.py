@@ -1,4 +1,4 @@
-"""Work in several processes: what the first says is passed on, and no fault leaves anybody waiting."""
+"""Tests of work in several processes: messages of the first are passed on, and no failure leaves one waiting."""
 
 import os
 import signal
@@ -26,7 +26,7 @@ def count(folder: Path, begun: Begun, advance: Advance) -> None:
 
 
 def fail(ranks: str, begun: Begun, advance: Advance) -> None:
-    """Those named fail; the others wait for ever."""
+    """Raise an error in the named ranks, and wait forever in the others."""
     begun("failing", 1)
     advance(0)
     if os.environ["RANK"] in ranks:
@@ -75,7 +75,7 @@ def test_a_process_that_is_killed_ends_all(rank: str) -> None:
 
 
 class Seen:
-    """A process as it is seen in one look after another, with its sentinel, which is ready if the last look is."""
+    """Process with a given exit code at each poll, and a sentinel that is ready if the last one is set."""
 
     def __init__(self, *codes: int | None) -> None:
         self.codes = [*codes]

@@ -1,4 +1,4 @@
-"""Rewards: our grader, controls, and how trainers call them."""
+"""Tests of rewards: the grader, controls, and calls by trainers."""
 
 import pytest
 

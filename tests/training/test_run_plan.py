@@ -1,4 +1,4 @@
-"""Which run a folder belongs to: one that could begin, and no other once something has come of it."""
+"""Tests of the run that owns a folder: any valid one at first, no other one once there are results."""
 
 import json
 from collections.abc import Callable
@@ -99,7 +99,7 @@ def test_a_run_from_which_something_came_is_not(tmp_path: Path) -> None:
 
 
 def test_what_was_prepared_alone_claims_no_folder(tmp_path: Path) -> None:
-    """Whatever fails after problems were held out and rows were drawn, other settings may take its place."""
+    """After a failure that leaves only held-out problems and rows, other settings may use the folder."""
     folder = reinforced(tmp_path)
     made = [folder.problems("rolling"), folder.warm_start / "rows.jsonl", folder.warm_start / "initial/config.json"]
     for path in made:

@@ -1,4 +1,4 @@
-"""Rejection sampling: which responses are kept, what is asked again, and what a corpus makes of them."""
+"""Tests of rejection sampling: responses kept, problems asked again, and the resulting corpus."""
 
 import json
 from collections import Counter
@@ -19,9 +19,9 @@ from sim2reason.training.corpora.solutions import sample_solutions
 
 
 class Teacher(Policy):
-    """At each problem: right, wrong, right again in the same words, right with thinking, right and cut off, and so on.
+    """Policy whose samples of a problem are right, wrong, right with equal words, right with thinking, and so on.
 
-    Of the problems, every fourth is never solved.
+    A later sample is right and cut off. Every fourth problem is never solved.
     """
 
     answers: dict[str, float]
@@ -31,7 +31,7 @@ class Teacher(Policy):
     operational = Policy.operational | {"stops_after"}
 
     def complete(self, requests: Sequence[SampleRequest]) -> Sequence[Completion]:
-        """By the sample."""
+        """Return the responses by the numbers of their samples."""
         if len(self._asked) >= self.stops_after:
             raise PolicyError("no more today")
         self._asked.extend((request.id, request.sample) for request in requests)

@@ -1,4 +1,4 @@
-"""Supervised fine-tuning: configurations right and wrong, and runs of tiny models that learn, end and go on."""
+"""Tests of supervised fine-tuning: valid and invalid configurations, and tiny runs that learn, end and resume."""
 
 import json
 import os
@@ -25,7 +25,7 @@ Settings = dict[str, Any]
 
 @pytest.fixture
 def settings(tmp_path: Path) -> Settings:
-    """A run of six steps of eight rows."""
+    """Return the settings of a run of six steps of eight rows."""
     rows = tmp_path / "rows.jsonl"
     lines = ({"prompt": f"How much is {n} and {n}? ", "completion": rf"\boxed{{{2 * n}}}"} for n in range(10, 42))
     rows.write_text("".join(f"{json.dumps(line)}\n" for line in lines))
@@ -140,7 +140,7 @@ def test_batches_hold_rows_that_are_about_equally_long() -> None:
 
 @installed
 def test_a_run_by_length_goes_on_as_one_that_was_not_broken_off(settings: Settings, tmp_path: Path) -> None:
-    """Sixteen rows a pass, so that the second pass is gone on in."""
+    """There are sixteen rows per pass, so the run is resumed in the second pass."""
     settings |= {"by_length": True, "steps": 9, "batch": 8}
     train_sft(settings)
     broken = {**settings, "out": str(tmp_path / "broken")}
@@ -192,7 +192,7 @@ def test_it_learns_and_loads_like_any_checkpoint(settings: Settings, optimizer: 
 
 @installed
 def test_only_completions_are_learned_whatever_their_prompts_say(settings: Settings) -> None:
-    """The loss of each step is that of the completions alone, computed anew here from the model before training."""
+    """The loss of each step is that of the completions alone, recomputed here from the model before training."""
     import torch
 
     settings |= {"steps": 1, "batch": 32, "learning_rate": 1e-9, "micro_batch": 8}

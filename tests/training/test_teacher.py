@@ -1,4 +1,4 @@
-"""From a teacher behind an address to a model that has learned from it, by the commands that a person gives."""
+"""Tests of the way from a teacher behind an address to a trained model, by the commands that a user gives."""
 
 import json
 import os
@@ -30,7 +30,7 @@ def test_right_responses_of_an_endpoint_become_a_model(tmp_path: Path) -> None:
     solved = {item.prompt: item.solution.text for item in problems if item.solution is not None}
 
     def teach(number: int, fields: dict[str, Any], key: str) -> Said:
-        """Every fourth request meets a fault, and every other seed gives a wrong response."""
+        """Return a fault for every fourth request, and a wrong response for every other seed."""
         if number % 4 == 0:
             return FAULTS["broken"](key)
         told = solved[fields["messages"][-1]["content"]]

@@ -1,4 +1,4 @@
-"""What the comparisons measured is listed at the end of a run."""
+"""Fixtures of the comparisons with Lagrangian references, and a summary of the measured errors after a run."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Rigid bodies in space against Euler's equations; see `tests/support/lagrangian/bodies.py`."""
+"""Tests of rigid bodies in space against Euler's equations (`tests/support/lagrangian/bodies.py`)."""
 
 from math import cos, radians, sin
 
@@ -15,7 +15,7 @@ TWO = np.linspace(0.0, 2.0, 41)
 
 
 def turned(moments: tuple[float, float, float], tilt: float) -> Tensor:
-    """A tensor of principal moments, its third axis tilted from z towards x."""
+    """Return the inertia tensor with given principal moments, its third axis tilted from z towards x."""
     c, s = cos(tilt), sin(tilt)
     turn = np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
     t = turn @ np.diag(moments) @ turn.T
@@ -23,7 +23,7 @@ def turned(moments: tuple[float, float, float], tilt: float) -> Tensor:
 
 
 def test_heavy_top(agree: Agreement) -> None:
-    """It precesses and nods: three hinges at its tip, the last along its own axis, 40° from the upright at first."""
+    """A top on three hinges at its tip, the last along its own axis, precesses and nutates at 40° to the vertical."""
     mass, long, moments, tilt, precession, spin = 0.8, 0.15, (0.004, 0.004, 0.0015), radians(40), 1.0, 90.0
     way = (sin(tilt), 0.0, cos(tilt))
     builder = Builder()
@@ -41,7 +41,7 @@ def test_heavy_top(agree: Agreement) -> None:
 
 
 def test_body_that_tumbles_about_its_middle_axis(agree: Agreement) -> None:
-    """Without torque rotation about the axis of the middle moment turns over (the theorem of the tennis racket)."""
+    """Torque-free rotation about the axis of the intermediate moment is unstable (the tennis racket theorem)."""
     moments, tilt = (0.5, 0.9, 1.3), radians(70)
     rates = {"turn": 3.0, "nod": 0.4, "spin": 0.2}
     way = (sin(tilt), 0.0, cos(tilt))

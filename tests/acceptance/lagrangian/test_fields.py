@@ -1,4 +1,4 @@
-"""Attraction, engines, air and fields against Newton's equations; see `tests/support/lagrangian/fields.py`."""
+"""Tests of gravity, thrust, drag and fields against Newton's equations (`tests/support/lagrangian/fields.py`)."""
 
 from math import hypot, pi, radians, sin, sqrt
 
@@ -36,7 +36,7 @@ def gravitating(
     duration: float,
     fixed: bool,
 ) -> None:
-    """Bodies that all attract each other; with `fixed` the first stays."""
+    """Compare bodies that all attract each other with the reference; with `fixed` the first does not move."""
     builder = Builder(ZERO)
     room = builder.room()
     names = [f"p{i}" for i in range(len(masses))]
@@ -62,14 +62,14 @@ def gravitating(
 
 
 def test_interacting_planets(agree: Agreement) -> None:
-    """Two planets of a hundredth of their star's mass, which is fixed, in astronomical units and years; three years."""
+    """Two planets of 1 % and 2 % of the mass of their fixed star move for three years, in astronomical units."""
     star, v = 4.0 * pi**2, 2.0 * pi
     places, start = [(0.0, 0.0), (1.0, 0.0), (-1.5, 0.2)], [(0.0, 0.0), (0.0, v), (0.3, -v / sqrt(1.5))]
     gravitating(agree, [1.0, 0.01, 0.02], places, start, star, 3.0, fixed=True)
 
 
 def test_three_bodies_on_a_figure_of_eight(agree: Agreement) -> None:
-    """The periodic solution of Chenciner and Montgomery (2000) with G = m = 1, nearly a whole period."""
+    """The periodic solution of Chenciner and Montgomery (2000) with G = m = 1 is followed for nearly one period."""
     x, v = (0.97000436, -0.24308753), (0.93240737, 0.86473146)
     places = [x, (-x[0], -x[1]), (0.0, 0.0)]
     start = [(v[0] / 2, v[1] / 2), (v[0] / 2, v[1] / 2), (-v[0], -v[1])]
@@ -77,13 +77,13 @@ def test_three_bodies_on_a_figure_of_eight(agree: Agreement) -> None:
 
 
 def test_three_unequal_bodies(agree: Agreement) -> None:
-    """Burrau's Pythagorean problem, 3, 4 and 5 at rest in the corners of a triangle, up to the first close passage."""
+    """Burrau's Pythagorean problem: masses 3, 4, 5 start at rest at a triangle's corners, up to a close passage."""
     places = [(1.0, 3.0), (-2.0, -1.0), (1.0, -1.0)]
     gravitating(agree, [3.0, 4.0, 5.0], places, [(0.0, 0.0)] * 3, 1.0, 1.8, fixed=False)
 
 
 def test_ellipse_over_ten_periods() -> None:
-    """Kepler's equation, e = 0.5, a = 1, GM = 4π², at 400 times."""
+    """The orbit satisfies Kepler's equation with e = 0.5, a = 1, GM = 4π² at 400 times."""
     e, strength = 0.5, 4.0 * pi**2
     times = np.linspace(0.0, 10.0, 401)
     expected = fields.kepler(1.0, e, strength, times)
@@ -96,7 +96,7 @@ def test_ellipse_over_ten_periods() -> None:
 
 
 def test_rocket_from_a_planet(agree: Agreement) -> None:
-    """It burns 70 % of its mass away, its nozzle always straight down, while it drifts aside."""
+    """The rocket burns 70 % of its mass, its nozzle always straight down, while it drifts sideways."""
     full, burn, pull, radius = 5.0, (1.4, 4.0, 2.5), 0.8, 1.0
     builder = Builder(ZERO)
     room = builder.room()
@@ -113,7 +113,7 @@ def test_rocket_from_a_planet(agree: Agreement) -> None:
 
 
 def test_ball_that_bounces_in_air(agree: Agreement) -> None:
-    """Linear and quadratic drag, restitution 0.8, five bounces."""
+    """The ball bounces five times, with linear and quadratic drag and a restitution of 0.8."""
     mass, drag, restitution, height, start = 0.2, (0.02, 0.015), 0.8, 1.5, (3.0, 2.0)
     builder = Builder()
     room = builder.room()
@@ -131,7 +131,7 @@ def test_ball_that_bounces_in_air(agree: Agreement) -> None:
 
 
 def test_charge_through_a_disc(agree: Agreement) -> None:
-    """It enters a disc of uniform B with a field E that grows with x, and leaves it again."""
+    """The charge enters a disc of uniform B with a field E that grows linearly with x, and leaves it again."""
     mass, charge, b, electric, radius, start = 0.5, 2.0, 1.5, (0.8, 1.2), 0.5, (2.0, 0.1)
     builder = Builder(ZERO)
     place = (-1.0, 0.0, 0.1)
@@ -152,7 +152,7 @@ def test_charge_through_a_disc(agree: Agreement) -> None:
 
 
 def test_charge_in_changing_fields(agree: Agreement) -> None:
-    """B grows with time, E swings: position-independent, so that speed and place come from one linear equation."""
+    """B grows with time and E oscillates, both uniform in space, so that one linear equation gives the motion."""
     mass, charge, magnetic, electric, start = 0.3, 1.5, (2.0, 0.7), (1.2, 5.0), (1.0, -0.5, 0.4)
     builder = Builder(ZERO)
     body = builder.room().body("charge", mass)
@@ -169,7 +169,7 @@ def test_charge_in_changing_fields(agree: Agreement) -> None:
 
 
 def test_a_charge_turns_a_hundred_times() -> None:
-    """Cyclotron motion: x = r sin ωt, ω = qB/m, for 100 periods."""
+    """The cyclotron motion x = r sin ωt, ω = qB/m, is accurate over 100 periods."""
     omega, speed = 12.0, 3.0
     times = np.linspace(0.0, 100.0 * 2.0 * pi / omega, 301)
     builder = Builder(ZERO)
@@ -183,7 +183,7 @@ def test_a_charge_turns_a_hundred_times() -> None:
 
 
 def test_the_deflection_of_a_charge_aimed_at_the_centre_of_a_disc() -> None:
-    """tan ½φ = R/r: it leaves along a radius."""
+    """The deflection is tan ½φ = R/r, and the charge leaves along a radius."""
     omega, speed, radius = 4.0, 2.5, 0.7
     builder = Builder(ZERO)
     tilt = radians(25)

@@ -1,4 +1,4 @@
-"""The integrator of the references, and that they know nothing of what they check."""
+"""Tests of the integrator of the references, and of their independence from the engines that they check."""
 
 import ast
 import sys
@@ -35,7 +35,7 @@ def test_a_step_is_of_order_twelve() -> None:
 
 
 def test_events_are_found_to_the_last_digit() -> None:
-    """x = sin t reaches a half at t = π/6 upwards, 5π/6 downwards, and so on."""
+    """The solution x = sin t crosses 1/2 upwards at t = π/6, downwards at 5π/6, and so on."""
     times = np.linspace(0.0, 10.0, 21)
 
     def phase(side: int) -> Phase:

@@ -1,4 +1,4 @@
-"""Pendulums against their Lagrangians; the equations stand in `tests/support/lagrangian/pendulums.py`."""
+"""Tests of pendulums against Lagrange's equations (`tests/support/lagrangian/pendulums.py`)."""
 
 from math import cos, pi, radians, sin, sqrt
 
@@ -16,12 +16,12 @@ TWO = np.linspace(0.0, 2.0, 41)
 
 
 def down(long: float, angle: float) -> Vector:
-    """A place at `long` from the origin, `angle` from straight down towards +x."""
+    """Return the point at distance `long` from the origin, at `angle` from straight down towards +x."""
     return (long * sin(angle), 0.0, -long * cos(angle))
 
 
 def test_double_compound_pendulum(agree: Agreement) -> None:
-    """Two bars on hinges, the first let go at 70°, the second at 160° while it turns."""
+    """Two hinged bars start at 70° and at 160°, both with an angular velocity."""
     first, second, long, angles, turns = (
         (2.0, 0.21, 0.4),
         (1.2, 0.08, 0.35),
@@ -51,7 +51,7 @@ def test_double_compound_pendulum(agree: Agreement) -> None:
 
 
 def test_double_pendulum_on_rods(agree: Agreement) -> None:
-    """Two bobs on light rods, both let go from above their supports."""
+    """Two bobs on light rods are both released from above their supports."""
     m1, m2, l1, l2, t1, t2 = 1.5, 0.7, 0.8, 0.6, radians(120), radians(100)
     builder = Builder()
     room = builder.room()
@@ -73,7 +73,7 @@ def test_double_pendulum_on_rods(agree: Agreement) -> None:
 
 @pytest.mark.parametrize("k", [2.5, 3.5, 4.8])
 def test_pendulum_whose_string_goes_slack(agree: Agreement, k: float) -> None:
-    """Sent off at the bottom with v² = kgℓ, 2 < k < 5: circle, parabola, a jerk, and on."""
+    """Launched at the bottom with v² = kgℓ, 2 < k < 5, the bob follows a circle, a parabola, a jerk, and goes on."""
     mass, long = 0.4, 0.7
     speed = sqrt(k * pendulums.G * long)
     builder = Builder()
@@ -91,7 +91,7 @@ def test_pendulum_whose_string_goes_slack(agree: Agreement, k: float) -> None:
 
 
 def test_pendulum_on_a_slider(agree: Agreement) -> None:
-    """A bob on a rod from a cart on a smooth rail, with the rod's pull and the rail's push."""
+    """A bob on a rod swings from a cart on a smooth rail; the rod's and the rail's forces agree as well."""
     cart, bob, long, angle = 1.3, 0.8, 0.75, radians(100)
     builder = Builder()
     room = builder.room()
@@ -109,7 +109,7 @@ def test_pendulum_on_a_slider(agree: Agreement) -> None:
 
 
 def test_compound_pendulum_on_a_sprung_cart_on_an_incline(agree: Agreement) -> None:
-    """A bar on a hinge on a cart, which a damped spring holds on a slope of 25°."""
+    """A hinged bar swings on a cart that a damped spring holds on a slope of 25°."""
     masses, long, slope, angle = (2.0, 0.9, 0.05), 0.4, radians(25), radians(75)
     k, damping, stretched = 30.0, 0.8, 0.2
     uphill, out = (cos(slope), 0.0, sin(slope)), (-sin(slope), 0.0, cos(slope))
@@ -131,7 +131,7 @@ def test_compound_pendulum_on_a_sprung_cart_on_an_incline(agree: Agreement) -> N
 
 
 def test_swinging_atwood_machine(agree: Agreement) -> None:
-    """A weight, a pulley of two rim points, and on the other side a bob that swings."""
+    """A string over a pulley of two rim points connects a weight with a swinging bob."""
     heavy, bob, long, angle = 2.2, 1.0, 1.1, radians(65)
     builder = Builder()
     room = builder.room()
@@ -149,7 +149,7 @@ def test_swinging_atwood_machine(agree: Agreement) -> None:
 
 
 def test_pendulum_whose_string_is_drawn_in(agree: Agreement) -> None:
-    """A winch takes in the string at 0.25 m/s; the bob starts with that speed along it."""
+    """A winch takes in the string at 0.25 m/s; the bob starts with that speed along the string."""
     mass, long, reel, angle, turn = 0.6, 1.2, 0.25, radians(40), 0.7
     u, n = (sin(angle), -cos(angle)), (cos(angle), sin(angle))
     speed = tuple(-reel * a + long * turn * b for a, b in zip(u, n, strict=True))
@@ -162,7 +162,7 @@ def test_pendulum_whose_string_is_drawn_in(agree: Agreement) -> None:
 
 
 def winch(mass: float, long: float, angle: float, speed: tuple[float, float], reel: float) -> Mechanism:
-    """A string that is drawn in at a steady speed over a nail."""
+    """Build a bob on a string that is drawn in over a nail at a constant speed."""
     builder = Builder()
     room = builder.room()
     room.site("nail")
@@ -172,7 +172,7 @@ def winch(mass: float, long: float, angle: float, speed: tuple[float, float], re
 
 
 def test_pendulum_in_space(agree: Agreement) -> None:
-    """A bob on a rod that swings round, in three slides."""
+    """A bob on a rod swings around in three dimensions, with Cartesian coordinates."""
     mass, long, tilt, turn = 0.9, 0.8, radians(50), 2.5
     start = (long * sin(tilt), 0.0, -long * cos(tilt))
     builder = Builder()
@@ -191,7 +191,7 @@ def test_pendulum_in_space(agree: Agreement) -> None:
 
 
 def test_bob_on_a_string_from_a_compound_pendulum(agree: Agreement) -> None:
-    """A bar on a hinge and a bob on a string from it, sent off so fast that the string goes slack and jerks."""
+    """A bob on a string from a hinged bar starts so fast that the string goes slack and jerks."""
     body, bob, long, angles, turns = (1.6, 0.15, 0.4, 0.8), 0.5, 0.6, (radians(10), radians(20)), (3.0, 9.0)
     mass, inertia, center, arm = body
     builder = Builder()
@@ -216,7 +216,7 @@ def test_bob_on_a_string_from_a_compound_pendulum(agree: Agreement) -> None:
 
 
 def test_the_period_of_a_large_swing() -> None:
-    """T = 4√(ℓ/g)·K(sin ½θ₀), K by the arithmetic–geometric mean: ½π/agm(1, cos ½θ₀); turns lie half of it apart."""
+    """T = 4√(ℓ/g)·K(sin ½θ₀) with K = ½π/agm(1, cos ½θ₀); turning points are T/2 apart."""
     from sim2reason.simulation.engines.exact.engine import motion
 
     long, angle = 0.9, radians(150)

@@ -1,4 +1,4 @@
-"""Bodies on faces against Newton's equations; these stand in `tests/support/lagrangian/rolling.py`."""
+"""Tests of bodies on surfaces against Newton's equations (`tests/support/lagrangian/rolling.py`)."""
 
 from math import acos, cos, pi, radians, sin, sqrt
 
@@ -22,7 +22,7 @@ def roller(
     start: tuple[float, float],
     spring: tuple[float, float] | None = None,
 ) -> Mechanism:
-    """A round body on an incline that rises to the right."""
+    """Build a round body on an incline that rises to the right."""
     (mass, inertia, radius), (d, psi), (slope, mu) = body, offset, face
     uphill, out = np.array([cos(slope), 0.0, sin(slope)]), np.array([-sin(slope), 0.0, cos(slope)])
     center = tuple(d * (sin(psi) * uphill + cos(psi) * out))
@@ -48,7 +48,7 @@ def rolled(state: State) -> list[Array]:
     ids=["rolls", "slips at times", "starts slipping", "leaves the face"],
 )
 def test_off_centre_rolling(agree: Agreement, slope: float, mu: float, start: tuple[float, float], least: int) -> None:
-    """A loaded disc: it rolls unevenly, slips and catches, and leaves the incline when its load is thrown up."""
+    """A disc with an eccentric load rolls unevenly, slips and sticks, and lifts off when its load is thrown up."""
     body, offset, face = (2.0, 0.06, 0.3), (0.12, radians(30)), (radians(slope), mu)
     if mu == 5.0:
         start = (0.3 * start[1], start[1])
@@ -59,7 +59,7 @@ def test_off_centre_rolling(agree: Agreement, slope: float, mu: float, start: tu
 
 
 def test_sphere_on_a_spring_rolls_and_slips_by_turns(agree: Agreement) -> None:
-    """A sphere drawn to and fro by a spring at its axis: friction holds where the spring is weak, else it slips."""
+    """A spring moves a sphere to and fro, which slips while the spring force exceeds what static friction holds."""
     mass, radius = 1.5, 0.2
     body, face, spring, start = (mass, 0.4 * mass * radius**2, radius), (0.0, 0.12), (60.0, -0.25), (0.0, 0.0)
     reference = rolling.Roller(body, (0.0, 0.0), face, spring).begin(*start)
@@ -70,7 +70,7 @@ def test_sphere_on_a_spring_rolls_and_slips_by_turns(agree: Agreement) -> None:
 
 @pytest.mark.parametrize(("friction", "least"), [(0.15, 2), (0.5, 1)])
 def test_block_in_a_rough_trough(agree: Agreement, friction: float, least: int) -> None:
-    """It starts at 75° and turns until friction holds it."""
+    """The block starts at 75° and slides to and fro until friction holds it."""
     mass, radius, angle = 0.4, 0.8, radians(75)
     builder = Builder()
     block = builder.room().body("block", mass, center=(radius * sin(angle), 0.0, -radius * cos(angle)))
@@ -87,7 +87,7 @@ def test_block_in_a_rough_trough(agree: Agreement, friction: float, least: int) 
 
 
 def test_block_on_a_smooth_dome(agree: Agreement) -> None:
-    """It leaves where its height is two thirds of the radius above the centre, if it began at rest at the top."""
+    """A block that starts at rest at the top leaves the dome at two thirds of the radius above the centre."""
     mass, radius, angle, turn = 0.7, 1.3, radians(5), 0.4
     builder = Builder()
     block = builder.room().body("block", mass, center=(radius * sin(angle), 0.0, radius * cos(angle)))
@@ -104,7 +104,7 @@ def test_block_on_a_smooth_dome(agree: Agreement) -> None:
 
 
 def test_bead_on_a_hoop_that_turns(agree: Agreement) -> None:
-    """The hoop turns freely about its vertical diameter, so that it slows down as the bead rises."""
+    """The hoop turns freely about its vertical diameter, so it slows down as the bead rises."""
     mass, inertia, radius, angle, turn = 0.5, 0.12, 0.6, radians(40), 6.0
     builder = Builder()
     hoop = builder.room().body("hoop", 1.0, inertia=(0.06, 0.06, inertia, 0.0, 0.0, 0.0)).hinge(Z, turn)
@@ -120,7 +120,7 @@ def test_bead_on_a_hoop_that_turns(agree: Agreement) -> None:
 
 
 def test_bead_on_a_rod_that_turns(agree: Agreement) -> None:
-    """A spring holds it from the axis; the rod turns freely about an upright line."""
+    """A spring connects the bead to the axis of the rod, which turns freely about a vertical line."""
     mass, inertia, spring, r, turn, speed = 0.4, 0.05, (30.0, 0.3), 0.25, 7.0, 0.8
     builder = Builder()
     rod = builder.room().body("rod", 0.5, inertia=about_y(inertia)).hinge(Z, turn)
@@ -138,7 +138,7 @@ def test_bead_on_a_rod_that_turns(agree: Agreement) -> None:
 
 @pytest.mark.parametrize("friction", [(0.0, 0.0), (0.1, 0.2)])
 def test_blocks_joined_by_a_rod_on_floor_and_wall(agree: Agreement, friction: tuple[float, float]) -> None:
-    """The upper one leaves the wall where the rod no longer pushes."""
+    """The upper block leaves the wall when the rod no longer pushes on it."""
     masses, long, angle = (1.1, 0.9), 1.5, radians(65)
     foot, top = (long * cos(angle), 0.0, 0.0), (0.0, 0.0, long * sin(angle))
     builder = Builder()
@@ -158,7 +158,7 @@ def test_blocks_joined_by_a_rod_on_floor_and_wall(agree: Agreement, friction: tu
 
 @pytest.mark.parametrize("slope", [8.0, 12.0])
 def test_hexagonal_prism_tips_down_an_incline(agree: Agreement, slope: float) -> None:
-    """A solid one, I = 5/12 ma² (IPhO 1998): at each landing 11/17 of its angular velocity is left."""
+    """A solid prism with I = 5/12 ma² (IPhO 1998) keeps 11/17 of its angular velocity at each landing."""
     side, beta, mass, turn = 0.2, radians(slope), 1.7, 5.0
     record = agree(*prism(side, beta, mass, turn), {"land": "land"})
     after = [later for (_, name), later in zip(record.events, record.events[1:], strict=False) if name == "land"]
@@ -169,7 +169,7 @@ def test_hexagonal_prism_tips_down_an_incline(agree: Agreement, slope: float) ->
 
 
 def prism(side: float, beta: float, mass: float, turn: float) -> tuple[object, ...]:
-    """A hexagonal prism that tips over its lower front edge at the start; its edges may stand on the incline."""
+    """Build a hexagonal prism that tips over its lower front edge at first; its edges may touch the incline."""
     down, out = np.array([cos(beta), 0.0, -sin(beta)]), np.array([sin(beta), 0.0, cos(beta)])
     tip = beta - pi / 6.0
     edge = 0.5 * side * down
@@ -194,7 +194,7 @@ def prism(side: float, beta: float, mass: float, turn: float) -> tuple[object, .
 
 
 def test_loop_the_loop_lifts_where_weight_and_centripetal_force_balance() -> None:
-    """Inside a ring, sent off at the bottom with v² = kgR: it leaves at cos θ = −(k − 2)/3 from straight down."""
+    """Launched at the bottom with v² = kgR, the block leaves at cos θ = −(k − 2)/3 from straight down."""
     from sim2reason.simulation.engines.exact.engine import motion
 
     radius, k = 0.9, 3.7
@@ -209,7 +209,7 @@ def test_loop_the_loop_lifts_where_weight_and_centripetal_force_balance() -> Non
 
 
 def test_two_free_particles_and_a_rod_turn_about_their_centre(agree: Agreement) -> None:
-    """No gravity: the centre goes straight on, the rod turns steadily; a check of the rods themselves."""
+    """Without gravity the centre of mass moves uniformly and the rod rotates uniformly."""
     m1, m2, long, turn = 1.0, 3.0, 0.8, 4.0
     r1, r2 = long * m2 / (m1 + m2), long * m1 / (m1 + m2)
     builder = Builder((0.0, 0.0, 0.0))

@@ -1,4 +1,4 @@
-"""Springs against Newton's equations; these stand in `tests/support/lagrangian/springs.py`."""
+"""Tests of springs against Newton's equations (`tests/support/lagrangian/springs.py`)."""
 
 from math import cos, radians, sin
 
@@ -15,7 +15,7 @@ TWO = np.linspace(0.0, 2.0, 41)
 
 
 def test_spring_chain_with_friction(agree: Agreement) -> None:
-    """Three rough blocks, three springs, a wall: they stop, stick and slip again, each on its own."""
+    """Three rough blocks in a row of three springs from a wall stop, stick and slip independently."""
     masses, friction, stiffness, stretched = (1.0, 1.5, 0.8), (0.1, 0.15, 0.2), (60.0, 40.0, 30.0), (0.3, -0.1, 0.25)
     start = (0.0, 1.2, -0.5)
     builder = Builder()
@@ -40,7 +40,7 @@ def test_spring_chain_with_friction(agree: Agreement) -> None:
 
 
 def test_block_on_three_springs_at_angles(agree: Agreement) -> None:
-    """A particle between three nails, thrown, with gravity; two springs are stretched, one is pressed."""
+    """A particle between three nails is launched under gravity; two springs are stretched, one is compressed."""
     nails = [np.array([-0.8, 0.3]), np.array([0.6, 0.9]), np.array([0.1, -0.7])]
     data = [(120.0, 0.7, 0.0), (80.0, 0.9, 0.0), (200.0, 0.85, 0.0)]
     table = [(0, nail, *each) for nail, each in zip(nails, data, strict=True)]
@@ -48,7 +48,7 @@ def test_block_on_three_springs_at_angles(agree: Agreement) -> None:
 
 
 def test_ring_of_damped_springs(agree: Agreement) -> None:
-    """Three particles joined in a ring by damped springs and hung from two nails by two more."""
+    """Three particles in a ring of damped springs hang from two nails on two more springs."""
     table = [(one, other, 150.0, 0.5, 1.2) for one, other in springs.ring([0, 1, 2])]
     table += [(0, np.array([-0.3, 1.0]), 90.0, 0.6, 0.4), (1, np.array([0.9, 1.1]), 70.0, 0.7, 0.3)]
     places = [(0.0, 0.3), (0.6, 0.3), (0.3, -0.2)]
@@ -63,7 +63,7 @@ def net(
     table: list[tuple[int, int | Array, float, float, float]],
     gravity: float,
 ) -> None:
-    """Particles in a plane and the springs between them, the same for both."""
+    """Compare particles in a plane and the springs between them with the reference."""
     builder = Builder((0.0, 0.0, -gravity))
     room = builder.room()
     at: list[Vector] = [(x, 0.0, z) for x, z in places]
@@ -85,7 +85,7 @@ def net(
 
 
 def test_elastic_pendulum(agree: Agreement) -> None:
-    """A bob on a spring, near the resonance in which it swings and bounces by turns."""
+    """A bob on a spring is close to the resonance at which it alternately swings and bounces."""
     mass, k, rest, angle, long = 0.5, 25.0, 0.6, radians(50), 0.9
     at = (long * sin(angle), 0.0, -long * cos(angle))
     builder = Builder()
@@ -101,7 +101,7 @@ def test_elastic_pendulum(agree: Agreement) -> None:
 
 
 def test_block_tied_by_a_spring_to_the_wedge_that_carries_it(agree: Agreement) -> None:
-    """The spring leads from the wedge's top down the face to the block; the floor is smooth."""
+    """The spring runs from the top of the wedge down its slope to the block; the floor is smooth."""
     wedge, block, angle, k, stretched = 3.0, 1.2, radians(35), 80.0, 0.15
     uphill, out = (cos(angle), 0.0, sin(angle)), (-sin(angle), 0.0, cos(angle))
     builder = Builder()
@@ -121,7 +121,7 @@ def test_block_tied_by_a_spring_to_the_wedge_that_carries_it(agree: Agreement) -
 
 
 def test_ball_that_strikes_a_block_on_a_spring(agree: Agreement) -> None:
-    """A heavy ball on a smooth floor hits the block again and again until it is thrown back."""
+    """A heavy ball on a smooth floor hits the block repeatedly until the block sends it back."""
     ball, block, k, distance, restitution, speed = 2.0, 0.7, 50.0, 0.5, 0.9, 1.8
     builder = Builder(ZERO)
     room = builder.room()

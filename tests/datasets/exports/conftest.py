@@ -8,7 +8,7 @@ from sim2reason.datasets.plan import Config
 
 @pytest.fixture(scope="session")
 def problems(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A hundred problems and more with every kind of answer, in three shards and two splits."""
+    """Build more than a hundred problems with every kind of answer, in three shards and two splits."""
     out = tmp_path_factory.mktemp("exports") / "problems"
     config = Config(
         items=120,

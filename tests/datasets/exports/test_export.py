@@ -1,4 +1,4 @@
-"""The folder that an export writes: whole or not at all, the same bytes, and nothing overwritten."""
+"""Tests of an export's folder, written whole or not at all, reproducible, and without overwriting anything."""
 
 import json
 from pathlib import Path
@@ -18,7 +18,7 @@ TARGETS = list(EXPORTS)
 
 
 def rows(folder: Path, to: str) -> list[dict[str, object]]:
-    """All rows of an export."""
+    """Return all rows of an export."""
     pattern = EXPORTS[to].data.replace("{split}", "*")
     found: list[dict[str, object]] = []
     for path in sorted(folder.glob(pattern)):
@@ -87,7 +87,7 @@ def test_what_is_there_is_never_overwritten(problems: Path, tmp_path: Path) -> N
 def test_the_current_folder_is_not_replaced(
     problems: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
 ) -> None:
-    """Whoever stands in it would stand in a folder that is gone."""
+    """A shell in the current folder would be left in a deleted folder."""
     (tmp_path / "here").mkdir()
     monkeypatch.chdir(tmp_path / "here")
     out = name.format(absolute=tmp_path / "here")
@@ -109,7 +109,7 @@ def test_wrong_names_are_told_with_the_right_ones(problems: Path, tmp_path: Path
 
 
 class Broken(Export):
-    """Fails at its fortieth row, as a full disk would."""
+    """Export that fails at its fortieth row, as on a full disk."""
 
     name = "broken"
 
@@ -120,7 +120,7 @@ class Broken(Export):
 
 
 class Nothing(Export):
-    """Fits no item."""
+    """Export that fits no item."""
 
     name = "nothing"
     lacks = "it needs what no item has"
@@ -131,7 +131,7 @@ class Nothing(Export):
 
 @pytest.fixture
 def registered(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Two exports of a third party, which brings no files."""
+    """Register two exports of a third party, which add no files."""
     members = {**EXPORTS, "broken": Broken(), "nothing": Nothing()}
     monkeypatch.setattr(EXPORTS, "_members", members)
 
@@ -187,7 +187,7 @@ def test_parquet_is_written_in_batches_of_a_declared_schema(problems: Path, tmp_
 
 
 def test_rows_for_hugging_face_have_the_answer_the_worked_solution_and_the_licence(tmp_path: Path) -> None:
-    """`solution` means a worked one, in items and in exports; what a reward reads is the ground truth."""
+    """The column `solution` holds the worked solution, while rewards read the ground truth."""
     order = {"items": 3, "recipe": "pulley", "difficulty": "easy", "mode": ("numeric", "multipart"), "solutions": True}
     data = sim2reason.generate(tmp_path / "data", **order, license="cc-by-4.0", workers=1)
     export(tmp_path / "data", tmp_path / "out", to="hf")

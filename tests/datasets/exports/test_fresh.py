@@ -1,4 +1,4 @@
-"""Fresh problems as a trainer reads them: the same rows by position and in order, without end, in any process."""
+"""Tests of fresh problems for a trainer: the same rows by position and in order, endless, in any process."""
 
 import pickle
 from itertools import islice

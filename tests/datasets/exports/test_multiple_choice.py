@@ -1,4 +1,4 @@
-"""Multiple choice: one right option, all far enough apart, told alike, in an order that hangs on the id alone."""
+"""Tests of multiple choice: one right option, all distinct, formatted alike, in an order set by the id alone."""
 
 from collections import Counter
 from itertools import pairwise
@@ -21,13 +21,13 @@ NUMBERS = st.floats(1e-8, 1e8).flatmap(lambda x: st.sampled_from((x, -x)))
 
 
 def value_of(text: str) -> float:
-    """What an option says, without its unit."""
+    """Return the number of an option without its unit."""
     plain = text.removesuffix(" N").replace("\N{MINUS SIGN}", "-")
     return float(plain.replace(" × 10^", "e"))
 
 
 def told_options(item: Item) -> dict[str, Distractor | None] | None:
-    """The options of an item as texts."""
+    """Return the options of an item by their texts."""
     chosen = options_of(item)
     if chosen is None:
         return None
@@ -94,7 +94,7 @@ def test_styles() -> None:
 
 
 def test_no_letter_is_right_more_often_than_others(problems: Path) -> None:
-    """Of 600 items each of five letters is right 120 times; five standard deviations are 49."""
+    """Among 600 items each of five letters is right 120 times on average; five standard deviations are 49."""
     item = next(item for item in Dataset(problems) if (row := CHOICE.row(item, HERE)) and len(row["choices"]) == 5)
     rows = [CHOICE.row(item.model_copy(update={"id": f"item-{n}"}), HERE) for n in range(600)]
     counts = Counter(row["answer"] for row in rows if row)

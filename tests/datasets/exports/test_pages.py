@@ -1,4 +1,4 @@
-"""Every export has its page, which shows its own command; the index lists all of them."""
+"""Tests that every export has a page with its own command, and that the index lists all of them."""
 
 import re
 from pathlib import Path
@@ -18,7 +18,7 @@ def test_each_export_has_its_page(name: str) -> None:
 
 
 def test_the_example_of_a_further_export_works(tmp_path: Path, problems: Path) -> None:
-    """In a process of its own, since it enters the registry."""
+    """The example runs in a separate process, since it registers an export."""
     import subprocess
     import sys
 
@@ -50,7 +50,7 @@ NAMED = re.compile(r"^sim2reason\b|^dependencies = .*[\"']sim2reason\b(?!-)", re
 
 
 def test_nothing_tells_users_to_install_a_package_of_our_name_from_an_index() -> None:
-    """There is none, and whoever registers the name would have them run any code."""
+    """There is no such package, and anyone who registers the name could run code on the users' machines."""
     texts = [
         path for place in SHOWN for path in ([ROOT / place] if (ROOT / place).is_file() else (ROOT / place).rglob("*"))
     ]

@@ -1,4 +1,4 @@
-"""Problems with several parts in every export: as one prompt, or part by part with the earlier answers given."""
+"""Tests of problems with several parts in every export: as one prompt, or each with the earlier answers."""
 
 import json
 import re
@@ -19,7 +19,7 @@ from sim2reason.questions.prompt_formats import MINUS
 
 @pytest.fixture(scope="module")
 def parted(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Three problems: with parts, with options, and a plain one."""
+    """Build three problems: one with parts, one with options, and a plain one."""
     out = tmp_path_factory.mktemp("parted")
     modes = ("multipart", "choice", "numeric")
     build(out, Config(items=3, recipes=("pulley",), difficulties=("easy",), modes=modes, solutions=True), workers=1)
@@ -57,7 +57,7 @@ def test_the_reward_reads_the_rows_of_either_form(parted: Path, tmp_path: Path) 
 
 
 def test_a_later_part_is_given_the_numbers_that_its_solution_starts_from(parted: Path) -> None:
-    """To five digits: from three, the later answer would differ in the third."""
+    """The given numbers have five digits; with three, the later answer would differ in its third digit."""
     (item,) = (item for item in Dataset(parted) if item.parts)
     for number, part in enumerate(split_parts(item)):
         told = re.findall(r"Answer: (\S+)", part.prompt)

@@ -1,4 +1,4 @@
-"""The ground truths that rows carry, and the signatures of trainers, over every export: one grader behind all."""
+"""Tests of the ground truths in rows, and of trainers' signatures, for every export: all use one grader."""
 
 import json
 from concurrent.futures import ThreadPoolExecutor
@@ -22,7 +22,7 @@ def items(problems: Path) -> list[Item]:
 
 
 def ground_truth(row: object) -> str:
-    """The ground truth, wherever a row has it."""
+    """Return the ground truth, at any level of a row."""
     if isinstance(row, dict):
         for key, value in row.items():
             if key == "ground_truth":

@@ -61,7 +61,7 @@ ORDER = "items=12, recipe='pulley', maker='fake_makers:steady'"
 
 
 def ran(program: str, *arguments: str, folder: Path) -> "subprocess.CompletedProcess[str]":
-    """A program from a file, or from standard input where it is named by a dash."""
+    """Run a program from a file, or from standard input if the argument is a dash."""
     paths = os.pathsep.join([str(SUPPORT), os.environ.get("PYTHONPATH", "")])
     script = folder / "script.py"
     script.write_text(program)
@@ -90,7 +90,7 @@ FILE, INPUT = (), ("-",)
 def test_a_plain_script_runs_once_with_any_number_of_workers(
     tmp_path: Path, workers: int | None, how: tuple[str, ...]
 ) -> None:
-    """It has no guard by __name__, and an error would not stop it."""
+    """The script has no `__name__` guard, and it would catch an error."""
     program = (
         "import sim2reason\nprint('my own line')\n"
         f"try:\n    print(len(sim2reason.generate('out', {ORDER}, workers={workers})))\n"
@@ -101,7 +101,7 @@ def test_a_plain_script_runs_once_with_any_number_of_workers(
 
 
 def test_other_processes_of_a_script_are_as_ever(tmp_path: Path) -> None:
-    """Only our own processes do without its program."""
+    """Only this library's processes skip the main program."""
     program = (
         "import multiprocessing, sim2reason\n\ndef double(x):\n    return 2 * x\n\n"
         f"if __name__ == '__main__':\n    sim2reason.generate('out', {ORDER}, workers=2)\n"

@@ -1,4 +1,4 @@
-"""Names of places, and what is said where nobody can work; all before any folder is made."""
+"""Tests of the names of places, and of the errors, before any folder is made, where no worker is available."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""On a local cluster of Ray with two machines of one core each: whatever dies, the bytes are those of one process."""
+"""Tests on a local Ray cluster of two one-core machines: after any crash the bytes are those of one process."""
 
 import os
 import signal
@@ -30,7 +30,7 @@ Contents = Callable[[Path], dict[str, bytes]]
 
 @pytest.fixture(scope="module")
 def cluster() -> Iterator[tuple[str, str]]:
-    """The address for ``--on``, and a mark that all its processes bear."""
+    """Yield the address for ``--on``, and a mark in the environment of all processes of the cluster."""
     from ray.cluster_utils import Cluster
 
     with pytest.MonkeyPatch.context() as patch, socket.socket() as probe:
@@ -58,7 +58,7 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def working(mark: str) -> list[int]:
-    """The processes of a cluster that are making items now."""
+    """Return the ids of the cluster's processes that are making items now."""
     found: list[int] = []
     for path in Path("/proc").glob("[0-9]*"):
         try:

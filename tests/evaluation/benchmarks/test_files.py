@@ -1,4 +1,4 @@
-"""Files of benchmarks, the general loader, and our own suite."""
+"""Tests of benchmark files, the general loader, and this library's own suite."""
 
 import json
 import sys

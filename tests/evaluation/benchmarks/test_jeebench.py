@@ -1,6 +1,6 @@
-"""JEEBench: its published rule against responses made by hand, and its loader on a small file of our own.
+"""Tests of JEEBench: its published rule on handwritten responses, and its loader on a small file.
 
-A case's points follow from the rule; None stands for a response in which there is no answer to read.
+The points of a case follow from the rule; None means a response without a readable answer.
 """
 
 import json

@@ -1,7 +1,7 @@
-"""OlympiadBench: its published rule against responses made by hand, and its loader on a small file of our own.
+"""Tests of OlympiadBench: its published rule on handwritten responses, and its loader on a small file.
 
-A case's verdict follows from the rule, or from a difference that docs/evaluation.md lists; None stands for a response
-in which there is no answer to read.
+The verdict of a case follows from the rule, or from a difference that docs/evaluation.md lists; None means a response
+without a readable answer.
 """
 
 import json

@@ -1,4 +1,4 @@
-"""Problems that a run has saved are asked again as they were."""
+"""Tests that problems saved by a run are asked again unchanged."""
 
 from pathlib import Path
 

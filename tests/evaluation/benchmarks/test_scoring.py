@@ -1,4 +1,4 @@
-"""The other rules: olympiad points, one number, a judge, mathematics in a process that can be killed."""
+"""Tests of the other rules: olympiad points, one number, a judge, mathematics in a process that can be killed."""
 
 import time
 from importlib.util import find_spec

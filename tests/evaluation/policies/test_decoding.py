@@ -1,4 +1,4 @@
-"""Continuations with a cache of fixed size, against those of transformers."""
+"""Tests of generation with a cache of fixed size, against transformers."""
 
 from collections.abc import Sequence
 from importlib.util import find_spec
@@ -28,7 +28,7 @@ devices = pytest.mark.parametrize("device", ["cpu", "cuda"])
 
 
 def model_on(device: str, **changed: object) -> Model:
-    """A Qwen3 of two layers."""
+    """Build a Qwen3 of two layers."""
     import torch
     from transformers import Qwen3Config, Qwen3ForCausalLM
 
@@ -44,7 +44,7 @@ def model_on(device: str, **changed: object) -> Model:
 
 
 def prompts(device: str, widths: Sequence[int] = WIDTHS) -> tuple[Tensor, Tensor]:
-    """Of several lengths, padded at the left."""
+    """Return prompts of several lengths, padded on the left, and their mask."""
     import torch
 
     draw = torch.Generator().manual_seed(sum(widths))
@@ -59,7 +59,7 @@ def greedy(logits: Tensor) -> Tensor:
 
 
 def generated(model: Model, ids: Tensor, mask: Tensor, count: int) -> Tensor:
-    """What transformers makes of it, without an end."""
+    """Return the continuations that transformers generates, without an end token."""
     kept = {"do_sample": False, "max_new_tokens": count, "eos_token_id": None}
     return model.generate(input_ids=ids, attention_mask=mask, **kept)[:, ids.shape[1] :]
 
@@ -74,7 +74,7 @@ def test_greedy_tokens_are_those_of_transformers(device: str) -> None:
 
 @devices
 def test_batches_of_other_shapes_leave_nothing_behind(device: str) -> None:
-    """Smaller ones use the room that is there, larger ones are given more."""
+    """Smaller batches reuse the cache, and larger ones enlarge it."""
     model = model_on(device)
     decoder = Decoder(model)
     for widths, count in (((3, 9, 5), 20), ((4,), 7), ((2, 2), 20), ((6, 7, 8, 1, 12), 2 * ALIGNED), ((3, 9, 5), 20)):
@@ -118,7 +118,7 @@ def test_it_stops_soon_after_all_rows_have_ended(device: str) -> None:
 
 @devices
 def test_training_goes_on_as_it_was(device: str) -> None:
-    """Nothing is dropped out meanwhile, the mode of a model is restored, and gradients flow after it."""
+    """Generation disables dropout and restores the model's mode, and gradients flow afterwards."""
     model = model_on(device, attention_dropout=0.5)
     ids, mask = prompts(device)
     expected = generated(model.eval(), ids, mask, 20).tolist()

@@ -1,4 +1,4 @@
-"""An endpoint policy against a real server that does wrong what endpoints are known to do wrong."""
+"""Tests of an endpoint policy against a local server with the known faults of endpoints."""
 
 import threading
 import time

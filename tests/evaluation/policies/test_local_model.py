@@ -1,4 +1,4 @@
-"""A model in this process: a tiny one of random weights, made here; and what is said without the libraries."""
+"""Tests of a tiny local model of random weights, and of the errors without its libraries."""
 
 import shutil
 import sys
@@ -34,7 +34,7 @@ def test_a_missing_library_is_named_with_its_extra(missing: str, monkeypatch: py
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A Qwen2 of two layers with a token for each byte."""
+    """Save a Qwen2 of two layers with one token per byte."""
     import torch
     from tokenizers import Tokenizer, decoders, models, pre_tokenizers
     from transformers import PreTrainedTokenizerFast, Qwen2Config, Qwen2ForCausalLM
@@ -91,7 +91,7 @@ def test_what_a_model_asks_of_generation_is_not_left_out(folder: Path, tmp_path:
 
 @installed
 def test_it_draws_from_the_model_s_distribution(folder: Path) -> None:
-    """First tokens of 2,000 samples against the softmax of the logits at that temperature, by Pearson's χ²."""
+    """Pearson's χ² compares the first tokens of 2,000 samples with the softmax of the logits at that temperature."""
     import torch
 
     tiny = made(folder, sampling={"max_tokens": 1, "temperature": 0.05})

@@ -1,4 +1,4 @@
-"""The hub out of reach, or in reach, without asking it."""
+"""Tests of the check that the hub can be reached, without requests to it."""
 
 import time
 from collections.abc import Callable

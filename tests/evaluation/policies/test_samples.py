@@ -1,4 +1,4 @@
-"""The journal of samples, and asking for what it does not hold."""
+"""Tests of the journal of samples, and of requests for the missing ones."""
 
 import threading
 from collections.abc import Sequence
@@ -16,7 +16,7 @@ from sim2reason.evaluation.policies.samples import MAX_FAILURES, NoAnswerError, 
 
 
 class Parrot(Policy):
-    """Says the prompt, or fails where it is told to."""
+    """Policy that repeats the prompt, or fails on given prompts."""
 
     fails: tuple[str, ...] = ()
     stops: tuple[str, ...] = ()

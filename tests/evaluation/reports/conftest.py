@@ -1,4 +1,4 @@
-"""Small runs to report on."""
+"""Fixtures for reports on small runs."""
 
 import json
 from collections.abc import Callable
@@ -15,7 +15,7 @@ Made = Callable[..., Evaluation]
 
 @pytest.fixture
 def made(tmp_path: Path) -> Made:
-    """An evaluation of told policies on twenty numbers, whose subjects are even and odd."""
+    """Return a function that evaluates policies of given answers on twenty numbers, of subjects even and odd."""
 
     def make(*policies: Told, out: str = "run", names: tuple[str, ...] = ("numbers",), **settings: int) -> Evaluation:
         rows = [

@@ -1,4 +1,4 @@
-"""Reports, comparisons and correlations of small runs."""
+"""Tests of reports, comparisons and correlations of small runs."""
 
 import json
 import sys

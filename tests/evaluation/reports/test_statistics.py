@@ -1,4 +1,4 @@
-"""Shares, intervals, pass@k, paired differences and rank correlation, against published numbers and by simulation."""
+"""Tests of shares, intervals, pass@k, paired differences and rank correlation, by published values."""
 
 from itertools import combinations
 from math import isclose
@@ -16,7 +16,7 @@ from sim2reason.evaluation.reports.results import difference, mean_of_items, pas
     [(81, 263, 0.2553, 0.3662), (15, 148, 0.0624, 0.1605), (0, 20, 0.0, 0.1611), (1, 29, 0.0061, 0.1718)],
 )
 def test_wilson_has_the_published_ends(right: int, total: int, low: float, high: float) -> None:
-    """Method 3 in table I of Newcombe, Statistics in Medicine 17, 857 (1998)."""
+    """The values are those of method 3 in table I of Newcombe, Statistics in Medicine 17, 857 (1998)."""
     found = wilson(right, total)
     assert (round(found.low, 4), round(found.high, 4)) == (low, high)
 
@@ -85,7 +85,7 @@ def test_the_same_data_give_the_same_interval() -> None:
 
 
 def test_rank_correlation_has_the_textbook_value() -> None:
-    """Σd² = 194 for n = 10: IQ and hours of television, in the common example; ρ = 1 - 6·194/990 = -29/165."""
+    """Σd² = 194 for n = 10, IQ against hours of television: ρ = 1 - 6·194/990 = -29/165."""
     iq = [106, 86, 100, 101, 99, 103, 97, 113, 112, 110]
     hours = [7, 0, 27, 50, 28, 29, 20, 12, 6, 17]
     found = rank_correlation(iq, hours)

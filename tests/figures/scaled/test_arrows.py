@@ -1,4 +1,4 @@
-"""Arrows of velocities tell which way: they are longer than their heads, and nothing stands on those."""
+"""Tests of velocity arrows: longer than their heads, which nothing covers."""
 
 from itertools import combinations
 

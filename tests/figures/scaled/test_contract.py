@@ -1,4 +1,4 @@
-"""What holds for every body, entity and connection that there is, and will be."""
+"""Contract tests of the drawings of every body, entity and connection."""
 
 from collections.abc import Callable
 from itertools import combinations
@@ -30,7 +30,7 @@ TRIES = 60
 
 
 def one(kind: str, seed: int) -> Scene:
-    """A random scene of an entity, its ports closed by what there is."""
+    """Return a random scene of an entity whose ports are closed by available entities."""
     for attempt in range(TRIES):
         rng = np.random.default_rng([seed, attempt])
         try:
@@ -44,7 +44,7 @@ def one(kind: str, seed: int) -> Scene:
 
 
 def check(scene: Scene, drawn: Drawing) -> None:
-    """Every lettered body is labelled as the text names it, labels keep clear of each other, all lies on the canvas."""
+    """Check that labels have the text's names and do not overlap, and that all shapes lie on the canvas."""
     names = describe(scene).names
     for address, body in scene.bodies.items():
         if body.letters:
@@ -94,7 +94,7 @@ MARKS: dict[str, Callable[[Shape], bool]] = {
 
 
 def joined_by(kind: type[Connection]) -> Scene:
-    """Two entities between which a connection of a kind can run."""
+    """Return two entities joined by a connection of a kind."""
     rod = RodPendulum(bob=Ball(mass=1.0), rod=LightRod(length=1.2))
     slider = Slider(carriage=Block(mass=2.0))
     pairs = [(slider, "pivot", rod, "top"), (slider, "right", FixedSupport(), "end")]

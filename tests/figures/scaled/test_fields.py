@@ -1,4 +1,4 @@
-"""Regions and fields of force in drawings to scale."""
+"""Tests of regions and force fields in drawings to scale."""
 
 from math import pi
 
@@ -19,7 +19,7 @@ FIELDS: list[tuple[Law, Region | None]] = []
 
 
 class Bead(Body):
-    """With a positive charge."""
+    """Bead with a positive charge."""
 
     nouns = ("bead",)
     lone = ("a {noun}", "one {noun}")
@@ -27,19 +27,19 @@ class Bead(Body):
 
     @property
     def look(self) -> Small:
-        """A ball with its sign."""
+        """Return a ball with its sign."""
         return Small("ball", "+")
 
 
 class InField(Entity):
-    """It moves in a level plane."""
+    """Entity whose bead moves in a horizontal plane."""
 
     bead: Bead
 
     says = ("{bead} moves.",)
 
     def build(self, room: Frame) -> None:
-        """Under the forces of the test."""
+        """Build the bead under the forces of the test."""
         bead = room.body("bead", 1.0).slide(X, 2.0, name="x").slide(Y, 0.0, name="y")
         for number, (law, region) in enumerate(FIELDS):
             bead.force(f"force{number}", law, region)
@@ -51,7 +51,7 @@ def drawn(monkeypatch: pytest.MonkeyPatch, *fields: tuple[Law, Region | None]) -
 
 
 def marks(found: Drawing) -> tuple[int, int, list[float]]:
-    """How many dots, how many crosses, and the directions of the arrows."""
+    """Return the numbers of dots and crosses, and the directions of the arrows."""
     dots = [s for s in found.shapes if isinstance(s, Arc) and s.weight == "hair" and not s.fill]
     strokes = [s for s in found.shapes if isinstance(s, LineShape) and s.weight == "hair"]
     arrows = [degrees(s.points[1] - s.points[0]) for s in strokes if s.arrow]

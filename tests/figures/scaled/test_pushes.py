@@ -1,4 +1,4 @@
-"""A constant force of an own entity is an arrow at its body, not a field; it is solved and asked about in symbols."""
+"""Tests of a user's entity with a constant force: an arrow at its body, solved, and asked about in symbols."""
 
 from math import cos, radians, sin
 from typing import Annotated
@@ -22,7 +22,7 @@ G, SLOPE, FRICTION, MASS, FORCE, TILT = 9.8, radians(20.0), 0.2, 2.0, 15.0, radi
 
 
 class PushedBlock(Entity):
-    """A block on a slope, pushed at an angle to it."""
+    """Block on a slope, pushed at an angle to it."""
 
     plane: Plane
     block: Block
@@ -60,7 +60,7 @@ PUSHED = Scene(
 
 
 def test_it_is_an_arrow_with_its_size_and_its_angle() -> None:
-    """One arrow, from the block, at 45° to the level."""
+    """There is one arrow, from the block, at 25° + 20° = 45° to the horizontal."""
     shown = drawing(PUSHED, describe(PUSHED))
     assert {"15 N", "25°", "20°"} <= {label.text for label in shown.labels}
     assert not any("field" in label.text for label in shown.labels)
@@ -70,7 +70,7 @@ def test_it_is_an_arrow_with_its_size_and_its_angle() -> None:
 
 
 def test_it_is_solved_by_formulas() -> None:
-    """A = (F cos β + µ F sin β − m g sin θ − µ m g cos θ)/m."""
+    """The acceleration is (F cos β + µ F sin β − m g sin θ − µ m g cos θ)/m."""
     found = solve(PUSHED, find="acceleration")
     up = FORCE * (cos(TILT) + FRICTION * sin(TILT)) - MASS * G * (sin(SLOPE) + FRICTION * cos(SLOPE))
     assert found.answer == pytest.approx(up / MASS, rel=1e-12)
@@ -79,7 +79,7 @@ def test_it_is_solved_by_formulas() -> None:
 
 @pytest.mark.parametrize("mode", ["symbolic", "reverse"])
 def test_it_is_asked_about_in_every_mode(mode: str) -> None:
-    """Though its force has a name of its own, which is no field of the entity."""
+    """The force has a name of its own in the mechanism, which is not a field of the entity."""
     with registered(PushedBlock):
         assert len(ask(PUSHED, mode=mode, items=2)) == 2
 

@@ -1,4 +1,4 @@
-"""Drawings to scale show the geometry of the mechanism: angles, ratios of lengths, sizes."""
+"""Tests that drawings to scale show the geometry of the mechanism: angles, ratios of lengths, sizes."""
 
 from math import acos, asin, hypot, pi, sin, sqrt
 
@@ -121,7 +121,7 @@ def test_a_spring_between_a_block_and_a_hook_is_a_coil_with_its_dashpot_beside_i
 
 
 class Shaped(Body):
-    """A body with a look of its choice."""
+    """Body with a look that the test chooses."""
 
     nouns = ("thing",)
     lone = ("a {noun}", "one {noun}")
@@ -129,7 +129,7 @@ class Shaped(Body):
 
     @property
     def look(self) -> BodyLook:
-        """As the test wants it."""
+        """Return the look that the test has set."""
         return LOOKS[0]
 
 
@@ -138,14 +138,14 @@ TURNED: list[Axes] = []
 
 
 class Swinging(Entity):
-    """It hangs 1 m below an axle."""
+    """Entity that hangs 1 m below an axle."""
 
     thing: Shaped
 
     says = ("{thing} swings.",)
 
     def build(self, room: Frame) -> None:
-        """Welded to a light arm."""
+        """Build the body, welded to a light arm."""
         arm = room.body("arm").hinge(Y, 1.0)
         arm.body("thing", 1.0, at=(0.0, 0.0, -1.0)).turned(TURNED[0])
 
@@ -163,7 +163,7 @@ TOWARDS: Axes = (X, (0.0, 0.0, -1.0), Y)  # z away from the reader
 
 
 def segment(r: float, h: float) -> float:
-    """The area of a segment of a circle, of height h."""
+    """Return the area of a circular segment of height h."""
     return r**2 * acos((r - h) / r) - (r - h) * sqrt(h * (2.0 * r - h))
 
 

@@ -1,4 +1,4 @@
-"""What textbooks have ready by one law, or by few that give a short formula; and what takes a little more."""
+"""Tests of the filter of problems that textbooks solve by one law, or by a few with a short formula."""
 
 from dataclasses import replace
 
@@ -74,7 +74,7 @@ def test_what_few_laws_give_by_a_short_formula_is_known(said: str) -> None:
 
 
 def test_an_easy_problem_may_be_what_a_textbook_has_by_two_laws_but_not_by_one() -> None:
-    """The tension in the string of two blocks, of eight symbols; not the speed of a cart by its spring, of six."""
+    """The tension of two blocks takes two laws and eight symbols, a cart's speed by its spring one and six."""
     two = candidate(half_atwood(), "Find the tension in the string after release.")
     one = candidate(SPRING, "Find the speed of the trolley after it has moved 0.16 m.")
     refused = [[bool(FILTER.reason(replace(of, difficulty=d))) for d in DIFFICULTIES] for of in (two, one)]
@@ -94,7 +94,7 @@ def rolling(said: str, start: Rolling | None = None) -> Candidate:
 
 
 def test_what_rolls_by_its_weight_is_kept_by_both_filters() -> None:
-    """½ ½ m (v² + g d sin θ), as two laws hold together; without weight, L = m v R is a definition."""
+    """½ m (v² + g d sin θ) follows from two laws together; without weight, L = m v R is a definition."""
     asked_about = rolling(
         "What is the rotational kinetic energy of the tube about its centre of mass after it has moved 0.40 m?", DOWN
     )
@@ -103,7 +103,7 @@ def test_what_rolls_by_its_weight_is_kept_by_both_filters() -> None:
 
 
 def test_what_rolls_is_known_by_heart_where_hardly_anything_is_left_to_say() -> None:
-    """Friction ½ m g sin θ on a pipe."""
+    """The friction on a pipe, ½ m g sin θ, takes two laws, but has only three symbols."""
     asked_about = rolling("What is the magnitude of the friction force exerted on the tube by the plane after release?")
     assert [*FILTER.findings(asked_about)][-1] == TURNS
     assert FILTER.reason(asked_about) == "2 laws, a formula of 3 symbols"
@@ -117,7 +117,7 @@ def test_it_comes_first_where_the_derivation_is_made() -> None:
 
 
 def test_it_is_known_whichever_number_is_asked_for() -> None:
-    """The speed of a cart by its spring, which tells the stiffness as well."""
+    """One law connects a cart's speed with the stiffness of its spring, whichever is unknown."""
     forward = candidate(SPRING, "Find the speed of the trolley after it has moved 0.16 m.")
     asked_for, given = "row.springs.0.stiffness", StatedResult.rounded(forward.question.answer, "m/s", 3)
     question = replace(
@@ -131,6 +131,6 @@ def test_nothing_is_said_without_words_for_the_laws() -> None:
 
 
 def test_that_a_speed_is_the_size_of_a_velocity_is_no_law() -> None:
-    """v² = v_0² + k (…)/m, and v = −v_x."""
+    """v² = v_0² + k (…)/m is one law, and v = −v_x is none."""
     said = "Find the speed of the trolley after it has moved 0.16 m."
     assert [*FILTER.findings(candidate(SPRING, said))] == ["1 law, by energy", "symbols in the formula: 6"]

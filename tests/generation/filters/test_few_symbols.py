@@ -1,4 +1,4 @@
-"""How many symbols a formula must hold, by the numbers that must move an answer in numbers."""
+"""Tests of the least number of symbols in a formula, as of numbers that affect a numeric answer."""
 
 import numpy as np
 import pytest

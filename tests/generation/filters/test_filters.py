@@ -1,4 +1,4 @@
-"""Each filter drops what it should and keeps what it should."""
+"""Tests that each filter drops and keeps the right questions."""
 
 from collections import Counter
 from dataclasses import replace
@@ -41,7 +41,7 @@ BOTH = "table.pucks.0 & table.pucks.1"
 
 
 def candidate(scene: Scene, moment: Moment, target: Target | None, answer: float | None = None) -> Candidate:
-    """A question about a scene with its true answer, or another one."""
+    """Build a question about a scene with its true answer, or with another one."""
     study = SimulatedScene.of(scene, np.linspace(0.0, 2.0, 41))
     query = Query(moment.kind if target else "time_to_event", target, moment)
     found = KINDS[query.kind].answer(query, study) if answer is None else answer
@@ -131,7 +131,7 @@ def test_precision_drops_what_hangs_on_the_order_of_events() -> None:
 
 @pytest.mark.parametrize(("speed", "counts", "refused"), [(0.5, {4}, ""), (1.0, {4, 5}, "row.carts.0.mass")])
 def test_precision_drops_a_count_that_rounding_changes(speed: float, counts: set[int], refused: str) -> None:
-    """A cart of 2.05 kg or of 2.15 kg turns back as often as one of 2.1 kg, but not after a harder blow on the next."""
+    """A cart of 2.05 or 2.15 kg turns back as often as one of 2.1 kg, but not after a harder blow on the next."""
     query = StretchQuery("count", None, AtTime(1.5), "number of reversals", "row.carts.0")
     scenes = (row([mass, 3.2], [73.0, 84.0], "left", strain=0.24, speed=speed) for mass in (2.1, 2.05, 2.15))
     studies = [SimulatedScene.of(scene, np.linspace(0.0, 3.0, 61)) for scene in scenes]
@@ -145,7 +145,7 @@ def test_precision_drops_a_count_that_rounding_changes(speed: float, counts: set
 
 
 def test_a_changed_scene_is_asked_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    """By whatever filter: an answer in the same motion stays what it is."""
+    """The answer in a changed scene is computed once for all filters."""
     found = candidate(ramp(angle=30.0), AtTime(0.5), Target("velocity", "ramp.blocks.0"))
     other = found.study.variant(ramp(angle=31.0))
     first = found.response(other)
@@ -178,7 +178,7 @@ def test_a_body_that_stops_is_vouched_for() -> None:
 
 @pytest.mark.parametrize(("difficulty", "said"), [("easy", "many: 7 collisions"), ("medium", "")])
 def test_many_collisions_are_no_easy_problem(difficulty: Difficulty, said: str) -> None:
-    """A light cart is hit to and fro ever faster between a heavy one and a wall."""
+    """A light cart bounces to and fro ever faster between a heavy one and a wall."""
     asked_late = candidate(squeezed(25.0), AtTime(1.99), Target("velocity", "track.gliders.0"), 1.0)
     assert reason("collision", replace(asked_late, difficulty=difficulty)) == said
 
@@ -193,7 +193,7 @@ def test_before_a_collision_nothing_is_asked_of_what_may_collide() -> None:
 
 
 def test_what_pairs_share_must_have_come_to_bear() -> None:
-    """Carts of 1 kg: A hits B, at rest, at 1 s, which goes on at (1 + e)/2 and hits C, 1 m farther, 2/(1 + e) later."""
+    """Carts of 1 kg: A hits B, at rest, at 1 s; B goes on at (1 + e)/2 and hits C, 1 m farther, 2/(1 + e) later."""
     carts = tuple(Glider(mass=1.0, x=float(n), v=float(n == 0)) for n in range(3))
     own = OwnRestitution(first=0, second=1, restitution=0.6)
     track = ComplexCollisionPlane(track=Track(), gliders=carts, restitution=1.0, pairs=(own,))
@@ -217,7 +217,7 @@ def test_a_part_without_bearing_is_allowed_once_on_hard_problems_alone() -> None
 
 
 def test_what_would_pay_a_wrong_idea_goes() -> None:
-    """With a disc of mass M the acceleration is (m₁ − m₂)g/(m₁ + m₂ + M/2): M = 0.2 kg changes 5 kg by 2 %."""
+    """A disc of M = 0.2 kg changes (m₁ − m₂)g/(m₁ + m₂ + M/2), where m₁ + m₂ = 5 kg, by only 2 %."""
     block = Target("acceleration", BLOCK)
     assert reason("simplification", candidate(massive(0.2), AtStart(), block)).startswith("massless pulley: ")
     assert not reason("simplification", candidate(massive(2.0), AtStart(), block))
@@ -225,7 +225,7 @@ def test_what_would_pay_a_wrong_idea_goes() -> None:
 
 
 def test_a_disc_whose_rotation_may_be_forgotten_goes() -> None:
-    """The weight of a movable disc matters; that it turns changes the answer by 4 %, which would be paid."""
+    """The weight of a movable disc matters, but its rotation changes the answer by 4 %, within the tolerance."""
     accelerates = Target("acceleration", "loaded.load")
     found = candidate(bight(4.0, 5.0, 2.0), AtStart(), accelerates)
     assert reason("simplification", found) == "pulley rotation left out: the answer changes by 0.043"
@@ -234,7 +234,7 @@ def test_a_disc_whose_rotation_may_be_forgotten_goes() -> None:
 
 @pytest.mark.parametrize(("hole", "refused"), [(0.09, True), (0.14, False)])
 def test_a_hole_that_may_be_forgotten_goes(hole: float, refused: bool) -> None:
-    """What is asked about itself is the body with the hole: its inertia as of a solid one changes little."""
+    """A small hole hardly changes the acceleration, which depends on the body's inertia."""
     body = BoredCylinder(mass=2.0, radius=0.2, hole=hole, offset=0.05)
     entity = RollingEntity(
         body=body, plane=Incline(angle=0.0), hole=Hole(bearing=90.0, towards="right"), grip=NoSlipping()
@@ -259,7 +259,7 @@ def test_friction_by_the_whole_weight_is_not_paid() -> None:
 
 
 def test_a_wrong_idea_that_changes_nothing_is_paid_all_the_same() -> None:
-    """N = m g cos θ, whatever rubs: whoever overlooks the friction has it right by accident."""
+    """N = m g cos θ with or without friction, so that a student who overlooks the friction is right by accident."""
     force = Target("normal force", "ramp.blocks.0")
     rough = candidate(ramp(friction=0.2), AtTime(0.5), force)
     assert reason("simplification", rough).startswith("no friction: ")
@@ -267,7 +267,7 @@ def test_a_wrong_idea_that_changes_nothing_is_paid_all_the_same() -> None:
 
 
 def test_a_wrong_idea_about_nothing_but_a_marked_part_is_not_paid() -> None:
-    """A third disc is met too late to matter: the item says so, and with it goes whatever is thought of its hits."""
+    """A third disc collides too late to matter, which the item states, so slips about its collisions do not count."""
     scene = three().having("table.restitution", 1.0)
     special = PairRestitution(first=1, second=2, restitution=0.4)
     hit, velocity = Collided(BOTH, after=True), Target("velocity", RIGHT)
@@ -280,7 +280,7 @@ def test_a_wrong_idea_about_nothing_but_a_marked_part_is_not_paid() -> None:
 
 
 def test_no_wrong_idea_is_an_approximation_that_holds() -> None:
-    """Energies tell the speed at a place, whenever it is passed."""
+    """Energy conservation gives the speed at an angle, at whichever passage."""
     large = arm(90.0).having_all({"arm.pieces.0.body.radius": 0.5, "arm.pieces.0.distance": 0.6})
     passed = candidate(large, TurnedThrough("arm.arm", 40.0), Target("angular velocity", "arm.arm"))
     slips = {effect.simplification.name: effect for effect in effects(passed, part=False)}
@@ -291,7 +291,7 @@ def test_no_wrong_idea_is_an_approximation_that_holds() -> None:
 
 
 def test_what_is_not_read_off_a_motion_is_no_matter_of_reading_it() -> None:
-    """The period of small swings: the angle *is* small, and how the motion begins is indifferent."""
+    """The period of small oscillations assumes a small angle, and does not depend on the start."""
     study, words = rod_pendulum(60.0).told()
     queries = (KINDS["period"].draw(study, words, {}, np.random.default_rng(seed)) for seed in range(20))
     query = next(query for query in queries if query is not None and KINDS["period"].time(query, study) == 0.0)
@@ -302,7 +302,7 @@ def test_what_is_not_read_off_a_motion_is_no_matter_of_reading_it() -> None:
 
 
 def test_no_more_than_two_in_five_numbers_are_idle_for_whatever_reason() -> None:
-    """5/7 g sin θ hangs on neither the mass nor the radius of a sphere: one of the three numbers is left."""
+    """The acceleration 5/7 g sin θ of a sphere depends on neither mass nor radius: one of three numbers is left."""
     ball = RollingEntity(body=Sphere(mass=2.0, radius=0.1), plane=Incline(angle=20.0), grip=NoSlipping())
     scene = Scene(entities=(Named(name="ball", entity=ball),))
     start = candidate(scene, AtStart(), Target("acceleration", "ball.body"))
@@ -318,7 +318,7 @@ def test_numbers_that_do_not_matter() -> None:
 
 
 def test_what_a_slower_motion_leaves_unchanged_is_idle() -> None:
-    """A cart on a relaxed spring's other side turns back after 2d, whatever its stiffness; that only takes longer."""
+    """A cart on a compressed spring turns back after 2d at any stiffness, which changes the time alone."""
     chain = SpringMassChain(
         track=RoughTrack(),
         carts=(Cart(mass=2.0),),
@@ -332,7 +332,7 @@ def test_what_a_slower_motion_leaves_unchanged_is_idle() -> None:
 
 
 def test_the_radius_of_what_rolls_may_cancel() -> None:
-    """The speed of a sphere that rolls down hangs on neither its mass nor its radius."""
+    """The speed of a sphere that rolls down depends on neither its mass nor its radius."""
     ball = RollingEntity(
         body=Sphere(mass=2.0, radius=0.1),
         plane=Incline(angle=20.0),
@@ -345,7 +345,7 @@ def test_the_radius_of_what_rolls_may_cancel() -> None:
 
 
 def test_what_is_held_has_no_force_of_its_own() -> None:
-    """The plane's force on a block is asked; where the block is held there is none, and that is no answer."""
+    """Without its plane a block has no normal force, so that there is no answer."""
     found = candidate(ramp(friction=0.3, speed=2.0), AtTime(0.2), Target("normal force", "ramp.blocks.0"))
     study = found.study
     assert found.response(study) == found.question.answer
@@ -354,7 +354,7 @@ def test_what_is_held_has_no_force_of_its_own() -> None:
 
 
 def test_too_few_numbers_that_matter_make_no_problem() -> None:
-    """g sin θ is one number."""
+    """The acceleration g sin θ depends on one number alone."""
     start = candidate(ramp(), AtStart(), Target("acceleration", "ramp.blocks.0"))
     assert reason("sensitivity", replace(start, difficulty="easy")) == "idle numbers: ramp.blocks.0.mass"
     later = candidate(ramp(), AtTime(0.5), Target("velocity", "ramp.blocks.0"))
@@ -363,7 +363,7 @@ def test_too_few_numbers_that_matter_make_no_problem() -> None:
 
 
 def test_slips_that_are_about_the_whole_are_made_where_nothing_is_asked_of_a_part() -> None:
-    """A period is of no subject."""
+    """A period has no subject, so slips about the whole scene apply."""
     study, words = spring_block().told()
     query = KINDS["period"].draw(study, words, {}, np.random.default_rng(1))
     assert query is not None
@@ -374,7 +374,7 @@ def test_slips_that_are_about_the_whole_are_made_where_nothing_is_asked_of_a_par
 
 
 def test_a_string_that_is_slack_at_once_is_not_called_taut() -> None:
-    """Down a smooth slope of 30° a block alone would fall at 4.9 m/s²; a rougher one above it is not drawn along."""
+    """Two blocks that slide down a slope with the same acceleration leave the string between them slack."""
     assert not reason("taut", candidate(half_atwood(), AtTime(0.5), Target("velocity", "ramp.blocks.0")))
     lower, upper = Block(mass=1.0), Block(mass=2.0)
     sliding = TwoSideMassPlane(plane=Plane(angle=30.0, friction=0.1), blocks=(lower, upper))

@@ -1,4 +1,4 @@
-"""What filters find in a problem that they keep: the numbers on which that hangs."""
+"""Tests of the numbers in the findings of filters about kept problems."""
 
 import pytest
 

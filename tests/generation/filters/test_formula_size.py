@@ -1,4 +1,4 @@
-"""How many symbols there are at least in a formula, by formulas of one value that are written in several ways."""
+"""Tests of the least number of symbols in a formula, by equal formulas in different forms."""
 
 import pytest
 

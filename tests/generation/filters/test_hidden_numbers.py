@@ -1,4 +1,4 @@
-"""What depends on lengths that no text gives: by a scene whose equations are integrated, in steps that err."""
+"""Tests of the dependence on lengths that no text gives, in a scene that is integrated with small errors."""
 
 import numpy as np
 import pytest
@@ -29,7 +29,7 @@ scene:
 
 @pytest.mark.parametrize("time", [1.3, 0.9])
 def test_an_answer_that_small_errors_grow_in_hangs_on_no_length(time: float) -> None:
-    """Close to where the block turns back its speed, 0.08 m/s after 1.3 s, errs by far more than a step does."""
+    """Near the turning point of the block the speed, 0.08 m/s after 1.3 s, has a far larger relative error."""
     scene = load(DRAWN)
     study = SimulatedScene.of(scene, np.linspace(0.0, scene.horizon, 41))
     query = Query("state", Target("velocity", BLOCK), AtTime(time))

@@ -1,4 +1,4 @@
-"""Strings that become taut again, of which a text says what that takes from the motion, or does not."""
+"""Tests of strings that become taut again, with and without a text that states the effect."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Questions with implausible numbers, answers or springs go, with the reason in words."""
+"""Tests that questions with implausible numbers, answers or springs are dropped with a reason in words."""
 
 from dataclasses import replace
 
@@ -27,7 +27,7 @@ def candidate(scene: Scene, target: Target, moment: Moment) -> Candidate:
 
 
 def sprung(start: float) -> Scene:
-    """A block of 2.0 kg on a spring of 100 N/m with a natural length of 0.50 m; it oscillates about that."""
+    """Build a block of 2.0 kg that oscillates about the natural length, 0.50 m, of a spring of 100 N/m."""
     spring = Spring(stiffness=100.0, length=0.5)
     entity = AnchoredSpring(spring=spring, block=Block(mass=2.0), start=start)
     return Scene(entities=(Named(name="it", entity=entity),))
@@ -62,7 +62,7 @@ def test_springs_that_stay_near_their_natural_length_are_kept(start: float, refu
 
 
 def test_a_spring_that_is_squeezed_on_the_way_goes() -> None:
-    """From the ceiling a block falls by 2mg/k = 0.39 m: from 0.50 m to 0.89 m, after π√(m/k) = 0.44 s."""
+    """A block below the ceiling falls by 2mg/k = 0.39 m, from 0.50 m to 0.89 m, in π√(m/k) = 0.44 s."""
     spring = Spring(stiffness=100.0, length=0.5)
     entity = AnchoredSpring(spring=spring, block=Block(mass=2.0), support="ceiling", start=0.5)
     scene = Scene(entities=(Named(name="it", entity=entity),))

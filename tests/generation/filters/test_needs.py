@@ -1,4 +1,4 @@
-"""What a solution needs is looked at before an answer is worked out, and once more of the question itself."""
+"""Tests of the mathematics that solutions need, checked before an answer is computed, and in a filter."""
 
 from collections import Counter
 from dataclasses import replace
@@ -23,7 +23,7 @@ def swing() -> QuestionSearch:
 
 
 def test_a_time_of_a_swing_is_not_asked_for(swing: QuestionSearch) -> None:
-    """Most times take an elliptic integral; no filter gets to see the question."""
+    """Most times of a swing take an elliptic integral, so that no filter even sees the question."""
     refused = Counter[str]()
     assert swing.ask(MODES["numeric"], np.random.default_rng(1), refused, "time_to_event") is None
     assert refused == {UNSUITED: 1}
@@ -31,7 +31,7 @@ def test_a_time_of_a_swing_is_not_asked_for(swing: QuestionSearch) -> None:
 
 
 def test_all_that_is_asked_needs_what_it_may(swing: QuestionSearch) -> None:
-    """Of whatever kind, in either mode."""
+    """Questions of any kind, numeric or reverse, stay within the allowed needs."""
     for seed in range(6):
         mode = ("numeric", "reverse")[seed % 2]
         found = swing.ask(MODES[mode], np.random.default_rng(seed), Counter())
@@ -40,7 +40,7 @@ def test_all_that_is_asked_needs_what_it_may(swing: QuestionSearch) -> None:
 
 
 def test_the_filter_refuses_what_needs_more() -> None:
-    """A question that was drawn without a limit."""
+    """A question drawn without a limit may need a special function."""
     free = QuestionSearch(sample("pendulum", "easy", seed=2), 0, unfiltered=True)
     found = free.ask(MODES["numeric"], np.random.default_rng(1), Counter(), "time_to_event")
     assert found is not None
@@ -54,7 +54,7 @@ def test_the_filter_refuses_what_needs_more() -> None:
 
 
 def test_a_limit_does_not_hide_what_is_within_it(swing: QuestionSearch) -> None:
-    """Whatever is found without one, and needs no more, is found with it."""
+    """A solution found without a limit, but within it, is also found with it."""
     words, study = swing.words, swing.study
     for seed in range(12):
         question = MODES["numeric"].ask(study, words, "", np.random.default_rng(seed))
@@ -71,7 +71,7 @@ def test_a_limit_does_not_hide_what_is_within_it(swing: QuestionSearch) -> None:
 def test_a_solution_that_can_not_be_shown_is_replaced_before_a_question_is_kept(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Filters look at solutions that nothing has recomputed yet; a question that passes has one that was."""
+    """Filters see solutions that are not recomputed yet, but that of a kept question is."""
     free = QuestionSearch(sample("pulley", "medium", seed=2), 0, unfiltered=True)
     found = free.ask(MODES["numeric"], np.random.default_rng(1), Counter(), "state")
     assert found is not None

@@ -1,4 +1,4 @@
-"""What is no more than a product of stated numbers, by formulas that every textbook has."""
+"""Tests of the filter of answers that are products of stated numbers, by textbook formulas."""
 
 from math import asin, degrees, radians, tan
 
@@ -55,7 +55,7 @@ def test_on_a_smooth_slope_one_line_is_enough(moment: Moment, quantity: str | No
 
 
 def test_two_forces_are_more() -> None:
-    """a = g (sin θ − μ cos θ)."""
+    """The acceleration g (sin θ − μ cos θ) is no product."""
     assert reason(ramp(angle=30.0, friction=0.2), AtTime(0.5), Target("velocity", BLOCK)) == ""
     assert "product" in reason(ramp(angle=30.0, friction=0.2), AtTime(0.5), Target("friction force", BLOCK)), (
         "μ m g cos θ"
@@ -63,7 +63,7 @@ def test_two_forces_are_more() -> None:
 
 
 def test_two_bodies_are_more() -> None:
-    """a = g (M − m)/(M + m) has two sums, T = 2 M m g/(M + m) has one, in which both stand twice."""
+    """a = g (M − m)/(M + m) has two sums, T = 2 M m g/(M + m) has one, and both masses occur twice in it."""
     assert reason(atwood(), AtTime(0.5), Target("velocity", HANGING)) == ""
     assert reason(atwood(), AtTime(0.5), Target("tension", "tendon_1")) == ""
 
@@ -74,20 +74,20 @@ def rolls(body: Pipe | Sphere, start: Rolling | None = None) -> Scene:
 
 
 def test_two_laws_are_more_whatever_comes_out() -> None:
-    """Friction on a pipe that rolls: ½ m g sin θ; on a sphere: 2/7 m g sin θ. N = m g cos θ of both has one law."""
+    """Friction on a rolling pipe is ½ m g sin θ, on a sphere 2/7 m g sin θ; N = m g cos θ of both takes one law."""
     for body in (Pipe(mass=2.0, radius=0.1), Sphere(mass=2.0, radius=0.1)):
         assert reason(rolls(body), AtTime(0.5), Target("friction force", "lane.body")) == ""
         assert "product" in reason(rolls(body), AtTime(0.5), Target("normal force", "lane.body"))
 
 
 def test_what_is_read_off_a_definition_is_one_line() -> None:
-    """L = m R v of a pipe that rolls, at the start."""
+    """L = m R v of a rolling pipe, at the start, is a product."""
     scene = rolls(Pipe(mass=2.0, radius=0.1), Rolling(way="down the slope", speed=1.5))
     assert "product" in reason(scene, AtStart(), Target("angular momentum", "lane.body"))
 
 
 def test_a_special_angle_makes_no_product() -> None:
-    """v = √(2 g l (1 − cos θ)), of which 1 − cos 60° = ½ is no reason; it is the root of a sum at any angle."""
+    """v = √(2 g l (1 − cos θ)) is the root of a sum at any angle, though 1 − cos 60° = ½."""
     for angle in (50.0, 60.0):
         speed = candidate(swing(angle=angle), LowestPoint(BOB), Target("velocity", BOB))
         assert product_of(speed) == ""
@@ -105,7 +105,7 @@ CHORD = (
 
 
 def test_an_unknown_angle_whose_sine_is_a_product_is_one_line() -> None:
-    """It comes to rest at the same height on the other side, 2 ℓ sin θ away."""
+    """The bob comes to rest at the same height on the other side, 2 ℓ sin θ away."""
     asked = parse_prompt(CHORD, np.random.default_rng(1))
     (unknown,) = asked.reading.unknown
     angle = degrees(asin(1.98 / 2.2))
@@ -123,19 +123,19 @@ def cart(moment: Moment, quantity: str, *, tilt: float = 0.0) -> str:
 
 
 def test_energy_by_itself_is_one_line() -> None:
-    """½ k d² + ½ m v² of a cart on a spring is all kinetic at one moment; k times its stretch is √(k² d² + k m v²)."""
+    """½ k d² + ½ m v² is all kinetic as the spring relaxes; the force at rest is √(k² d² + k m v²)."""
     assert "a sum of two products" in cart(NaturalLength("row.springs.0"), "kinetic energy")
     assert "the root of a sum of two products" in cart(NaturalLength("row.springs.0"), "velocity")
     assert "the root of a sum of two products" in cart(Stopped("row.carts.0"), "net force")
 
 
 def test_energy_on_a_slope_is_more() -> None:
-    """On the slope that cart has three energies."""
+    """On a slope the cart has three kinds of energy."""
     assert cart(NaturalLength("row.springs.0"), "kinetic energy", tilt=20.0) == ""
 
 
 def test_a_fall_with_a_start_is_one_line() -> None:
-    """½ m v² - m g s sin θ of a block that moves up a smooth slope; with friction there is a third term."""
+    """½ m v² - m g s sin θ for a block that moves up a smooth slope; friction adds a third term."""
     energy = Target("kinetic energy", BLOCK)
     assert "a sum of two products" in reason(ramp(angle=37.0, speed=3.0), Moved(BLOCK, 0.5), energy)
     assert reason(ramp(angle=37.0, speed=3.0, friction=0.2), Moved(BLOCK, 0.5), energy) == ""

@@ -1,4 +1,4 @@
-"""Weights that all run down together, and things that slide too far on what carries them."""
+"""Tests of the filters of weights that all pull the same way, and of bodies that slide too far on others."""
 
 import pytest
 
@@ -49,7 +49,7 @@ def test_a_weight_that_has_something_to_draw_is_none_the_worse(scene: Scene) -> 
 
 
 def test_most_grown_scenes_lead_strings_up_slopes() -> None:
-    """A port down a slope is seldom used but beside the one up it."""
+    """At most 30 % of the slopes have a string from the lower port alone."""
     down = slopes = 0
     for seed in range(40):
         scene = sample("hybrid", "easy", seed=seed)
@@ -63,7 +63,7 @@ def test_most_grown_scenes_lead_strings_up_slopes() -> None:
 
 @pytest.mark.parametrize(("time", "refused"), [(0.5, False), (3.0, True)])
 def test_no_slab_is_so_long_that_another_slides_far_on_it(time: float, refused: bool) -> None:
-    """The lower one, on a smooth slope, runs away under the upper one at µ g cos θ (1 + m/M)."""
+    """The relative acceleration of the slabs is µ g cos θ (1 + m/M)."""
     plane, slabs = Plane(angle=0.0, friction=0.0), (Slab(mass=4.0), Slab(mass=1.0))
     stack = StackedMassPlane(plane=plane, lower=slabs[0], upper=slabs[1], friction=0.1, speed=6.0)
     scene = Scene(entities=(Named(name="stack", entity=stack),))

@@ -1,4 +1,4 @@
-"""What a formula assumes is one sentence that a textbook would print, and leads back to what it says."""
+"""Tests that a formula's assumptions are one sentence in textbook style, which is read back."""
 
 from collections.abc import Sequence
 
@@ -26,7 +26,7 @@ def told(scene: Scene) -> tuple[SimulatedScene, Words]:
 
 
 def rocket() -> Scene:
-    """Of 1000 kg, 700 kg of it fuel that lasts for 70 s; it lifts off at once."""
+    """Build a rocket of 1000 kg, of which 700 kg is fuel for 70 s, that lifts off at once."""
     entity = RocketEntity(rocket=Rocket(mass=1000.0, dry=300.0), place=LevelGround(), exhaust=1.0, rate=10.0)
     return Scene(entities=(Named(name="rocket", entity=entity),))
 
@@ -61,7 +61,7 @@ def test_three_clauses_stand_in_the_order_of_time(chosen: Sequence[type[Regime]]
 
 @pytest.mark.parametrize("count", [1, 2, 3])
 def test_what_is_assumed_is_read_back(count: int) -> None:
-    """Of blocks on a string, which move different ways: *it* is never said of two."""
+    """Two blocks on a string move in different directions, so the sentence does not call both *it*."""
     study, words = told(half_atwood())
     held = regimes(study, words, 0.5)[:count]
     sentence = assuming(held, words)

@@ -1,4 +1,4 @@
-"""Corners: numbers at ends of their ranges where something is no longer so, while something else is."""
+"""Tests of corners, numbers at the ends of ranges at which a margin is negative while others stay positive."""
 
 import pytest
 
@@ -15,7 +15,7 @@ WIDTH = 1.1
 
 @pytest.fixture(scope="module")
 def varied() -> Variations:
-    """How long a block of 2 kg takes for 0.5 m down a slope."""
+    """Return variations of the time in which a block of 2 kg goes 0.5 m down a slope."""
     symbols = [ProblemSymbol("m", "kg", 2.0, "ramp.blocks.0.mass"), ProblemSymbol("d", "m", 0.5)]
     return Variations(
         QuestionSearch(ramp(), 0).study, Query("time_to_event", None, Moved("ramp.blocks.0", 0.5)), symbols
@@ -23,7 +23,7 @@ def varied() -> Variations:
 
 
 def heavy_and_near(other: Variation) -> float:
-    """Of no meaning: less for what is heavy and goes not far."""
+    """Return an arbitrary margin, smaller for heavy blocks and short distances."""
     return other.values["d"] / other.values["m"]
 
 
@@ -36,7 +36,7 @@ def test_the_least_margin_is_at_a_corner(varied: Variations) -> None:
 
 
 def test_what_is_told_is_kept(varied: Variations) -> None:
-    """A block must weigh less than 5 kg: at the far end of its range, 6 kg, it does not."""
+    """The mass must be less than 5 kg, which the end of its range, 6 kg, is not."""
     known = list(varied.one_by_one(WIDTH, []))
     found = find_corner(varied, heavy_and_near, [lambda other: 5.0 - other.values["m"]], known)
     assert found is not None

@@ -1,4 +1,4 @@
-"""Counterexamples: numbers for which a formula has no value, or a size is negative, though all that is told holds."""
+"""Tests of counterexamples: numbers that meet all conditions, but give a formula no value or a negative size."""
 
 from dataclasses import replace
 
@@ -20,14 +20,14 @@ LEFT = Number(3.0) - Symbol("m")  # negative for masses of more than 3 kg
 
 @pytest.fixture(scope="module")
 def varied() -> Variations:
-    """How long a block of 2 kg takes for 0.5 m down a slope."""
+    """Return variations of the time in which a block of 2 kg goes 0.5 m down a slope."""
     symbols = [ProblemSymbol("m", "kg", 2.0, "ramp.blocks.0.mass"), ProblemSymbol("d", "m", 0.5)]
     study = QuestionSearch(ramp(), 0).study
     return Variations(study, Query("time_to_event", None, Moved("ramp.blocks.0", 0.5)), symbols)
 
 
 def is_light(other: Variation) -> bool:
-    """Of what is told, that the block weighs less than 4 kg."""
+    """Return whether a block has less than 4 kg, as an example of a stated condition."""
     return other.values["m"] < 4.0
 
 
@@ -75,7 +75,7 @@ def test_few_are_tried_where_none_has_an_answer_and_none_twice(
 def test_what_is_negative_is_tried_before_what_has_no_value(
     varied: Variations, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Where half of all numbers have none, close to the scene's own, they are no reason to give up."""
+    """The formula has no value for half of all numbers near those of the scene, which does not end the search."""
     tried: list[tuple[float, ...]] = []
     monkeypatch.setattr(Variations, "having", lambda _, numbers, __: tried.append(tuple(numbers)))
     rooted = LEFT * Root(Number(0.51) - Symbol("d"))

@@ -1,4 +1,4 @@
-"""Numbers that follow from a result, by formulas from textbooks; and results from which they do not."""
+"""Tests of numbers that follow from a result, by textbook formulas, and of results that determine none."""
 
 import re
 from dataclasses import replace
@@ -60,7 +60,7 @@ def test_the_slope_that_gives_a_speed() -> None:
 
 @pytest.mark.parametrize("time", [0.5, 0.9])
 def test_the_friction_that_makes_it_take_so_long(time: float) -> None:
-    """d = g (sin θ − µ cos θ) t²/2; from tan θ on it never arrives, and that is no root."""
+    """d = g (sin θ − µ cos θ) t²/2; from µ = tan θ on the block never arrives, which is no root."""
     dependence = AnswerFunction(TAKES, study(ramp(angle=40.0, friction=0.1)), "ramp.plane.friction")
     expected = (sin(radians(40.0)) - 2.0 * 0.8 / (G * time**2)) / cos(radians(40.0))
     values = range_of(ramp(friction=0.1), "ramp.plane.friction")
@@ -70,7 +70,7 @@ def test_the_friction_that_makes_it_take_so_long(time: float) -> None:
 
 
 def test_a_coarser_dependence_waits_as_long_as_the_finer_one_knows_to() -> None:
-    """Else what goes wrong in a motion after the answer would hide it from one of the two."""
+    """With a shorter motion for one of the two, a failure after the answer would affect only the other."""
     fine = AnswerFunction(TAKES, study(ramp(angle=30.0)), "ramp.plane.angle")
     coarse, time, scene = fine.coarser(1e-6), fine(30.0), ramp(angle=31.0)
     assert time == pytest.approx(sqrt(2.0 * 0.8 / (G * 0.5)))
@@ -80,7 +80,7 @@ def test_a_coarser_dependence_waits_as_long_as_the_finer_one_knows_to() -> None:
 
 
 def test_beside_a_motion_in_which_nothing_came_one_is_followed_for_long_at_once() -> None:
-    """And has the same answer: 0.8 m take √(2 s/g(sin θ − µ cos θ)), or for ever from µ = tan 40° = 0.84 on."""
+    """The time for 0.8 m is √(2 s/g(sin θ − µ cos θ)), and infinite from µ = tan 40° = 0.84 on."""
     scene = ramp(angle=40.0, friction=0.1)
     dependence = AnswerFunction(TAKES, study(scene), "ramp.plane.friction")
     assert dependence(1.5) == np.inf
@@ -90,7 +90,7 @@ def test_beside_a_motion_in_which_nothing_came_one_is_followed_for_long_at_once(
 
 
 def test_what_comes_late_is_told_from_what_never_comes() -> None:
-    """v² = 2 g s sin θ, after √(2 s/(g sin θ)): a slow motion is waited for, and one that is slower still is late."""
+    """v² = 2 g s sin θ after √(2 s/(g sin θ)): a slow motion is followed to its end, a still slower one is late."""
     scene = ramp(angle=30.0, friction=0.0)
 
     def slope(horizons: float) -> float:
@@ -110,7 +110,7 @@ def test_what_comes_late_is_told_from_what_never_comes() -> None:
 
 
 def test_what_repeats_itself_or_takes_a_time_that_is_asked_for_is_not_late() -> None:
-    """What is on a spring of k and 0.3 m beyond its rest comes back: it never gets 0.6 m away and more."""
+    """A cart that oscillates with an amplitude of 0.1 m never gets 0.25 m away."""
     sprung = row([1.0], [40.0], "left", strain=0.1)
     name = "chain.carts.0"
     reach = Query("event", Target("velocity", name), Moved(name, 0.25))
@@ -127,7 +127,7 @@ def test_what_is_known_of_the_scene_itself_is_not_worked_out_again() -> None:
 
 
 def test_two_elevations_of_one_range_are_told() -> None:
-    """On level ground θ and 90° − θ carry as far; from a height two angles do, too, if neither is the best one."""
+    """On level ground θ and 90° − θ have the same range; from a height two angles do, unless one is the best."""
     scene = throw(25.0)
     found = KINDS["event"].answer(RANGE, study(scene))
     assert found is not None
@@ -146,7 +146,7 @@ def test_one_speed_of_one_range_is_told() -> None:
 
 
 def test_a_dip_between_two_points_is_seen() -> None:
-    """(x − 3)² + 10⁻⁴ never reaches zero, but to within a margin of 10⁻³; x = 20 is where it is 289."""
+    """(x − 3)² + 10⁻⁴ never vanishes, but comes within a margin of 10⁻³; at x = 20 it is 289."""
 
     class Parabola(AnswerFunction):
         def __init__(self) -> None:
@@ -176,7 +176,7 @@ def test_a_dip_between_two_points_is_seen() -> None:
 
 
 def test_a_number_that_does_not_matter_is_not_fixed() -> None:
-    """How fast a smooth block slides tells nothing of its mass."""
+    """The speed of a smooth block that slides does not depend on its mass."""
     search = QuestionSearch(ramp(angle=30.0), 3)
     asked = [MODES["reverse"].ask(search.study, search.words, "state", np.random.default_rng(s)) for s in range(30)]
     of_speed = [q for q in asked if q is not None and "speed" in q.text]
@@ -185,7 +185,7 @@ def test_a_number_that_does_not_matter_is_not_fixed() -> None:
 
 
 def test_the_answer_gives_just_what_is_said() -> None:
-    """The motion that a question is about has the result as rounded; its answer is close to what was drawn."""
+    """The motion of the question gives the rounded result exactly; its answer is close to the drawn number."""
     search, mode = QuestionSearch(atwood(), 3), MODES["reverse"]
     for seed in range(12):
         question = mode.ask(search.study, search.words, "", np.random.default_rng(seed))
@@ -197,7 +197,7 @@ def test_the_answer_gives_just_what_is_said() -> None:
 
 
 def test_the_elasticity_is_that_of_a_power_where_there_is_one() -> None:
-    """t = √(2 s/(g sin θ)): with a number as it was drawn, not as its result was rounded, it is exact."""
+    """t = √(2 s/(g sin θ)): the elasticity is exact at the drawn angle, not at that of the rounded result."""
     search = QuestionSearch(ramp(angle=31.0), 3)
     streams = map(np.random.default_rng, range(30))
     asked = [MODES["reverse"].ask(search.study, search.words, "time_to_event", rng) for rng in streams]
@@ -208,7 +208,7 @@ def test_the_elasticity_is_that_of_a_power_where_there_is_one() -> None:
 
 
 def test_a_response_follows_from_the_elasticity() -> None:
-    """v = g t sin θ is given, so sin θ must fall by the factor by which g rises."""
+    """With v = g t sin θ given, sin θ decreases by the factor by which g increases."""
     scene = ramp(angle=30.0)
     known, rate = study(scene), 0.5 * G * cos(radians(30.0)) * radians(30.0)
     given = StatedResult.rounded(0.5 * G * 0.5, "m/s", 3)
@@ -222,7 +222,7 @@ def test_a_response_follows_from_the_elasticity() -> None:
 
 @pytest.mark.parametrize("scene", [ramp(friction=0.2), atwood(), table(), throw(25.0)])
 def test_every_sentence_is_read_back(scene: Scene) -> None:
-    """Each shape of a question, with the unknown in each phrase, means that condition and no other."""
+    """Each shape of a question, with each phrase for the unknown, is read as that condition and no other."""
     search = QuestionSearch(scene, 5)
     offered, seen = targets(search.words), 0
     for seed in range(10):
@@ -248,7 +248,7 @@ def test_every_sentence_is_read_back(scene: Scene) -> None:
     [*((recipe, 1) for recipe in list(RECIPES)[::2]), *(pytest.param(r, 2, marks=pytest.mark.slow) for r in RECIPES)],
 )
 def test_the_unknown_follows_from_the_prompt(recipe: str, items: int) -> None:
-    """Halving, on the scene that the text tells, between half and twice the answer; and the number is not in it."""
+    """Bisection between half and twice the answer, in the scene of the text, finds the number, which is not in it."""
     for index in range(items):
         item = make(Request(recipe, "medium", "reverse", 17, index, needs=tuple(NEEDS))).item
         assert item is not None
@@ -265,7 +265,7 @@ def test_the_unknown_follows_from_the_prompt(recipe: str, items: int) -> None:
 
 
 def test_an_unknown_that_fits_beyond_its_range_only_is_found() -> None:
-    """A sphere must have room for its hole, and may well be larger than spheres are as a rule."""
+    """A sphere has room for its hole, and may be larger than spheres are drawn."""
     read = parse_prompt(
         "On a stationary plane inclined at 12° to the horizontal there is a uniform sphere of radius $R$ with a "
         "spherical hole of radius 0.060 m whose centre lies 0.094 m from that of the sphere (mass with the hole: 6.9 "
@@ -294,7 +294,7 @@ def excess(known: SimulatedScene, query: Query, path: str, value: float, given: 
 
 
 def test_a_time_is_asked_for() -> None:
-    """v = g t sin θ again: when it is 2.5 m/s."""
+    """The question asks when v = g t sin θ is 2.5 m/s."""
     search = QuestionSearch(ramp(angle=30.0), 3)
     rng = np.random.default_rng(0)
     asked = (MODES["reverse"].ask(search.study, search.words, "time_to_event", rng) for _ in range(200))
@@ -309,7 +309,7 @@ def test_a_time_is_asked_for() -> None:
 
 @pytest.mark.parametrize(("dip", "first", "nearly"), [(2.01, 3.0, True), (2.1, 3.0, False), (1.0, 2.0 / 3.0, False)])
 def test_no_time_is_asked_for_where_a_value_is_nearly_had_before(dip: float, first: float, nearly: bool) -> None:
-    """A quantity that falls from 4 to its dip, at t = 1, rises, and falls to 0 at last: when is it 2?"""
+    """A quantity falls from 4 to its dip at t = 1, rises, and finally falls to 0; the question asks when it is 2."""
     times = np.linspace(0.0, 4.0, 400)
     values = np.interp(times, [0.0, 1.0, 2.0, 4.0], [4.0, dip, 4.0, 0.0])
     target = SimpleNamespace(values=lambda scan: values[: len(scan.times)])
@@ -343,7 +343,7 @@ def test_what_can_not_be_said_plainly_is_no_result() -> None:
 
 
 def test_freely_falling_speed_fixes_the_height() -> None:
-    """v² = v₀² + 2 g h, whatever the angle."""
+    """v² = v₀² + 2 g h at any angle."""
     scene = throw(0.0, speed=3.0)
     query = Query("event", Target("velocity", "throw.ball"), Landed("throw.ball"))
     dependence = AnswerFunction(query, study(scene), "throw.height")
@@ -364,7 +364,7 @@ BALANCED = (
 
 
 def test_a_root_is_seen_although_short_strings_would_end_the_motion_before() -> None:
-    """With m_D = 0.852 kg block A goes down as fast as it goes up with 7.71 kg: solved by Lagrange's equations."""
+    """Block A goes down with m_D = 0.852 kg as fast as up with 7.71 kg, by Lagrange's equations."""
     asked = parse_prompt(BALANCED, np.random.default_rng(1))
     (unknown,) = asked.reading.unknown
     query, study = asked.query, asked.study.scene.having(unknown, 7.713)
@@ -409,7 +409,7 @@ PUCKS = (
 def test_narrow_stretches_of_other_values_are_seen(
     prompt: str, answer: float, given: StatedResult, low: float, high: float
 ) -> None:
-    """A rod just long enough to be carried over the top takes as long as wanted; discs that touch go other ways.
+    """A rod that barely gets over the top takes any time; discs that barely touch move differently.
 
     Both were found by a scan of the result over the unknown, at steps of 0.1 %.
     """
@@ -428,7 +428,7 @@ LIFTED = (4.7 - 2.3 * sin(radians(18.0))) * G  # N: the spring's force in equili
 
 @pytest.mark.parametrize("kind", ["period", "equilibrium"])
 def test_a_period_or_an_equilibrium_fixes_a_stiffness(kind: str) -> None:
-    """From ω² = k/(m_A + m_B + M/2), and k x = (m_B − m_A sin θ) g at rest; the prompt alone leads there, too."""
+    """ω² = k/(m_A + m_B + M/2), and k x = (m_B − m_A sin θ) g at rest; the prompt alone gives the stiffness too."""
     scene = spring_slope(stiffness=120.0)
     seen, description = study(scene), describe(scene)
     words = words_of(description)
@@ -459,7 +459,7 @@ def test_a_period_or_an_equilibrium_fixes_a_stiffness(kind: str) -> None:
 
 
 def test_a_rod_that_goes_round_may_take_as_long_as_one_that_swings() -> None:
-    """At 0.114 m it goes round: T = ∫ ℓ dφ/v over a turn, with v² = v₀² + 2gℓ(cos φ − cos 52°), is 1.77 s as well."""
+    """At 0.114 m the rod turns over, and T = ∫ ℓ dφ/v, v² = v₀² + 2gℓ(cos φ − cos 52°), over a turn is 1.77 s too."""
     text = (
         "A light rigid rod of length $\\ell$ joins a small bead of mass 1.5 kg to a fixed point. To begin with, the "
         "rod makes an angle of 52° with the downward vertical. At t = 0 the bead starts moving downwards along its arc "

@@ -1,4 +1,4 @@
-"""A limit is given, and another number asked for: by statics and energy worked out by hand, and read back."""
+"""Tests of questions that give a limit and ask for another number, against statics and energy conservation."""
 
 from math import asin, cos, degrees, radians, sin
 
@@ -39,7 +39,7 @@ def pendulum(angle: float) -> Scene:
 
 
 def asked(scene: Scene, outcome: str, parameter: str) -> list[Question]:
-    """Questions that give the limit of one number."""
+    """Return questions that give the limit of one number."""
     search = QuestionSearch(scene, 0)
     drawn = (REVERSE.ask(search.study, search.words, "threshold", np.random.default_rng(seed)) for seed in range(60))
     held = [(q, q.query) for q in drawn if q is not None and q.query.hides == parameter]
@@ -48,7 +48,7 @@ def asked(scene: Scene, outcome: str, parameter: str) -> list[Question]:
 
 
 def test_a_slope_follows_from_the_heaviest_that_its_block_holds() -> None:
-    """m_B g = m_A g sin θ at the limit, from which either other number follows."""
+    """m_B g = m_A g sin θ at the limit determines either of the other numbers."""
     found = asked(half_atwood(), "rises", HANGING)
     assert {question.unknown for question in found} == {SLOPING, ANGLE}
     for question in found:
@@ -59,7 +59,7 @@ def test_a_slope_follows_from_the_heaviest_that_its_block_holds() -> None:
 
 
 def test_an_angle_follows_from_the_speed_that_goes_right_round() -> None:
-    """½ v² = g ℓ (1 + cos θ)."""
+    """½ v² = g ℓ (1 + cos θ) at the limit."""
     found = [question for question in asked(pendulum(60.0), "goes_round", "p.speed") if question.unknown == "p.angle"]
     assert found
     for question in found:
@@ -69,7 +69,7 @@ def test_an_angle_follows_from_the_speed_that_goes_right_round() -> None:
 
 @pytest.mark.parametrize("error", [COARSE_STEP_ERROR, 0.0])
 def test_a_formula_only_says_where_to_look(error: float) -> None:
-    """Where it is right two motions are enough; where it is wrong, the limit is found all the same."""
+    """With a correct formula two motions are enough; with a wrong one the limit is found as well."""
     search = QuestionSearch(half_atwood(), 0)
     likely = likely_answers(HEAVIEST, search.study, search.words, SLOPING)
     assert likely is not None
@@ -81,7 +81,7 @@ def test_a_formula_only_says_where_to_look(error: float) -> None:
 
 
 def test_two_slopes_that_hold_as_much_are_told_apart_from_one() -> None:
-    """Beyond a right angle a slope would begin again; within its range the limit fixes it."""
+    """The sine repeats beyond a right angle only, so the limit determines the angle within its range."""
     scene = half_atwood()
     search = QuestionSearch(scene, 0)
     question = next(q for q in asked(scene, "rises", HANGING) if q.unknown == ANGLE)
@@ -89,7 +89,7 @@ def test_two_slopes_that_hold_as_much_are_told_apart_from_one() -> None:
 
 
 def test_a_prompt_leaves_two_numbers_open() -> None:
-    """Neither of them is said; the text alone leads to the one that is asked for."""
+    """The text states neither number, but determines the one that is asked for."""
     scene = half_atwood()
     question = next(q for q in asked(scene, "rises", HANGING) if q.unknown == ANGLE)
     description = describe(scene)
@@ -104,7 +104,7 @@ def test_a_prompt_leaves_two_numbers_open() -> None:
 
 
 def test_two_open_numbers_need_a_question_about_a_limit() -> None:
-    """Of any other the second would be missing."""
+    """Any other question would lack the second number."""
     told = describe(half_atwood()).voiced(hiding(HANGING, ANGLE))
     with pytest.raises(TextError, match="it does not tell"):
         parse_prompt(f"{told.text} What is the tension in the string? {FORM}")
@@ -112,7 +112,7 @@ def test_two_open_numbers_need_a_question_about_a_limit() -> None:
 
 @pytest.mark.parametrize(("recipe", "index"), [("pulley", 1), ("box", 5), ("hybrid", 3)])
 def test_items_say_whose_limit_they_give(recipe: str, index: int) -> None:
-    """The number has no part in what makes two problems variants of each other, and the solution ends in the answer."""
+    """The limit's number does not affect which problems are variants, and the solution ends in the answer."""
     weights = (("threshold", 1e6),)
     item = make(Request(recipe, "medium", "reverse", 5, index, weights=weights, solutions=True)).item
     assert item is not None

@@ -1,4 +1,4 @@
-"""Symbolic questions: formulas as textbooks have them, the regimes that they need, and prompts read back."""
+"""Tests of symbolic questions: textbook formulas, the regimes that they need, and prompts read back."""
 
 from collections import Counter
 from dataclasses import replace
@@ -53,14 +53,14 @@ BLOCK = "ramp.blocks.0"
 
 
 def completed(scene: Scene, query: Query, unit: str, seed: int = 0) -> Question | None:
-    """A query in symbols."""
+    """Return the symbolic question of a query."""
     search = QuestionSearch(scene, 0)
     asked = Question("symbolic", query, "", 1.0, unit)
     return SYMBOLIC.completed(asked, search.study, search.words, np.random.default_rng(seed))
 
 
 def paid(question: Question | None, expected: str) -> bool:
-    """Whether a formula worked out by hand equals the one that was found, at all bindings."""
+    """Return whether a formula worked out by hand equals the one that was found, at all bindings."""
     assert question is not None
     assert question.formula is not None
     found = question.formula
@@ -78,7 +78,7 @@ def test_the_tension_of_an_atwood_machine() -> None:
 
 
 def test_what_the_formula_needs_is_assumed() -> None:
-    """The speed after a way d, v = √(2 a d), a = g (m₁ − m₂)/(m₁ + m₂): only if the first goes down."""
+    """After a distance d, v = √(2 a d), a = g (m₁ − m₂)/(m₁ + m₂), only if the first block goes down."""
     block = next(name for name in atwood().mechanism.body if name.endswith("blocks.0"))
     found = completed(atwood(), Query("event", Target("velocity", block), Moved(block, 0.5)), "m/s")
     assert paid(found, r"\sqrt{\frac{2 g d (m_A - m_B)}{m_A + m_B}}")
@@ -88,14 +88,14 @@ def test_what_the_formula_needs_is_assumed() -> None:
 
 
 def test_rough_slope_up() -> None:
-    """It stops after v²/(2 g (sin θ + µ cos θ)): no number changes the way in which it slides."""
+    """The block stops after v²/(2 g (sin θ + µ cos θ)), for any numbers."""
     query = Query("event", Target("displacement", BLOCK), Stopped(BLOCK))
     found = completed(ramp(friction=0.3, speed=2.0), query, "m")
     assert paid(found, r"\frac{v^2}{2 g (\sin\theta + \mu\cos\theta)}")
 
 
 def test_on_the_way_up_is_assumed() -> None:
-    """v − g t (sin θ + µ cos θ), until it stops."""
+    """v − g t (sin θ + µ cos θ) holds until the block stops."""
     query = Query("state", Target("velocity", BLOCK), AtTime(0.1))
     found = completed(ramp(friction=0.3, speed=2.0), query, "m/s")
     assert paid(found, r"v - g t_1 (\sin\theta + \mu\cos\theta)")
@@ -105,7 +105,7 @@ def test_on_the_way_up_is_assumed() -> None:
 
 
 def test_a_distance_may_be_reached_on_the_way_back() -> None:
-    """After v/a − √(v² − 2 a d)/a up the slope; farther away than it gets there, it is so far only below its start."""
+    """The time is v/a − √(v² − 2 a d)/a up the slope; a larger distance is reached only below the start."""
     found = completed(ramp(friction=0.1, speed=3.0), Query("time_to_event", None, Moved(BLOCK, 0.3)), "s")
     assert found is not None
     assert "is first a distance $d$ up the slope from its starting point" in found.text
@@ -114,9 +114,9 @@ def test_a_distance_may_be_reached_on_the_way_back() -> None:
 
 
 def test_on_which_side_of_its_start_a_string_makes_an_angle_is_told() -> None:
-    """A bob sent down its arc, (Δv)² = v² + u² − 2 u v cos (θ − α), u² = v² + 2 g l (cos α − cos θ), on its way down.
+    """(Δv)² = v² + u² − 2 u v cos (θ − α), u² = v² + 2 g l (cos α − cos θ), for a bob on its way down its arc.
 
-    To an angle beyond that at the start it comes on the other side of the vertical, where θ + α is between v and u.
+    An angle beyond that at the start is on the other side of the vertical, where θ + α is between v and u.
     """
     bob = Pendulum(bob=Ball(mass=0.5), hanger=Cord(length=1.2), angle=45.0, speed=1.5)
     scene = Scene(entities=(Named(name="swing", entity=bob),))
@@ -131,7 +131,7 @@ def test_on_which_side_of_its_start_a_string_makes_an_angle_is_told() -> None:
 
 
 def test_what_begins_otherwise_and_then_has_no_answer_is_excluded() -> None:
-    """With µ > tan θ it stays where it is: then there is no √(2d/(g (sin θ − µ cos θ)))."""
+    """With µ > tan θ the block stays at rest, and √(2d/(g (sin θ − µ cos θ))) does not exist."""
     found = completed(ramp(friction=0.5), Query("time_to_event", None, Moved(BLOCK, 0.5)), "s")
     assert found is not None
     assert found.text.endswith(("the block slides down the plane.", "Assume that the block moves down the slope."))
@@ -139,7 +139,7 @@ def test_what_begins_otherwise_and_then_has_no_answer_is_excluded() -> None:
 
 
 def test_motions_without_an_answer_are_kept_apart() -> None:
-    """What is steeper than its angle of friction slides; all else has no answer."""
+    """Blocks on slopes steeper than the angle of friction slide; all other variations have no answer."""
     unanswered: list[SimulatedScene] = []
     seen = QuestionSearch(ramp(friction=0.5), 0).study
     symbols = [ProblemSymbol(r"\mu", "", 0.5, "ramp.plane.friction"), ProblemSymbol("d", "m", 0.5)]
@@ -151,7 +151,7 @@ def test_motions_without_an_answer_are_kept_apart() -> None:
 
 
 def test_among_several_who_meets_first_is_assumed_whatever_their_numbers() -> None:
-    """Just after A has struck B, v_B = v_A m_A (1 + e)/(m_A + m_B), whether or not the third is ever near."""
+    """Just after A has struck B, v_B + m_A (1 + e)(v_A − v_B)/(m_A + m_B), whether or not a third cart is near."""
     carts = (Glider(mass=1.0, x=-1.0, v=2.0), Glider(mass=2.0, x=0.0, v=0.5), Glider(mass=3.0, x=2.0, v=1.5))
     scene = Scene(
         entities=(Named(name="t", entity=ComplexCollisionPlane(track=Track(), gliders=carts, restitution=0.5)),)
@@ -164,7 +164,7 @@ def test_among_several_who_meets_first_is_assumed_whatever_their_numbers() -> No
 
 
 def test_a_velocity_may_have_either_sign() -> None:
-    """Unless it meets another cart, B is d away after d/|v_B|: for d/v_B a text says that it is on the right."""
+    """B is d away after d/|v_B|, unless it meets another cart; for d/v_B the text says that it moves to the right."""
     carts = (Glider(mass=1.0, x=-1.0, v=2.0), Glider(mass=2.0, x=0.5, v=0.3))
     scene = Scene(
         entities=(Named(name="t", entity=ComplexCollisionPlane(track=Track(), gliders=carts, restitution=1.0)),)
@@ -176,7 +176,7 @@ def test_a_velocity_may_have_either_sign() -> None:
 
 
 def test_velocities_turn_while_places_keep_their_order() -> None:
-    """A cart that is struck may have moved either way before; a mirrored scene has its carts in another order."""
+    """A struck cart may have moved either way before; a mirrored scene would have its carts in another order."""
     carts = (Glider(mass=2.0, x=-1.0, v=1.5), Glider(mass=1.0, x=0.0, v=-2.0))
     entity = ComplexCollisionPlane(track=Track(), gliders=carts, restitution=0.5)
     scene = Scene(entities=(Named(name="t", entity=entity),))
@@ -194,14 +194,14 @@ def test_velocities_turn_while_places_keep_their_order() -> None:
 
 
 def test_no_formula_where_only_integration_answers() -> None:
-    """The time of a large swing is no elementary function."""
+    """The time of a large swing is not an elementary function."""
     scene = swing()
     ball = next(name for name in scene.mechanism.body if scene.mechanism.body[name].mass)
     assert completed(scene, Query("time_to_event", None, Moved(ball, 0.1)), "s") is None
 
 
 def test_the_bindings_are_the_engines() -> None:
-    """a = g (m₂ − m₁ sin θ)/(m₁ + m₂), its magnitude, at every binding, worked out here."""
+    """The magnitude of a = g (m₂ − m₁ sin θ)/(m₁ + m₂) is the value at every binding."""
     target = Target("acceleration", BLOCK)
     found = completed(half_atwood(), Query("start", target, AtStart()), "m/s^2")
     assert found is not None
@@ -215,7 +215,7 @@ def test_the_bindings_are_the_engines() -> None:
 
 
 def test_variations_keep_the_query_in_step_with_its_numbers() -> None:
-    """v = g t (sin θ − µ cos θ) in every scene, whose slope has a direction of its own."""
+    """v = g t (sin θ − µ cos θ) in every scene, although each slope has its own direction."""
     scene = ramp(angle=40.0, friction=0.2)
     study = SimulatedScene.of(scene, np.linspace(0.0, scene.horizon, 5))
     symbols = [
@@ -286,7 +286,7 @@ def test_one_symbol_is_no_answer() -> None:
 
 
 def test_a_formula_in_too_few_symbols_is_no_answer() -> None:
-    """The speed after a way down a smooth slope, √(2 g d sin θ), in d and θ: enough where one block moves, if easy."""
+    """The speed after a distance d down a smooth slope, √(2 g d sin θ), has two symbols, enough if easy."""
     block = "ramp.blocks.0"
     search = QuestionSearch(ramp(), 0)
     asked = MODES["symbolic"].completed(
@@ -304,7 +304,7 @@ def test_a_formula_in_too_few_symbols_is_no_answer() -> None:
 
 
 def test_scenes_to_which_no_formula_leads_are_not_even_simulated(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Two heavy planets, a rocket above a planet, springs at angles; the rest of their cells is another matter."""
+    """Heavy planets, rockets above a planet and springs at angles have no formula; other scenes of the cells may."""
 
     def only_offered(scene: Scene, *_: object, **__: object) -> None:
         assert SYMBOLIC.offers(scene.mechanism)
@@ -324,7 +324,7 @@ def test_scenes_to_which_no_formula_leads_are_not_even_simulated(monkeypatch: py
 
 @pytest.mark.parametrize(("recipe", "difficulty"), [("rolling", "medium"), ("rotation", "medium")])
 def test_a_prompt_that_speaks_of_radians_is_read_back(recipe: str, difficulty: str) -> None:
-    """Where the answer is an angle, or an angle stands in the formula as a number."""
+    """The answer is an angle, or an angle occurs in the formula as a number."""
     weights = (("threshold", 0.0),)
     drawn = (make(Request(recipe, difficulty, "symbolic", 2317, index, weights=weights)).item for index in range(40))
     item = next(found for found in drawn if found is not None and "in radians" in found.prompt)
@@ -343,14 +343,14 @@ BALL_A = "arm.pieces.0.body"
 
 
 def two_sided(first: tuple[float, float], other: tuple[float, float]) -> Scene:
-    """A light arm with a ball on either side, a mass and its distance each; let go at 50°."""
+    """Build a light arm with a ball, of given mass and distance, on either side, released at 50°."""
     sides = (first, FIRST), (other, OTHER)
     balls = tuple(BallPiece(body=FixedBall(mass=m), distance=d, side=side) for (m, d), side in sides)
     return Scene(entities=(Named(name="arm", entity=RotationEntity(pieces=balls, angle=50.0)),))
 
 
 def test_a_small_corner_where_a_sum_turns_its_sign_is_not_missed() -> None:
-    """V = d √(2 g S (1 − cos θ)/I), S = m_A d₁ − m_B d₂, only if A's side sinks: numbers near these hardly turn S."""
+    """V = d √(2 g S (1 − cos θ)/I) only if S = m_A d₁ − m_B d₂ > 0, which nearby numbers hardly violate."""
     scene = two_sided((2.0, 0.8), (0.4, 0.3))
     for seed in range(5):
         query = StretchQuery("extremum", None, Stopped(BALL_A), "greatest speed", BALL_A)
@@ -364,7 +364,7 @@ def test_a_small_corner_where_a_sum_turns_its_sign_is_not_missed() -> None:
 
 
 def test_the_lighter_side_rises_to_the_top_only_if_it_is_lighter() -> None:
-    """ω² = 2 g (m_B d₂ − m_A d₁)(1 + cos θ)/I as A passes over the axle: a heavier A swings to and fro below it."""
+    """ω² = 2 g (m_B d₂ − m_A d₁)(1 + cos θ)/I as A passes over the axle; a heavier A swings below the axle."""
     query = Query("event", Target("angular velocity", "arm.arm"), HighestPoint(BALL_A))
     found = completed(two_sided((0.4, 0.3), (2.0, 0.8)), query, "rad/s")
     assert found is not None
@@ -373,7 +373,7 @@ def test_the_lighter_side_rises_to_the_top_only_if_it_is_lighter() -> None:
 
 
 def test_numbers_that_turn_a_sum_are_found_by_the_formula_alone() -> None:
-    """A sum of masses never turns its sign; a difference does where the lighter one is the heavier."""
+    """A sum of masses never changes sign; a difference does at the other order of masses."""
     scene = atwood()
     block = next(name for name in scene.mechanism.body if name.endswith("blocks.0"))
     search = QuestionSearch(scene, 0)
@@ -393,9 +393,9 @@ def test_numbers_that_turn_a_sum_are_found_by_the_formula_alone() -> None:
 
 
 def test_a_sum_that_is_squared_turns_its_sign_too() -> None:
-    """The greatest kinetic energy down a rough slope with a spring: m v²/2 + (m g (sin θ − µ cos θ))²/2k, if tan θ > µ.
+    """For tan θ > µ a cart with a spring has at most m v²/2 + (m g (sin θ − µ cos θ))²/2k of kinetic energy.
 
-    Else it is greatest at the start, and nothing tells which. Multiplied out, the square is a sum that keeps its sign.
+    Otherwise it is greatest at the start, which the expanded square, a sum that keeps its sign, does not show.
     """
     chain = SpringMassChain(
         track=RoughTrack(angle=34.0, friction=0.12),
@@ -410,7 +410,7 @@ def test_a_sum_that_is_squared_turns_its_sign_too() -> None:
 
 
 def test_a_root_of_a_square_is_what_is_squared() -> None:
-    """A cart from the compression d, rough track: m v²/2 = (k d − µ m g)²/2k; who writes no bars is right, too."""
+    """m v²/2 = (k d − µ m g)²/2k for a cart on a rough track; the speed without bars is right, too."""
     chain = SpringMassChain(
         track=RoughTrack(friction=0.3),
         carts=(Cart(mass=2.0),),
@@ -446,7 +446,7 @@ scene:
 
 
 def test_a_string_that_goes_slack_where_no_sum_turns_its_sign_is_not_missed() -> None:
-    """Two hands draw the box: only if one is strong, g weak and the block on top heavy, that outruns its load."""
+    """Two hands pull a box, which outruns its load only for a strong hand, small g and a heavy block on top."""
     query = StretchQuery("sum", None, AtTime(0.59), "energy dissipated by friction", "table.blocks.0")
     found = completed(loads(DRAWN), query, "J")
     assert found is not None
@@ -471,7 +471,7 @@ scene:
 
 
 def test_what_sticks_where_no_sum_turns_its_sign_is_not_missed() -> None:
-    """Blocks that rest on a box that is drawn the other way go with it, at a corner of eight numbers."""
+    """Blocks that rest on a box pulled the other way stick to it in a corner of the eight numbers."""
     query = Query("event", Target("displacement", "table.blocks.0"), Moved("table.box", 0.83))
     found = completed(loads(LOADED), query, "m")
     assert found is not None
@@ -479,14 +479,14 @@ def test_what_sticks_where_no_sum_turns_its_sign_is_not_missed() -> None:
 
 
 def bounced() -> Question | None:
-    """Thrown from 4.1 m, and twice on the ground after 3.8 s."""
+    """Return a question about a ball thrown from 4.1 m, which has bounced twice within 3.8 s."""
     entity = Projectile(ball=Ball(mass=1.9), height=4.1, speed=7.8, angle=62.0, restitution=0.75)
     scene = Scene(entities=(Named(name="throw", entity=entity),))
     return completed(scene, StretchQuery("sum", None, AtTime(3.8), "impulse of the net force", "throw.ball"), "N s", 1)
 
 
 def test_a_size_that_few_numbers_make_negative_stands_between_bars() -> None:
-    """The ground's impulse (1 + e)² m w may be more than m g t, though there are two impacts all the same."""
+    """The impulse of the ground, (1 + e)² m w, may exceed m g t even with exactly two bounces."""
     found = bounced()
     assert found is not None
     assert "exactly two collisions" in found.text
@@ -527,7 +527,7 @@ scene:
 
 
 def test_a_string_beside_a_spring_is_said_to_stay_taut() -> None:
-    """T = m_B (g + x''): of a spring that is stretched far it is gone before A turns, if A goes down all the while."""
+    """T = m_B (g + x'') vanishes before A turns, if the spring is far stretched and A goes down all the while."""
     found = completed(loads(SPRUNG), Query("state", Target("displacement", "slope.block"), AtTime(0.4)), "m")
     assert found is not None
     assert "A keeps moving down the slope" in found.text
@@ -535,7 +535,7 @@ def test_a_string_beside_a_spring_is_said_to_stay_taut() -> None:
 
 
 def test_symbols_do_not_say_that_a_thrust_is_more_than_a_weight() -> None:
-    """The velocity u ln(m_0/m_1) - g t after burn-out is that of a rocket that lifts off at once."""
+    """The velocity u ln(m_0/m_1) - g t after burn-out assumes a rocket that lifts off at once."""
     rocket = RocketEntity(rocket=Rocket(mass=1000.0, dry=300.0), place=LevelGround(), exhaust=2.0, rate=30.0)
     scene = Scene(entities=(Named(name="rocket", entity=rocket),))
     found = completed(scene, Query("state", Target("velocity", "rocket.rocket"), AtTime(30.0)), "m/s")
@@ -545,7 +545,7 @@ def test_symbols_do_not_say_that_a_thrust_is_more_than_a_weight() -> None:
 
 
 def test_a_direction_is_assumed_though_hardly_any_numbers_turn_it() -> None:
-    """A returns from the wall and hits B, which may by then be on either side of where it started."""
+    """A rebounds from the wall and hits B, which may then be on either side of its starting point."""
     entity = ComplexCollisionPlane(
         gliders=(
             Glider(mass=2.0, x=-0.89, v=-1.72),

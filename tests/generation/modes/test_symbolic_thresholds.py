@@ -1,4 +1,4 @@
-"""Limits asked for as formulas, by statics and energy worked out by hand, and their prompts read back."""
+"""Tests of symbolic limits, against statics and energy conservation, and of their prompts read back."""
 
 from math import acos, cos, degrees, radians, sin
 
@@ -33,7 +33,7 @@ SYMBOLIC = MODES["symbolic"]
 
 
 def limit(outcome: str, name: str, parameter: str, unit: str, about: float, *, greatest: bool) -> ThresholdQuery:
-    """Up to which, or from which value on, it does not happen."""
+    """Build a query for the greatest or least value at which an outcome does not happen."""
     return ThresholdQuery(
         "threshold", None, None, OUTCOMES[outcome](name), parameter, unit, greatest, happens=False, about=about
     )
@@ -49,7 +49,7 @@ def completed(scene: Scene, query: ThresholdQuery) -> tuple[QuestionSearch, Ques
 
 
 def equal(question: Question, expected: str) -> bool:
-    """Whether a formula worked out by hand equals the one that was found, at all bindings."""
+    """Return whether a formula worked out by hand equals the one that was found, at all bindings."""
     found = question.formula
     assert found is not None
     points = [dict(zip(found.symbols, point, strict=True)) for point in found.points]
@@ -57,7 +57,7 @@ def equal(question: Question, expected: str) -> bool:
 
 
 def rough(friction: float) -> Scene:
-    """A block of 2 kg on a rough slope of 30°, and one of 3 kg that hangs from a string to it."""
+    """Build a block of 2 kg on a rough slope of 30°, connected to a hanging one of 3 kg."""
     scene = half_atwood()
     entity = TwoSideMassPlane(plane=Plane(angle=30.0, friction=friction), blocks=(Block(mass=2.0),))
     return scene.model_copy(update={"entities": (Named(name="ramp", entity=entity), *scene.entities[1:])})
@@ -69,7 +69,7 @@ def pendulum(hanger: Cord | LightRod, angle: float, speed: float) -> Scene:
 
 
 def test_the_heaviest_that_friction_holds() -> None:
-    """At the limit m_B g = m_A g sin θ + µ m_A g cos θ, friction at its greatest and down the slope."""
+    """At the limit m_B g = m_A g sin θ + µ m_A g cos θ, with the greatest friction, down the slope."""
     about = 2.0 * (sin(radians(30.0)) + 0.4 * cos(radians(30.0)))
     query = limit("rises", "ramp.blocks.0", "other.system.blocks.0.mass", "kg", about, greatest=True)
     _, found = completed(rough(0.4), query)
@@ -80,7 +80,7 @@ def test_the_heaviest_that_friction_holds() -> None:
 
 
 def test_the_least_friction_is_a_size() -> None:
-    """µ m_A g cos θ holds the difference of m_B g and m_A g sin θ, whichever of them is larger."""
+    """µ m_A g cos θ balances the difference of m_B g and m_A g sin θ, whichever is larger."""
     about = (3.0 - 2.0 * sin(radians(30.0))) / (2.0 * cos(radians(30.0)))
     query = limit("slides", "ramp.blocks.0", "ramp.plane.friction", "", about, greatest=False)
     _, found = completed(rough(0.4), query)
@@ -96,7 +96,7 @@ def test_a_rod_that_goes_right_round_is_at_rest_on_top() -> None:
 
 
 def arm(first: float, other: float) -> Scene:
-    """A light arm with ball A 0.3 m from the axle and ball B 0.5 m on the other side, turning at 3 rad/s from 40°."""
+    """Build a light arm with ball A 0.3 m from the axle and ball B 0.5 m on the other side, at 3 rad/s from 40°."""
     sides = (first, 0.3, FIRST), (other, 0.5, OTHER)
     balls = tuple(BallPiece(body=FixedBall(mass=m), distance=d, side=side) for m, d, side in sides)
     return Scene(entities=(Named(name="arm", entity=RotationEntity(pieces=balls, angle=40.0, rate=3.0)),))
@@ -106,7 +106,7 @@ def arm(first: float, other: float) -> Scene:
 def test_a_limit_of_an_arm_says_on_which_side_its_centre_of_mass_is(
     masses: tuple[float, float], same: bool, greatest: bool
 ) -> None:
-    """½ I ω₀² = |S| g (1 ± cos θ): the least angle if B is the heavier side, the greatest if A is."""
+    """½ I ω₀² = |S| g (1 ± cos θ) gives the least angle if B is the heavier side, the greatest if A is."""
     (a, b), spin = masses, 3.0 if not same else 5.0
     scene = arm(a, b).having("arm.rate", spin)
     moment, inertia = abs(0.3 * a - 0.5 * b), 0.09 * a + 0.25 * b
@@ -135,7 +135,7 @@ def test_a_limit_of_a_mass_assumes_nothing_of_the_centre_of_mass_that_hangs_on_i
 
 
 def test_an_angle_is_asked_for_in_radians() -> None:
-    """½ v² = g ℓ cos θ for a string that stays taut below its fixed point."""
+    """½ v² = g ℓ cos θ for a string that stays taut below its suspension."""
     query = limit("goes_slack", "p.hanger", "p.angle", "deg", degrees(acos(4.0 / (2.0 * 9.8 * 1.6))), greatest=True)
     search, found = completed(pendulum(Cord(length=1.6), 40.0, 2.0), query)
     assert equal(found, r"\arccos\frac{v^2}{2 g \ell}")
@@ -146,7 +146,7 @@ def test_an_angle_is_asked_for_in_radians() -> None:
 
 @pytest.mark.parametrize("greatest", [True, False])
 def test_a_limit_on_the_other_side_is_none(greatest: bool) -> None:
-    """Of the masses that friction holds there is a greatest and a least, of which each question means one."""
+    """Friction holds masses between a least and a greatest one, and each question means one of them."""
     scene = rough(0.4)
     study = SimulatedScene(scene, simulate(scene))
     held = [2.0 * (sin(radians(30.0)) + side * 0.4 * cos(radians(30.0))) for side in (1.0, -1.0)]
@@ -155,7 +155,7 @@ def test_a_limit_on_the_other_side_is_none(greatest: bool) -> None:
 
 
 def test_symbols_of_two_angles_are_told_apart() -> None:
-    """The text has θ_1 and θ_2, where one that leaves a single number open would call it θ."""
+    """The symbols θ_1 and θ_2 of the text are kept, though a text that leaves one number open would use θ."""
     scene = sample("hybrid", "medium", seed=11, index=1)
     search = QuestionSearch(scene, 0)
     unknown = next(found for found in search.words.in_symbols({}).unknowns if found.path.endswith("angle"))
@@ -173,7 +173,7 @@ def test_symbols_of_two_angles_are_told_apart() -> None:
     ],
 )
 def test_prompts_lead_back_to_the_limit_at_every_binding(recipe: str, index: int) -> None:
-    """No number of the one that is asked for is given; the worked solution ends in the formula."""
+    """No value of the number asked for is given, and the worked solution ends in the formula."""
     item = make(Request(recipe, "medium", "symbolic", 5, index, weights=(("threshold", 1e6),))).item
     assert item is not None
     assert item.kind == "threshold"

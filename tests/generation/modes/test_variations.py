@@ -1,4 +1,4 @@
-"""Other numbers in a scene: which are tried."""
+"""Tests of the values that are tried in variations of a scene."""
 
 from math import radians
 
@@ -14,7 +14,7 @@ from sim2reason.questions.query import Target
 
 
 def test_an_acute_angle_is_tried_as_an_obtuse_one_too() -> None:
-    """Three times 20° is acute: symbols do not say that an angle is."""
+    """The symbol of an angle does not restrict it to acute ones, although three times 20° is acute."""
     study = QuestionSearch(arm(20.0), 0).study
     sphere = next(name for name, body in study.mechanism.body.items() if body.mass)
     query = Query("start", Target("acceleration", sphere), AtStart())

@@ -1,4 +1,4 @@
-"""Problems of charged beads ask what a teacher would: no arbitrary instants, and hardly ever arbitrary distances."""
+"""Tests that problems of charged beads avoid arbitrary instants and, mostly, arbitrary distances."""
 
 from collections import Counter
 

@@ -1,4 +1,4 @@
-"""No slope lies below the floor on which another stands."""
+"""Tests that no slope lies below the floor on which another body stands."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Pucks that are drawn meet as the recipe means, with simple numbers."""
+"""Tests that random pucks meet as the recipe intends, with simple numbers."""
 
 from itertools import pairwise
 

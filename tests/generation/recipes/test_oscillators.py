@@ -1,4 +1,4 @@
-"""Hard pendulums on strings leave their circles, and problems are about what comes of it."""
+"""Tests that hard pendulums on strings leave their circles, and that problems are about the later motion."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Recipes: what they draw fits together, can be told, and depends on the generator alone."""
+"""Tests that recipes draw consistent scenes that a text can describe, from the generator alone."""
 
 import numpy as np
 import pytest
@@ -63,7 +63,7 @@ def test_grown_scenes_keep_to_their_tier(recipe: str, difficulty: Difficulty) ->
 @pytest.mark.parametrize("count", [2 * SCENES, pytest.param(8 * SCENES, marks=pytest.mark.slow)])
 @pytest.mark.parametrize(("recipe", "difficulty"), [c for c in CELLS if c[0] in GROWN and GROWN[c[0]][c[1]].rough])
 def test_rough_scenes_are_as_often_told_as_they_are_meant(recipe: str, difficulty: Difficulty, count: int) -> None:
-    """Their texts are the longest: a bound that leaves them no room leaves one problem, told over and over."""
+    """Rough scenes have the longest texts, so too tight a bound on length would leave only few of them."""
     scenes = list(drawn(recipe, difficulty, count))
     rough = sum(any(p.value for p in scene.parameters if p.measure.name == "friction") for scene in scenes)
     assert rough >= 0.3 * GROWN[recipe][difficulty].rough * len(scenes)
@@ -107,7 +107,7 @@ def test_hybrid_scenes_hold_both_kinds(difficulty: Difficulty) -> None:
 
 @pytest.mark.parametrize(("recipe", "difficulty"), [cell for cell in CELLS if cell[0] in GROWN])
 def test_masses_are_comparable_and_pulleys_light(recipe: str, difficulty: Difficulty) -> None:
-    """No disc heavier than what it carries, no crumb beside a boulder."""
+    """No pulley is heavier than the lightest block by more than 5 %, and no block far heavier than another."""
     for scene in drawn(recipe, difficulty, SCENES):
         found = [(p.measure.name, p.value) for p in scene.parameters if p.value]
         blocks = [value for name, value in found if name == "mass"]
@@ -141,7 +141,7 @@ def test_unknown_names_are_refused_with_what_there_is() -> None:
 
 @pytest.mark.parametrize("difficulty", ["medium", "hard"])
 def test_pieces_that_would_be_in_one_another_are_not_drawn(difficulty: Difficulty) -> None:
-    """What has room on an arm is one rule, of the arm: none of what the recipe puts there is refused for it."""
+    """The recipe uses the arm's own rule of sufficient room, so none of its draws is refused for overlap."""
     refused = list[str]()
     for seed in range(30):
         try:
@@ -153,7 +153,7 @@ def test_pieces_that_would_be_in_one_another_are_not_drawn(difficulty: Difficult
 
 @pytest.mark.parametrize("recipe", ["incline", "pulley", "hybrid", "box"])
 def test_one_hand_pulls_at_most(recipe: str) -> None:
-    """Two that pull at the ends of one chain do no more than one."""
+    """Two hands at the ends of one chain act as one."""
     for seed in range(15):
         kinds = [type(named.entity).__name__ for named in sample(recipe, "hard", seed=seed).entities]
         assert kinds.count("ConstantForcePuller") <= 1

@@ -1,4 +1,4 @@
-"""What is welded to an arm that is drawn lies beside what else is, and not on the axle."""
+"""Tests that the parts of a random arm neither overlap nor lie on the axle."""
 
 from itertools import combinations
 

@@ -1,4 +1,4 @@
-"""How far a charged bead gets from an axis, and how fast it becomes in crossed fields, by closed forms."""
+"""Tests of a charged bead's distance from an axis, and of its speed in crossed fields, by closed forms."""
 
 from math import cos, hypot, radians, sin, sqrt
 
@@ -32,7 +32,7 @@ LAUNCHED, REST = Launched(speed=SPEED, angle=40.0), Released()
 
 
 def told(**acting: object) -> tuple[SimulatedScene, Words]:
-    """A positive bead in fields, and its words."""
+    """Return a positive bead in fields, and its words."""
     particle = ChargedBead(mass=MASS, charge=CHARGE, sign="positive")
     made = EmEntity(particle=particle, **{"start": LAUNCHED, **acting})  # type: ignore[arg-type]
     scene = Scene(entities=(Named(name="fields", entity=made),))
@@ -40,7 +40,7 @@ def told(**acting: object) -> tuple[SimulatedScene, Words]:
 
 
 def checked(functional: str, moment: WholeMotion, **acting: object) -> float:
-    """Return the answer, which the sentence that asks for it, and a worked solution in closed form, lead to as well."""
+    """Return the answer, checked against the sentence that asks for it and a worked solution in closed form."""
     study, words = told(**acting)
     query = StretchQuery("extremum", None, moment, functional, BEAD)
     value = KINDS["extremum"].answer(query, study)
@@ -54,14 +54,14 @@ def checked(functional: str, moment: WholeMotion, **acting: object) -> float:
 
 
 def test_round_a_circle_the_distance_from_an_axis_is_that_of_the_centre_and_the_radius() -> None:
-    """R (1 + |cos θ|) from the x axis, R (1 + |sin θ|) from the y axis."""
+    """The distance is R (1 + |cos θ|) from the x axis, R (1 + |sin θ|) from the y axis."""
     radius = SPEED / TURNS
     assert checked(X_AXIS, WholeMotion(), magnetic=MAGNETIC) == pytest.approx(radius * (1.0 + cos(ANGLE)), rel=1e-8)
     assert checked(Y_AXIS, WholeMotion(), magnetic=MAGNETIC) == pytest.approx(radius * (1.0 + sin(ANGLE)), rel=1e-8)
 
 
 def test_in_crossed_fields_speeds_are_the_drift_and_what_turns() -> None:
-    """|u| ± |v₀ − u| with u = E × B/B², here E/B along x (Griffiths, example 5.2)."""
+    """The extreme speeds are |u| ± |v₀ − u| with u = E × B/B², here E/B along x (Griffiths, example 5.2)."""
     turned = hypot(VX - DRIFT, VY)
     both = {"electric": ELECTRIC, "magnetic": MAGNETIC}
     fastest = checked("greatest speed", WholeMotion(drifts=True), **both)
@@ -73,14 +73,14 @@ def test_in_crossed_fields_speeds_are_the_drift_and_what_turns() -> None:
 
 
 def test_from_rest_in_crossed_fields_it_goes_twice_as_fast_as_the_drift() -> None:
-    """2E/B, 2mE/(qB²) along the field (Griffiths, example 5.2)."""
+    """The greatest speed is 2E/B, the distance 2mE/(qB²) along the field (Griffiths, example 5.2)."""
     held = {"electric": ELECTRIC, "magnetic": MAGNETIC, "start": REST}
     assert checked("greatest speed", WholeMotion(drifts=True), **held) == pytest.approx(2.0 * DRIFT, rel=1e-8)
     assert checked(X_AXIS, WholeMotion(drifts=True), **held) == pytest.approx(2.0 * DRIFT / TURNS, rel=1e-8)
 
 
 def test_where_a_field_drives_it_back_it_oscillates_about_where_that_is_zero() -> None:
-    """y_c = E/k with the amplitude √(y_c² + (v_y/ω)²); v² = v₀² + (q/m) E²/k at the centre, by energy."""
+    """The amplitude about y_c = E/k is √(y_c² + (v_y/ω)²); v² = v₀² + (q/m) E²/k at the centre, by energy."""
     center, rate = FIELD / SLOPE, sqrt(BEND)
     far = center + hypot(center, VY / rate)
     assert checked(X_AXIS, WholeMotion(drifts=True), electric=LINEAR) == pytest.approx(far, rel=1e-8)
@@ -89,7 +89,7 @@ def test_where_a_field_drives_it_back_it_oscillates_about_where_that_is_zero() -
 
 
 def test_a_magnetic_field_makes_such_an_oscillation_faster() -> None:
-    """y'' = a + Ω… with v_x = v₀ₓ + Ω y: ω² = k q/m + Ω², y_c = (a − Ω v₀ₓ)/ω²; the magnetic force does no work."""
+    """With v_x = v₀ₓ + Ω y, ω² = k q/m + Ω² and y_c = (a − Ω v₀ₓ)/ω²; the magnetic force does no work."""
     square = BEND + TURNS**2
     center = (PULL - TURNS * VX) / square
     far = abs(center) + hypot(center, VY / sqrt(square))

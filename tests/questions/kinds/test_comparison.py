@@ -1,4 +1,4 @@
-"""The kind of question that compares two answers: closed forms, what is not worth asking, and how it reads."""
+"""Tests of comparisons of two answers: closed forms, unsuitable questions, and the text."""
 
 from collections import Counter
 from dataclasses import replace
@@ -58,7 +58,7 @@ def test_the_acceleration_of_an_atwood_machine_with_its_heavier_mass_doubled() -
 
 
 def test_the_way_up_a_rough_slope_with_its_friction_halved() -> None:
-    """v²/2g(sin θ + µ cos θ)."""
+    """The distance is v²/2g(sin θ + µ cos θ)."""
     scene = ramp(angle=30.0, friction=0.4, speed=2.0)
     inner = Query("event", Target("displacement", moving(scene)), Stopped(moving(scene)))
     path = next(p.path for p in scene.parameters if p.measure.name == "friction")
@@ -67,7 +67,7 @@ def test_the_way_up_a_rough_slope_with_its_friction_halved() -> None:
 
 
 def test_what_is_proportional_is_not_compared() -> None:
-    """The speed of a block on a smooth slope, after a time or a distance: only the angle is worth asking about."""
+    """The speed of a block on a smooth slope, after a time or a distance, is proportional in all but the angle."""
     study, words = told(ramp())
     offered = targets(words)
     drawn = [KIND.draw(study, words, offered, np.random.default_rng(seed)) for seed in range(40)]
@@ -121,7 +121,7 @@ def test_search_finds_comparisons_that_pass_the_filters() -> None:
 
 
 def test_an_instant_is_not_compared() -> None:
-    """Half of the inner questions that this scene offers are about instants."""
+    """Half of the inner questions of this scene are about instants."""
     study, words = told(half_atwood())
     drawn = [KIND.draw(study, words, targets(words), np.random.default_rng(seed)) for seed in range(40)]
     compared = [query for query in drawn if query is not None]

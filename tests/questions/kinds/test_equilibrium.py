@@ -1,4 +1,4 @@
-"""The kind of question that asks for what is at rest in the position of equilibrium."""
+"""Tests of questions about equilibrium positions."""
 
 from collections.abc import Callable, Iterator
 from contextlib import suppress
@@ -36,13 +36,13 @@ TABLE = "table"
 
 
 def drawn(study: SimulatedScene, words: Words) -> set[Query]:
-    """All that it asks, by many seeds."""
+    """Return all queries that the kind draws by many seeds."""
     found = (KIND.draw(study, words, targets(words), np.random.default_rng(seed)) for seed in SEEDS)
     return {query for query in found if query is not None}
 
 
 def held() -> Mechanism:
-    """A block of 2 kg on a level floor, between a spring of 80 N/m and 0.5 m to a wall and a string to 1 kg."""
+    """Build a block of 2 kg on a level floor, between a spring of 80 N/m and 0.5 m and a string to 1 kg."""
     builder = Builder()
     room = builder.room("bench").site("wall", (-0.7, 0.0, 0.0)).site("in", (2.0, 0.0, 0.0)).site("out", (2.1, 0.0, 0.0))
     room.body("block", 2.0).rest(X, Z).site("eye").site("hook")
@@ -53,7 +53,7 @@ def held() -> Mechanism:
 
 
 def test_a_spring_that_a_load_stretches() -> None:
-    """The extension x = mg/k, the length l₀ + x; no question for mg itself, nor for what is at the start already."""
+    """The extension is x = mg/k, the length l₀ + x; mg itself, and values at the start, are not asked for."""
     mentions = {"bench.block": "block A", "bench.load": "block B", "bench.spring": "the spring", "bench.string": "it"}
     mechanism = held()
     said = frozenset({"bench.spring.stiffness", "bench.spring.length", "bench.block.mass", "bench.load.mass"})
@@ -93,7 +93,7 @@ def test_what_has_no_equilibrium_has_no_answer() -> None:
 
 
 def scenes(of: str) -> Iterator[Scene]:
-    """Random ones of a recipe, or of a body that two springs or more hold on a table."""
+    """Yield random scenes of a recipe, or of a body on a table with two or more springs."""
     for difficulty, index in [(level, index) for level in ("easy", "medium") for index in range(5)]:
         if of == TABLE:
             yield alone(drawn_entity(SpringBlock, index, {"springs": Count(2, 3), "launch?": 0.0}))
@@ -104,7 +104,7 @@ def scenes(of: str) -> Iterator[Scene]:
 
 @pytest.mark.parametrize("of", ["chain", "mixed", TABLE])
 def test_every_sentence_leads_back_and_forces_balance(of: str) -> None:
-    """Of random scenes: the text leads back to the query, and the springs of a crate on a table pull it nowhere."""
+    """The text leads back to the query, and the springs on a crate on a table have no net force."""
     seen = 0
     for scene in scenes(of):
         study, words = SimulatedScene(scene, simulate_scene(scene)), words_of(describe(scene))
@@ -122,7 +122,7 @@ def test_every_sentence_leads_back_and_forces_balance(of: str) -> None:
 
 
 def _check_table(mechanism: Mechanism, gone: np.ndarray) -> None:
-    """Σ k (r − l) r̂ = 0, from the sites and springs alone."""
+    """Check that Σ k (r − l) r̂ = 0, from the sites and springs alone."""
     body = next(body for body in mechanism.bodies if body.mass)
     place = np.array(body.at) + sum(
         move * np.array(c.axis) for move, c in zip(gone, mechanism.coordinates, strict=True)

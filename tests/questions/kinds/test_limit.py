@@ -1,4 +1,4 @@
-"""The kind of question that asks for a limit: closed forms, both engines, its solutions, and how it reads."""
+"""Tests of questions for a limit: closed forms, both engines, solutions, and the text."""
 
 from collections import Counter
 from dataclasses import replace
@@ -49,7 +49,7 @@ def string(scene: Scene) -> str:
 
 
 def test_an_atwood_machine_whose_heavier_mass_grows_falls_freely() -> None:
-    """a = g (M − m)/(M + m) becomes g, and T = 2 M m g/(M + m) becomes 2 m g; for m → 0, a becomes g again."""
+    """The limits for large M are a = g (M − m)/(M + m) → g and T = 2 M m g/(M + m) → 2 m g; for m → 0, a → g."""
     scene = atwood(3.0, 2.0)
     study, _ = told(scene)
     acceleration, tension = Target("acceleration", moving(scene)), Target("tension", string(scene))
@@ -78,7 +78,7 @@ def test_the_tension_beside_a_heavy_load_is_solved_as_a_formula() -> None:
 
 
 def test_what_vanishes_or_grows_without_bound_has_no_limit() -> None:
-    """The tension beside a mass that vanishes is none, and the kinetic energy of one that grows has no end."""
+    """The tension beside a vanishing mass is zero, and the kinetic energy of a growing mass is unbounded."""
     scene = half_atwood()
     study, words = told(scene)
     for seed in range(20):

@@ -1,4 +1,4 @@
-"""The kind of question that asks for an extreme over a design: closed forms, both engines, and how it reads."""
+"""Tests of questions for an extreme over a design: closed forms, both engines, and the text."""
 
 from collections import Counter
 from dataclasses import replace
@@ -50,7 +50,7 @@ def farthest(*, place: bool) -> OptimumQuery:
 
 @pytest.mark.parametrize("angle", [25.0, 60.0])
 def test_the_angle_of_greatest_range_from_a_height(angle: float) -> None:
-    """tan θ = v/√(v² + 2 g h), whatever angle the scene was drawn with."""
+    """The best angle is tan θ = v/√(v² + 2 g h), at any angle of the scene."""
     study, _ = told(thrown(angle))
     far = sqrt(SPEED**2 + 2.0 * G * HEIGHT)
     assert KIND.answer(farthest(place=True), study) == pytest.approx(degrees(atan(SPEED / far)), rel=1e-7)
@@ -58,7 +58,7 @@ def test_the_angle_of_greatest_range_from_a_height(angle: float) -> None:
 
 
 def test_the_distance_of_the_axle_for_the_least_period() -> None:
-    """T = 2π √((2 r²/5 + d²)/g d) of a sphere is least where d = r √(2/5)."""
+    """T = 2π √((2 r²/5 + d²)/g d) of a sphere is least at d = r √(2/5)."""
     study, words = told(arm())
     drawn = (KINDS["period"].draw(study, words, {}, np.random.default_rng(seed)) for seed in range(20))
     inner = next(held for held in drawn if isinstance(held, PeriodQuery) and held.small and held.measure == "period")

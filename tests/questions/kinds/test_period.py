@@ -1,4 +1,4 @@
-"""The kind of question that asks for a period: what it asks where, and that every answer is what a formula gives."""
+"""Tests of questions for a period: the possible ones, and their answers against formulas."""
 
 from math import pi, sqrt
 
@@ -26,19 +26,19 @@ Told = tuple[SimulatedScene, Words]
 
 
 def told(mechanism: Mechanism, mentions: dict[str, str], duration: float = 4.0, *, released: bool = True) -> Told:
-    """A mechanism and how a text calls its bodies."""
+    """Return a simulated mechanism, and the words for its bodies."""
     trace = simulate(mechanism, np.linspace(0.0, duration, 21))
     return SimulatedScene(atwood(), trace), Words(mechanism, mentions, released)  # no one looks at the scene
 
 
 def drawn(study: SimulatedScene, words: Words) -> set[PeriodQuery]:
-    """All that it asks, by many seeds."""
+    """Return all period queries that the kind draws by many seeds."""
     found = (KIND.draw(study, words, {}, np.random.default_rng(seed)) for seed in SEEDS)
     return {query for query in found if isinstance(query, PeriodQuery)}
 
 
 def answers(study: SimulatedScene, words: Words) -> dict[str, set[float]]:
-    """Rounded answers by measure."""
+    """Return rounded answers by measure."""
     found: dict[str, set[float]] = {}
     for query in drawn(study, words):
         answer = KIND.answer(query, study)
@@ -48,7 +48,7 @@ def answers(study: SimulatedScene, words: Words) -> dict[str, set[float]]:
 
 
 def slider() -> Mechanism:
-    """A pendulum of 0.6 m and 0.5 kg on a cart of 1.5 kg that slides freely."""
+    """Build a pendulum of 0.6 m and 0.5 kg on a cart of 1.5 kg that slides freely."""
     builder = Builder()
     cart = builder.room().body("cart", 1.5).rest(X, Z)
     cart.body("rod").hinge(Y).body("bob", 0.5, at=(0.36, 0.0, -0.48))
@@ -56,7 +56,7 @@ def slider() -> Mechanism:
 
 
 def two_between_walls() -> Mechanism:
-    """Two carts of 1 kg, springs of 30, 20 and 30 N/m from wall to wall: ω² = 30 and 70 s⁻²."""
+    """Build two carts of 1 kg and springs of 30, 20 and 30 N/m from wall to wall: ω² = 30 and 70 s⁻²."""
     builder = Builder()
     room = builder.room().site("left", (-1.0, 0.0, 0.0)).site("right", (2.0, 0.0, 0.0))
     for name, x, speed in (("a", 0.0, 0.3), ("b", 1.0, 0.0)):
@@ -71,7 +71,7 @@ def two_between_walls() -> Mechanism:
 
 
 def test_where_small_and_large_have_one_period_nothing_is_called_small() -> None:
-    """A block on a spring, 0.5 kg and 20 N/m."""
+    """The scene is a block of 0.5 kg on a spring of 20 N/m."""
     study, words = spring_block().told()
     expected = 2.0 * pi * sqrt(0.5 / 20.0)
     assert answers(study, words) == {"period": {round(expected, 7)}, "frequency": {round(1.0 / expected, 7)}}
@@ -79,7 +79,7 @@ def test_where_small_and_large_have_one_period_nothing_is_called_small() -> None
 
 
 def test_a_pendulum_that_swings_far_is_asked_for_its_own_period_and_a_beam_for_both() -> None:
-    """√(ℓ/g) alone is asked of no text; a rod of 1.2 m about its end has √(2ℓ/(3g)) for small swings."""
+    """√(ℓ/g) alone is never asked for; a rod of 1.2 m about its end has √(2ℓ/(3g)) for small swings."""
     assert {query.small for query in drawn(*told(light_rod(80.0).mechanism, {"swing.bob": "the bob"}))} == {False}
     assert {query.small for query in drawn(*told(rod_pendulum(80.0).mechanism, {"swing.rod": "the rod"}))} == {
         False,
@@ -92,7 +92,7 @@ def test_a_pendulum_that_swings_far_is_asked_for_its_own_period_and_a_beam_for_b
 
 
 def test_two_bodies_that_nothing_holds_oscillate_against_each_other() -> None:
-    """ω² = (1 + m/M) g/ℓ."""
+    """The angular frequency is given by ω² = (1 + m/M) g/ℓ."""
     study, words = told(slider(), {"cart": "cart A", "bob": "bead B"})
     small = {query for query in drawn(study, words) if query.small}
     assert {query.of for query in small} == {("cart", "bob")}
@@ -133,7 +133,7 @@ def test_what_falls_has_no_period() -> None:
 @pytest.mark.parametrize("scenes", [5, pytest.param(20, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("recipe", ["chain", "mixed", "rotation", "rolling", "orbital", "electromagnetic"])
 def test_every_sentence_leads_back_and_is_vouched_for(recipe: str, scenes: int) -> None:
-    """Every shape of every query that random scenes offer, among at least three."""
+    """Every shape of every query about random scenes, of at least three, is tested."""
     seen = 0
     for difficulty in ("easy", "medium"):
         for index in range(scenes):
@@ -151,7 +151,7 @@ def test_every_sentence_leads_back_and_is_vouched_for(recipe: str, scenes: int) 
 
 
 def test_how_far_a_spring_is_pulled_is_of_no_matter_by_nature() -> None:
-    """Sensitivity excuses what the kind is indifferent to: the stretch at the start, but no mass and no stiffness."""
+    """The period does not depend on the initial stretch, but on the mass and the stiffness."""
     study, words = spring_block(0.2).told()
     query = next(iter(drawn(study, words)))
     assert KIND.indifferent(query, study, spring_block(0.25).told()[0])
@@ -161,7 +161,7 @@ def test_how_far_a_spring_is_pulled_is_of_no_matter_by_nature() -> None:
 
 @pytest.mark.parametrize(("recipe", "stable"), [("rotation", True), ("chain", False)])
 def test_an_equilibrium_is_called_stable_where_there_may_be_another(recipe: str, *, stable: bool) -> None:
-    """What swings could also stand upright; carts on springs have one place of rest."""
+    """A pendulum can also stand upright, while carts on springs have one equilibrium."""
     seen = 0
     for index in range(5):
         scene = RECIPES[recipe]("medium", generator(recipe, "medium", "numeric", 11, index, 0))

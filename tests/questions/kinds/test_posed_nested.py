@@ -1,4 +1,4 @@
-"""Optima, limits and equilibria asked in parts."""
+"""Tests of structured questions for optima, limits and equilibria."""
 
 from math import atan, degrees, sqrt
 
@@ -23,7 +23,7 @@ BEST = 15.0 / sqrt(15.0**2 + 2.0 * G * 20.0)
 
 
 def answer(scene: Scene, **parts: str) -> float | None:
-    """Return the answer to a question in parts."""
+    """Return the answer to a structured question."""
     motion, words = simulate_scene(scene), words_of(describe(scene))
     return pose_question(StructuredQuestion.read(parts), motion, words).followed(motion).answer
 
@@ -46,7 +46,7 @@ def answer(scene: Scene, **parts: str) -> float | None:
     ],
 )
 def test_optima_and_limits_have_a_structured_form(scene: Scene, parts: dict[str, str], value: float) -> None:
-    """The best angle of a throw from a height, and a very heavy block."""
+    """The questions ask for the best angle of a throw from a height, and for the limit of a heavy block."""
     assert answer(scene, **parts) == pytest.approx(value, rel=1e-6)
 
 
@@ -58,6 +58,6 @@ def test_optima_and_limits_have_a_structured_form(scene: Scene, parts: dict[str,
     ],
 )
 def test_what_is_not_found_in_equilibrium_says_why(scene: Scene, find: str, told: str) -> None:
-    """And what to ask instead."""
+    """The error suggests another question."""
     with pytest.raises(TextError, match=told):
         answer(scene, find=find, when="equilibrium")

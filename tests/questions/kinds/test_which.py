@@ -1,4 +1,4 @@
-"""Questions for one of two: which is greater, which comes first, and the number beside the name."""
+"""Tests of questions that compare or order two bodies, answered by a name and a number."""
 
 from collections import Counter
 from functools import cache
@@ -53,7 +53,7 @@ def made(recipe: str, difficulty: str, kind: str, units: str = "SI") -> Item:
 
 
 def test_which_is_farther_and_by_what_factor() -> None:
-    """Two balls that collide elastically keep their common velocity in the middle."""
+    """Two balls in an elastic collision keep the velocity of their centre of mass."""
     time = 2.4
     far = [abs(speed * MET + after * (time - MET)) for speed, after in zip(SPEEDS, AFTER, strict=True)]
     asked = "Which of ball B and ball A is farther from its starting point at the time t = 2.4 s, and by what factor?"
@@ -164,7 +164,7 @@ def test_a_wrong_number_that_is_near_or_none_makes_no_choice() -> None:
 
 
 def answered(scene: Scene, **parts: str) -> tuple[str, float | None]:
-    """Return the subject that a question in parts is answered by, and the number."""
+    """Return the subject and the number that answer a structured question."""
     motion = simulate_scene(scene)
     question = pose_question(StructuredQuestion.read(parts), motion, words_of(describe(scene)))
     return question.query.subject, question.followed(motion).answer

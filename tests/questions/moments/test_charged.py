@@ -1,4 +1,4 @@
-"""When the velocity of a charged bead has turned, is across the electric field or is the first again."""
+"""Tests of moments at which a charged bead's velocity has turned, is across the field, or recurs."""
 
 from dataclasses import replace
 from math import pi, radians, sin, tan
@@ -28,7 +28,7 @@ REST = Released()
 
 
 def scene(angle: float = 0.0, **acting: object) -> Scene:
-    """A bead of positive charge in fields, launched in a direction, deg, unless a start is given."""
+    """Build a positive bead in fields, launched at an angle, deg, unless a start is given."""
     particle = ChargedBead(mass=MASS, charge=CHARGE, sign="positive")
     held = {"start": Launched(speed=SPEED, angle=angle), **acting}
     return Scene(entities=(Named(name="fields", entity=EmEntity(particle=particle, **held)),))  # type: ignore[arg-type]
@@ -43,13 +43,13 @@ def when(moment: Moment, angle: float = 0.0, **acting: object) -> float | None:
 @pytest.mark.parametrize("angle", [30.0, 90.0, 150.0])
 @pytest.mark.parametrize("medium", [None, DRAG])
 def test_a_magnetic_field_turns_a_velocity_uniformly(angle: float, medium: LinearDrag | None) -> None:
-    """t = α m/(q B) (Serway and Jewett, § 29.2), also where drag along the velocity slows the bead."""
+    """t = α m/(q B) (Serway and Jewett, § 29.2), even with drag, which acts along the velocity."""
     found = when(VelocityTurned(BEAD, angle), 40.0, magnetic=MAGNETIC, medium=medium)
     assert found == pytest.approx(radians(angle) / TURNS, rel=1e-8)
 
 
 def test_an_electric_field_turns_a_velocity_by_the_ratio_of_components() -> None:
-    """The component across the field is kept: tan α = a t/v, as for a ball thrown level."""
+    """The velocity across the field is constant, so tan α = a t/v, as for a ball thrown horizontally."""
     found = when(VelocityTurned(BEAD, 60.0), electric=ELECTRIC)
     assert found == pytest.approx(SPEED * tan(radians(60.0)) / PULL, rel=1e-8)
     assert when(VelocityTurned(BEAD, 120.0), electric=ELECTRIC) is None  # it tends to a right angle
@@ -57,7 +57,7 @@ def test_an_electric_field_turns_a_velocity_by_the_ratio_of_components() -> None
 
 
 def test_a_bead_turns_back_along_an_electric_field_as_a_ball_under_gravity() -> None:
-    """t = v sin θ/a."""
+    """The time is t = v sin θ/a."""
     down = UniformElectric(strength=FIELD, way="negative y")
     assert when(AcrossField(BEAD), 40.0, electric=down) == pytest.approx(SPEED * sin(radians(40.0)) / PULL, rel=1e-8)
     assert when(AcrossField(BEAD), 90.0, electric=down) is None  # it is at rest then
@@ -65,13 +65,13 @@ def test_a_bead_turns_back_along_an_electric_field_as_a_ball_under_gravity() -> 
 
 
 def test_from_rest_in_crossed_fields_it_is_across_the_field_after_half_a_turn() -> None:
-    """On a cycloid, π m/(q B) (Griffiths, Introduction to Electrodynamics, example 5.2)."""
+    """On a cycloid the time is π m/(q B) (Griffiths, Introduction to Electrodynamics, example 5.2)."""
     found = when(AcrossField(BEAD), start=REST, electric=ELECTRIC, magnetic=MAGNETIC)
     assert found == pytest.approx(pi / TURNS, rel=1e-8)
 
 
 def test_in_crossed_fields_a_velocity_comes_again_after_a_full_turn() -> None:
-    """2π m/(q B); one from rest comes to rest again, which another moment tells."""
+    """The time is 2π m/(q B); a bead from rest comes to rest again, which is a different moment."""
     assert when(VelocityReturned(BEAD), 70.0, electric=ELECTRIC, magnetic=MAGNETIC) == pytest.approx(
         2.0 * pi / TURNS, rel=1e-8
     )
@@ -104,6 +104,6 @@ def test_a_turned_velocity_tells_how_the_force_has_turned() -> None:
 
 @pytest.mark.parametrize(("angle", "again"), [(0.0, True), (60.0, False)])
 def test_a_bead_that_is_launched_across_the_field_moves_across_it_again(angle: float, *, again: bool) -> None:
-    """*First* alone would mean the start."""
+    """A bead launched across the field moves across it at the start, so *first* alone would mean the start."""
     words = words_of(describe(scene(angle, electric=ELECTRIC, magnetic=MAGNETIC)))
     assert all((" again" in phrase) is again for phrase in AcrossField(BEAD).phrases(words))

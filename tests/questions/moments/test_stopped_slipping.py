@@ -1,4 +1,4 @@
-"""When a body first stops sliding on what carries it."""
+"""Tests of the moment at which a body first stops sliding on its support."""
 
 import numpy as np
 import pytest
@@ -16,7 +16,7 @@ from sim2reason.text.prose.description import describe
 
 @pytest.mark.parametrize(("angle", "offered"), [(28.0, False), (5.0, True)])
 def test_a_body_that_turned_back_before_is_not_asked_about(angle: float, *, offered: bool) -> None:
-    """A slab sent up the slope on another one: on a steep slope it turns back, and slips on, before it sticks."""
+    """A slab sent up a stack on a steep slope turns back while it slips, before it sticks."""
     slabs = StackedMassPlane(
         plane=Plane(angle=angle, friction=0.16),
         lower=Slab(mass=9.1),

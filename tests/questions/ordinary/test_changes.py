@@ -1,4 +1,4 @@
-"""Questions about what lies between two moments, sums over everything, and multiples of initial values."""
+"""Tests of questions about changes between two moments, sums over everything, and multiples of initial values."""
 
 from math import radians, sin
 from pathlib import Path
@@ -36,7 +36,7 @@ def answer(name: str, question: str) -> float | None:
     ],
 )
 def test_differences_are_those_of_two_moments(name: str, question: str, value: float) -> None:
-    """A ball of 0.2 kg is thrown level at 3 m/s from 5 m, and bounces with 0.8 of its vertical speed."""
+    """A ball of 0.2 kg is thrown horizontally at 3 m/s from 5 m, and bounces with 0.8 of its vertical speed."""
     assert answer(name, question) == pytest.approx(value, rel=1e-6)
 
 
@@ -51,7 +51,6 @@ def test_differences_are_those_of_two_moments(name: str, question: str, value: f
     ],
 )
 def test_more_than_one_state_or_body_is_looked_at(name: str, question: str, value: float) -> None:
-    """The answers agree with closed forms."""
     assert answer(name, question) == pytest.approx(value, rel=1e-6)
 
 
@@ -72,7 +71,7 @@ def test_a_loss_that_is_a_gain_is_refused() -> None:
     ],
 )
 def test_asides_are_passed_over(told: str, plain: str) -> None:
-    """Phrases that do not change what is asked are removed from a question."""
+    """Phrases that do not change the question are removed."""
     assert without_asides(told) == plain
 
 

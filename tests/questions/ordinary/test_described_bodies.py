@@ -1,4 +1,4 @@
-"""Bodies that a question describes: the hanging block, the heavier one, the upper board."""
+"""Tests of described bodies: the hanging block, the heavier one, the upper board."""
 
 import pytest
 
@@ -52,7 +52,7 @@ scene:
     ],
 )
 def test_a_description_that_fits_one_body_names_it(scene: str, told: str, meant: str) -> None:
-    """By what holds it, what it lies on, its mass, or its position in a pile."""
+    """The description may give the support, the mass, or the position in a pile."""
     words = words_of(describe(loads(scene)))
     assert with_letters(f"How fast is {told} after 1 s?", words) == f"How fast is {words.mentions[meant]} after 1 s?"
 
@@ -71,6 +71,6 @@ def test_a_description_that_fits_one_body_names_it(scene: str, told: str, meant:
     ],
 )
 def test_one_that_fits_none_or_several_is_left(scene: str, told: str) -> None:
-    """Equal masses, two that hang, and three of which two are heavier than another."""
+    """Equal masses, two hanging blocks, and the heavier ones of three are ambiguous."""
     words = words_of(describe(loads(scene)))
     assert with_letters(f"How fast is {told} after 1 s?", words) == f"How fast is {told} after 1 s?"

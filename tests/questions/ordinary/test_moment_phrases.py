@@ -1,4 +1,4 @@
-"""Moments such as *after a long time* and *2 s after the collision*, put into numbers."""
+"""Tests of moments such as *after a long time* and *2 s after the collision*, converted to numbers."""
 
 from pathlib import Path
 
@@ -44,6 +44,6 @@ def test_a_time_counts_from_a_collision() -> None:
     ],
 )
 def test_what_never_settles_down_is_refused(scene: str, asked: StructuredQuestion) -> None:
-    """Nothing settles down without a medium that resists, and no time is found *after a long time*."""
+    """A motion without a resisting medium does not settle, and no time is found *after a long time*."""
     with pytest.raises(TextError, match="nothing settles down"):
         answer(scene, asked)

@@ -1,4 +1,4 @@
-"""Questions that call a body other than the text does, and the time of a fall."""
+"""Tests of questions that use other names for bodies than the text, and of the time of a fall."""
 
 from math import sqrt
 
@@ -13,7 +13,7 @@ G = 9.8
 
 
 def scene(kind: str, parameters: str) -> Scene:
-    """A scene of one entity."""
+    """Build a scene of one entity."""
     return loads(f"scene: {{entities: [{{name: it, type: {kind}, parameters: {{{parameters}}}}}]}}")
 
 
@@ -39,7 +39,7 @@ scene:
 
 
 def charge(mass: float, sign: str = "negative") -> Scene:
-    """A charge that a magnetic field turns, of a mass in mg."""
+    """Build a charge, with a mass in mg, in a magnetic field."""
     return scene(
         "EmEntity",
         "magnetic: {kind: uniform_magnetic, strength: 0.001, way: positive z}, start: {kind: launched, speed: 1.0e6,"
@@ -48,19 +48,19 @@ def charge(mass: float, sign: str = "negative") -> Scene:
 
 
 def thrown(height: float, angle: float, side: str = "above") -> Scene:
-    """A ball thrown at 3 m/s from a height above level ground."""
+    """Build a ball thrown at 3 m/s from a height above level ground."""
     return scene("Projectile", f"ball: {{mass: 1.0}}, height: {height}, speed: 3.0, angle: {angle}, side: {side}")
 
 
 def test_the_pulley_is_the_stepped_one_where_there_is_no_other() -> None:
-    """α = (m R − M r) g/(I + m R² + M r²)."""
+    """The angular acceleration is α = (m R − M r) g/(I + m R² + M r²)."""
     found = solve(STEPPED, question="What is the angular acceleration of the pulley?")
     assert found.answer == pytest.approx((0.3 - 0.2) * G / (0.05 + 0.09 + 0.02))
 
 
 @pytest.mark.parametrize("question", ["What is the radius of the {}'s path?", "What is the radius of the {}'s orbit?"])
 def test_a_mass_tells_an_electron_and_a_proton(question: str) -> None:
-    """r = m v/(q B)."""
+    """The radius of the path is r = m v/(q B)."""
     found = solve(charge(9.109e-25), question=question.format("electron"))
     assert found.answer == pytest.approx(9.109e-31 * 1e6 / (1.602e-19 * 0.001))
     found = solve(charge(1.673e-21, "positive"), question=question.format("proton"))
@@ -69,13 +69,13 @@ def test_a_mass_tells_an_electron_and_a_proton(question: str) -> None:
 
 @pytest.mark.parametrize(("mass", "name"), [(9.109e-25, "proton"), (2e-25, "electron"), (1.673e-21, "electron")])
 def test_no_other_mass_is_taken_for_a_particle(mass: float, name: str) -> None:
-    """The question is about something else."""
+    """A question about another particle is not understood."""
     with pytest.raises(TextError, match="not understood"):
         solve(charge(mass), question=f"What is the radius of the {name}'s path?")
 
 
 def test_the_time_of_a_fall() -> None:
-    """Thrown straight down at v, a ball falls for (√(v² + 2 g h) − v)/g; thrown level, √(2 h/g)."""
+    """A ball falls for (√(v² + 2 g h) − v)/g if thrown straight down at v, for √(2 h/g) if thrown horizontally."""
     asked = "How long does the ball take to fall?"
     assert solve(thrown(20.0, 90.0, "below"), question=asked).answer == pytest.approx((sqrt(9.0 + 40.0 * G) - 3.0) / G)
     assert solve(thrown(20.0, 0.0), question=asked).answer == pytest.approx(sqrt(40.0 / G))
@@ -83,13 +83,13 @@ def test_the_time_of_a_fall() -> None:
 
 @pytest.mark.parametrize(("height", "angle"), [(0.0, 45.0), (20.0, 30.0), (20.0, 90.0)])
 def test_what_rises_first_has_no_one_time_of_fall(height: float, angle: float) -> None:
-    """It may be counted from the throw or from the highest point."""
+    """The time may count from the throw or from the highest point."""
     with pytest.raises(TextError, match="does not only fall"):
         solve(thrown(height, angle), question="How long does the ball take to fall?")
 
 
 def test_the_energy_of_a_light_arm_is_that_of_what_it_carries() -> None:
-    """Not that of the trolley under it, too, nor is a wheel without a mass an arm that carries blocks."""
+    """The energy excludes that of the trolley below, and a massless wheel is not an arm that carries blocks."""
     swung = loads(CARRIED)
     arm, trolley, whole = (
         solve(swung, question=f"What is the {energy} after 0.3 s?").answer or 0.0

@@ -1,4 +1,4 @@
-"""Paraphrases of clauses and main clauses: by a head, and only where every other word has its place."""
+"""Tests of paraphrases of clauses and main clauses, which require a meaning for every word."""
 
 import pytest
 
@@ -55,7 +55,7 @@ def test_words_are_in_base_forms_and_auxiliaries_left_out() -> None:
     ],
 )
 def test_clauses_are_said_plainly(clause: str, plain: str) -> None:
-    """A clause is paraphrased as a plain clause that the tables have."""
+    """A clause is reworded as a plain clause in the tables."""
     assert plain in plain_clauses(clause)
 
 
@@ -75,7 +75,7 @@ def test_clauses_are_said_plainly(clause: str, plain: str) -> None:
     ],
 )
 def test_a_clause_with_a_word_that_matters_is_left_alone(clause: str) -> None:
-    """A clause with a word that has no place is not paraphrased, whatever its head is."""
+    """A clause with an unknown word is not reworded, whatever its main words are."""
     assert list(plain_clauses(clause)) == []
 
 
@@ -115,7 +115,7 @@ def test_a_clause_with_a_word_that_matters_is_left_alone(clause: str) -> None:
     ],
 )
 def test_main_clauses_are_said_plainly(question: str, plain: str) -> None:
-    """A main clause is paraphrased as a plain one that the tables have."""
+    """A main clause is reworded as a plain one in the tables."""
     assert plain in plain_mains(question)
 
 
@@ -126,5 +126,5 @@ def test_main_clauses_are_said_plainly(question: str, plain: str) -> None:
      "what is greatest distance between @0@ and @0@", "how far does @0@ stretch"],
 )  # fmt: skip
 def test_a_main_clause_with_a_word_that_matters_is_left_alone(question: str) -> None:
-    """A main clause with a word that has no place is not paraphrased, whatever it asks for."""
+    """A main clause with an unknown word is not reworded, whatever it asks for."""
     assert list(plain_mains(question)) == []

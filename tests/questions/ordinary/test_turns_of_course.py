@@ -1,4 +1,4 @@
-"""Turns of phrase about how a motion begins, goes on and recurs, each with a plainer equivalent."""
+"""Tests of phrases about the start, the course and the recurrence of a motion."""
 
 import pytest
 
@@ -24,7 +24,7 @@ from sim2reason.questions.ordinary.rewording import reworded
     ],
 )
 def test_a_turn_of_phrase_becomes_plainer(told: str, plain: str) -> None:
-    """The plainer words are those that the readers know."""
+    """The plainer words are ones that the parser knows."""
     assert reworded(told) == plain
 
 
@@ -37,5 +37,5 @@ def test_a_turn_of_phrase_becomes_plainer(told: str, plain: str) -> None:
     ],
 )
 def test_what_is_no_such_turn_stays(told: str) -> None:
-    """A word that a turn of phrase does not have keeps it from being replaced."""
+    """A phrase with an additional word is not replaced."""
     assert reworded(told) == told

@@ -1,4 +1,4 @@
-"""Turns of phrase about slipping, orbits, collisions and the course of a motion."""
+"""Tests of phrases about slipping, orbits, collisions and the course of a motion."""
 
 import pytest
 
@@ -42,5 +42,5 @@ def test_turns_of_phrase_are_replaced_by_plainer_ones(question: str, plain: str)
     ],
 )
 def test_words_that_matter_are_left_in(question: str) -> None:
-    """A question about another stretch, order, direction or unit is not reworded."""
+    """A question about another interval, order, direction or unit is not reworded."""
     assert reworded(question) == question

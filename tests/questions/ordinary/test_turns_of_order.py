@@ -1,4 +1,4 @@
-"""Turns of phrase in an unusual order of words, each with a plainer equivalent."""
+"""Tests of phrases in an unusual order of words."""
 
 import pytest
 
@@ -33,7 +33,7 @@ from sim2reason.questions.ordinary.rewording import reworded
     ],
 )
 def test_a_turn_of_phrase_becomes_plainer(told: str, plain: str) -> None:
-    """The plainer words are those that the readers know."""
+    """The plainer words are ones that the parser knows."""
     assert reworded(told) == plain
 
 
@@ -46,5 +46,5 @@ def test_a_turn_of_phrase_becomes_plainer(told: str, plain: str) -> None:
     ],
 )
 def test_what_is_no_such_turn_stays(told: str) -> None:
-    """A word that a turn of phrase does not have keeps it from being replaced."""
+    """A phrase with an additional word is not replaced."""
     assert reworded(told) == told

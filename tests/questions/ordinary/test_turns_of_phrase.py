@@ -1,4 +1,4 @@
-"""Rewording of turns of phrase, and removal of words that ask for nothing."""
+"""Tests of the rewording of phrases, and of the removal of words that ask for nothing."""
 
 import pytest
 
@@ -68,6 +68,6 @@ def test_words_that_matter_are_left_in(question: str) -> None:
 
 
 def test_a_smooth_floor_is_passed_over_only_where_nothing_rubs() -> None:
-    """A sentence that says that a rough floor is smooth is about another scene, and stays."""
+    """A sentence that calls a rough floor smooth describes another scene, and stays."""
     told = "floor is smooth. how fast is @0@"
     assert without_leads(told, (), smooth=False) == told

@@ -1,4 +1,4 @@
-"""Questions in ordinary English: what is understood has the right answer, and nothing is misread."""
+"""Tests of questions in ordinary English: they are answered correctly or refused, never misread."""
 
 import json
 from collections import Counter
@@ -26,7 +26,7 @@ ENOUGH = 0.8  # of the questions
 
 
 class Asked(NamedTuple):
-    """A question about a scene, with its answer by a closed form."""
+    """Question about a scene, with its answer by a closed form."""
 
     scene: str
     question: str
@@ -37,21 +37,21 @@ class Asked(NamedTuple):
 
 @cache
 def questions() -> list[Asked]:
-    """All questions that were written before anyone had read the reader's tables."""
+    """Return all questions that were written without knowledge of the parser's tables."""
     rows = (json.loads(line) for line in (DATA / "ordinary_questions.jsonl").read_text("utf-8").splitlines())
     return [Asked(row["scene"], row["question"], row["value"], row["unit"], row.get("signed", False)) for row in rows]
 
 
 @cache
 def traps() -> list[Asked]:
-    """Questions that are near others, and ask for something else, or for nothing."""
+    """Return questions that resemble others, but ask for something else, or for nothing."""
     rows = (json.loads(line) for line in (DATA / "ordinary_traps.jsonl").read_text("utf-8").splitlines())
     return [Asked(row["scene"], row["question"]) for row in rows]
 
 
 @cache
 def scene(name: str) -> tuple[FollowedMotion, Words]:
-    """A scene's motion, and its words."""
+    """Return the motion of a scene, and its words."""
     own = DATA / "ordinary_scenes" / f"{name}.yaml"
     read = load(own if own.exists() else DATA / "textbook_scenes" / f"{name}.yaml")
     return simulate_scene(read), words_of(describe(read))
@@ -78,7 +78,7 @@ GROUPS = 8  # in each of which the scenes, their questions and traps are looked 
 
 @pytest.mark.parametrize("group", range(GROUPS))
 def test_nothing_is_misread_and_most_questions_are_understood(group: int) -> None:
-    """Neither a question, nor one that differs from it in a word; at least four of five are understood, each right."""
+    """At least four of five questions are understood, all correctly, and variations in a word are not misread."""
     names = set(SCENES[group::GROUPS])
     found = Counter(outcome(asked) for asked in questions() if asked.scene in names)
     assert [told for told in found if told.startswith("wrong")] == []
@@ -119,7 +119,7 @@ def test_the_nearest_questions_are_offered(name: str, question: str, told: str) 
     ],
 )
 def test_what_has_no_question_is_refused_with_the_reason(name: str, question: str, why: str) -> None:
-    """Beside the nearest questions."""
+    """The error names the nearest questions too."""
     motion, words = scene(name)
     assert understood(question, motion, words) is None
     assert why in suggestion(question, motion, words)
@@ -143,7 +143,7 @@ def test_what_has_no_question_is_refused_with_the_reason(name: str, question: st
     ],
 )
 def test_what_is_not_so_is_said(name: str, question: str, told: str) -> None:
-    """A question that takes for granted what is not so is refused with that."""
+    """A question with a false presupposition is refused, and the error names it."""
     motion, words = scene(name)
     with pytest.raises(TextError, match=told):
         understood(question, motion, words)
@@ -161,7 +161,7 @@ def test_what_is_not_so_is_said(name: str, question: str, told: str) -> None:
     ],
 )
 def test_subjects_numbers_and_pronouns_are_heard(question: str, text: str) -> None:
-    """A noun that fits one body alone is heard as that body."""
+    """A noun that fits one body alone refers to that body."""
     assert tokenize(question, scene("atwood")[1]).text == text
 
 
@@ -177,7 +177,7 @@ def test_subjects_numbers_and_pronouns_are_heard(question: str, text: str) -> No
     ],
 )
 def test_strings_are_told_by_their_ends_and_turns_of_phrase_reworded(name: str, question: str, text: str) -> None:
-    """A string is named by one of its ends only if no other string ends there."""
+    """A string is identified by one of its ends only if no other string ends there."""
     assert tokenize(question, scene(name)[1]).text == text
 
 
@@ -192,7 +192,7 @@ def test_strings_are_told_by_their_ends_and_turns_of_phrase_reworded(name: str, 
     ],
 )
 def test_a_hostile_question_is_read_at_once(question: str) -> None:
-    """And not understood; what is too long is not read in part."""
+    """A hostile question is refused quickly, and one that is too long is not parsed in part."""
     _, words = scene("plank")
     readings(tokenize("How fast is board A?", words))  # makes the tables
     began = perf_counter()

@@ -1,4 +1,4 @@
-"""Questions in ordinary English about a changed scene, or for a number that brings something about."""
+"""Tests of questions in ordinary English about a changed scene, or for a number that causes an outcome."""
 
 from functools import cache
 from pathlib import Path
@@ -41,7 +41,7 @@ def scene(name: str) -> tuple[FollowedMotion, Words]:
     ],
 )
 def test_the_parts_of_what_is_understood_have_its_answer(name: str, question: str) -> None:
-    """The structured question that is shown leads to the same answer."""
+    """The structured question that is shown has the same answer."""
     motion, words = scene(name)
     found = understood(question, motion, words)
     assert found is not None
@@ -65,7 +65,7 @@ def test_the_parts_of_what_is_understood_have_its_answer(name: str, question: st
     ],
 )
 def test_why_there_is_no_one_answer_is_said(name: str, question: str, told: str) -> None:
-    """The error says that several values do, or that something presumed is false."""
+    """The error says that several values are possible, or that a presupposition is false."""
     with pytest.raises(TextError, match=told):
         understood(question, *scene(name))
 
@@ -81,7 +81,7 @@ def test_why_there_is_no_one_answer_is_said(name: str, question: str, told: str)
     ],
 )
 def test_a_word_without_a_place_is_refused(question: str) -> None:
-    """A question is not understood if a word of the supposition or of the question itself has no meaning."""
+    """A question is not understood if any word of it has no meaning."""
     assert understood(question, *scene("doubled_load")) is None
 
 
@@ -95,7 +95,7 @@ def test_a_long_list_of_suppositions_takes_little_time(part: str) -> None:
 
 
 def test_small_oscillations_have_a_period_whatever_the_motion_is() -> None:
-    """A pendulum has one mode of small oscillations, whose period is found though it swings through large angles."""
+    """A pendulum's mode of small oscillations has a period, although this one swings through large angles."""
     found = understood(
         "What would be the period if the arm were only swinging through small angles?", *scene("swung_sphere")
     )
@@ -124,7 +124,7 @@ def test_small_oscillations_have_a_period_whatever_the_motion_is() -> None:
     ],
 )
 def test_a_number_is_found_by_what_it_brings_about(name: str, question: str, answer: float) -> None:
-    """The condition may be a multiple, a bound or a wish that comes first, and an adjective may name the number."""
+    """The condition may be a multiple, a bound or an initial wish, and an adjective may name the number."""
     found = understood(question, *scene(name))
     assert found is not None
     assert found.followed.answer == pytest.approx(answer, rel=1e-6)
@@ -144,25 +144,25 @@ def test_a_number_is_found_by_what_it_brings_about(name: str, question: str, ans
     ],
 )
 def test_why_a_number_is_not_found_is_said(name: str, question: str, told: str) -> None:
-    """The error names the other end of the range, a second motion, or the limit of work."""
+    """The error gives the other end of the range, a second motion, or the limit of work."""
     with pytest.raises(TextError, match=told):
         understood(question, *scene(name))
 
 
 def test_what_is_to_move_meanwhile_does() -> None:
-    """A number with which B stays at rest does not make *B falls* true."""
+    """A mass with which B stays at rest does not satisfy *while B falls*."""
     asked = "How heavy would B have to be for A to stay at rest while B falls?"
     assert understood(asked, *scene("spring_and_load")) is None
 
 
 def test_a_number_is_no_name_of_a_spring() -> None:
-    """The digit 2 of *2.5 m/s* does not name spring 2."""
+    """The digit 2 of *2.5 m/s* does not mean spring 2."""
     heard = tokenize("If A were started at 2.5 m/s, how fast would B be?", scene("two_springs")[1])
     assert heard.numbers == ("2.5 m/s",)
 
 
 def test_a_result_names_a_quantity_whose_name_has_an_of() -> None:
-    """A structured question may name the radius of the path, too."""
+    """A structured question may give the radius of the path."""
     motion, words = scene("field_circle")
     parts = {"find": "fields.start.speed", "given": "radius of the path of the bead = 5.0 m"}
     found = pose_question(StructuredQuestion.read(parts), motion, words).followed(motion).answer
@@ -185,13 +185,13 @@ def test_a_result_names_a_quantity_whose_name_has_an_of() -> None:
     ],
 )
 def test_the_told_direction_of_a_change_must_be_right(name: str, question: str, reason: str) -> None:
-    """A smoother plane, or a heavier block, does not bring it about."""
+    """A smoother plane, or a heavier block, would have the opposite effect."""
     with pytest.raises(TextError, match=reason):
         understood(question, *scene(name))
 
 
 def test_of_several_values_that_which_the_sentence_tells_is_meant() -> None:
-    """C is to be heavier than it is, so that the lighter one that does it, too, is left out."""
+    """Both a heavier and a lighter block C meet the condition, and the sentence names one of them."""
     asked = "Suppose C is replaced by a {} block. What mass must it have so that A accelerates at 1.5 m/s² relative to"
     heavier = understood(f"{asked.format('heavier')} the box?", *scene("loads_on_both_sides"))
     lighter = understood(f"{asked.format('lighter')} the box?", *scene("loads_on_both_sides"))
@@ -203,7 +203,7 @@ def test_of_several_values_that_which_the_sentence_tells_is_meant() -> None:
 
 @pytest.mark.parametrize("asked", ["What magnetic field would make the period 2.0 s?"])
 def test_a_number_from_a_stated_period_is_found_in_time(asked: str) -> None:
-    """B = 2πm/(qT); a motion is followed no longer than it takes to come round at a number close by."""
+    """B = 2πm/(qT); no motion is followed for longer than the period at a nearby value."""
     begun = perf_counter()
     found = understood(asked, *scene("plain_gyration"))
     assert found is not None

@@ -1,4 +1,4 @@
-"""What a motion does throughout, in words, and in which other motions it does so."""
+"""Tests of regimes: descriptions of a motion, and the other motions that share them."""
 
 from dataclasses import replace
 from math import cos, radians, sin
@@ -36,7 +36,7 @@ def study(scene: Scene, until: float = 1.0) -> SimulatedScene:
 
 
 def sprung() -> Scene:
-    """A block on a slope, on a spring that is compressed by 0.3 m: by its weight it would be by 0.1 m."""
+    """Build a block on a slope, on a spring compressed by 0.3 m; at equilibrium it would be 0.1 m."""
     plane, spring = Plane(angle=30.0, friction=0.0), Spring(stiffness=100.0, length=0.8)
     entity = SpringMassIncline(plane=plane, block=Block(mass=2.0), spring=spring, start=0.5)
     return Scene(entities=(Named(name="spring", entity=entity),))
@@ -48,7 +48,7 @@ def said(scene: Scene, until: float) -> set[str]:
 
 
 def test_a_block_slides_down_what_is_steep_enough() -> None:
-    """tan 30° = 0.577."""
+    """The block slides if µ < tan 30° = 0.577."""
     assert "the block moves down the slope" in said(ramp(friction=0.3), 0.5)
     assert "the block slides down the plane" in said(ramp(friction=0.3), 0.5)
     assert "the block keeps sliding up the plane" in said(ramp(friction=0.3, speed=2.0), 0.1)
@@ -56,7 +56,7 @@ def test_a_block_slides_down_what_is_steep_enough() -> None:
 
 
 def test_the_margin_of_sliding_tells_from_the_very_start() -> None:
-    """As a share of what free fall has, sin θ − µ cos θ: there is no speed yet by which it could be told."""
+    """The margin is sin θ − µ cos θ, relative to free fall, even at the start, where the speed is zero."""
     (block,) = ramp().mechanism.contacts
     slides = SlidesThroughout(block, slides=True, course=(-1,))
     for friction in (0.1, 0.3):
@@ -65,13 +65,13 @@ def test_the_margin_of_sliding_tells_from_the_very_start() -> None:
 
 
 def test_what_slides_up_and_down_again_is_told_to() -> None:
-    """It comes to rest after 2.0/(9.8 (0.5 + 0.3·0.866)) = 0.27 s."""
+    """The block comes to rest after 2.0/(9.8 (0.5 + 0.3·0.866)) = 0.27 s."""
     told = said(ramp(friction=0.3, speed=2.0), 0.6)
     assert "the block first slides up the plane, turns back once and is sliding down it by then" in told
 
 
 def hoop(start: Sliding | Spinning) -> Scene:
-    """On a slope of 20° whose friction does not hold it at once."""
+    """Build a hoop on a slope of 20° that slips at first."""
     plane, body = Incline(angle=20.0), Hoop(mass=2.0, radius=0.1)
     entity = RollingEntity(plane=plane, body=body, grip=Rough(friction=0.15), start=start)
     return Scene(entities=(Named(name="roller", entity=entity),))
@@ -86,14 +86,14 @@ def hoop(start: Sliding | Spinning) -> Scene:
     ],
 )
 def test_what_rolls_slips_one_way_where_it_touches_its_plane(start: Sliding | Spinning, way: str) -> None:
-    """What spins as if it rolled up has its lowest point move down the slope."""
+    """The lowest point of a body that spins as if it rolled up moves down the slope."""
     found = said(hoop(start), 0.05)
     assert any(clause.endswith(f"keeps slipping {way} the plane at the point of contact") for clause in found)
     assert sum("slipping" in clause for clause in found) == 1
 
 
 def test_several_strings_stay_taut_together() -> None:
-    """One string alone is named, even where a disc parts it; of several it is said of all, if all of them pull."""
+    """A single string is named, even across a disc; of several all are mentioned, if all of them pull."""
     assert not any("all strings" in clause for scene in (atwood(), massive(2.0)) for clause in said(scene, 0.5))
     draws = (RECIPES["pulley"].draw("medium", np.random.default_rng(seed)) for seed in range(60))
     several = [scene for scene in draws if len({line.name.partition("/")[0] for line in scene.mechanism.strings}) > 1]
@@ -105,7 +105,7 @@ def test_several_strings_stay_taut_together() -> None:
 
 
 def test_what_swings_back_moves_one_way_first() -> None:
-    """A block let go on a compressed spring goes up the slope, and comes back after half a period π √(m/k)."""
+    """A block released on a compressed spring goes up the slope, and returns after half a period π √(m/k)."""
     found = said(sprung(), 3.0)
     assert "the block first moves up the slope" in found
     assert not any("the block moves" in clause for clause in found)
@@ -118,7 +118,7 @@ def test_what_is_launched_is_told_how() -> None:
 
 
 def test_on_its_way_up_and_back_it_moves_no_one_way() -> None:
-    """At 2 m/s up a smooth slope of 30° it turns after 2/(9.8 · 0.5) = 0.41 s."""
+    """At 2 m/s up a smooth slope of 30° the block turns after 2/(9.8 · 0.5) = 0.41 s."""
     assert said(ramp(speed=2.0), 0.3) == {"the block keeps moving up the slope"}
     assert said(ramp(speed=2.0), 0.6) == set()
 
@@ -140,7 +140,7 @@ def test_it_holds_where_it_is_so() -> None:
 
 
 def test_collisions_in_turn() -> None:
-    """A cart at 1 m/s meets an equal one at rest 1 m ahead at 1 s, which hits the wall, 1 m farther, at 2 s."""
+    """A cart at 1 m/s hits an equal one at rest at 1 s, 1 m ahead, which hits the wall, 1 m farther, at 2 s."""
     scene = squeezed(heavy=1.0)
     words, motion = words_of(describe(scene)), study(scene, 10.0)
 
@@ -166,13 +166,13 @@ def test_of_two_that_can_meet_nobody_else_no_other_collision_is_spoken_of() -> N
 
 
 def rocket(rate: float) -> Scene:
-    """Of 1000 kg with an exhaust of 1 km/s: the thrust is as much as the weight at 9.8 kg/s."""
+    """Build a rocket of 1000 kg with an exhaust of 1 km/s, whose thrust equals its weight at 9.8 kg/s."""
     entity = RocketEntity(rocket=Rocket(mass=1000.0, dry=300.0), place=LevelGround(), exhaust=1.0, rate=rate)
     return Scene(entities=(Named(name="rocket", entity=entity),))
 
 
 def test_what_is_too_heavy_waits() -> None:
-    """At 9.0 kg/s until 918 kg are left, at 9.1 s; at 2.0 kg/s even the 300 kg without fuel are too heavy."""
+    """At 9.0 kg/s the rocket lifts off at 9.1 s, with 918 kg; at 2.0 kg/s even 300 kg without fuel are too heavy."""
 
     def lift_off(rate: float) -> list[str]:
         found = [clause for clause in said(rocket(rate), 20.0) if "lifts off" in clause]
@@ -189,7 +189,7 @@ def test_what_is_too_heavy_waits() -> None:
     [(0.0, ""), (40.0, "still has fuel at that moment"), (80.0, "burned all its fuel by that moment")],
 )
 def test_whether_fuel_is_left_is_always_told(until: float, clause: str) -> None:
-    """700 kg of fuel last for 70 s at 10 kg/s."""
+    """The 700 kg of fuel last for 70 s at 10 kg/s."""
     scene = rocket(10.0)
     motion, words = study(scene, 90.0), words_of(describe(scene))
     found = [held for held in regimes(motion, words, until) if isinstance(held, BurntOut)]
@@ -204,7 +204,7 @@ def test_at_burn_out_itself_nothing_need_be_said_of_fuel() -> None:
 
 
 def assuming(scene: Scene, query: Query) -> str:
-    """What a question whose numbers are symbols says and assumes."""
+    """Return the text and the assumptions of a symbolic question."""
     motion, words = study(scene, scene.horizon), words_of(describe(scene))
     kind = KINDS[query.kind]
     answer = kind.answer(query, motion)
@@ -216,7 +216,7 @@ def assuming(scene: Scene, query: Query) -> str:
 
 
 def test_a_string_that_goes_slack_in_a_motion_without_an_answer_is_said_to_stay_taut() -> None:
-    """What k (ℓ − ℓ₀) > (m_A + 2 m_B) g lets go slack: the block on the spring then falls behind the hanging one."""
+    """For k (ℓ − ℓ₀) > (m_A + 2 m_B) g the spring pushes A back with more than g, and the string goes slack."""
     scene = loads("""
 scene:
   entities:
@@ -243,7 +243,7 @@ scene:
 
 
 def test_a_rod_that_may_start_above_its_hinge_is_said_to_start_below() -> None:
-    """A trolley comes to rest first as its rod is level if that starts above: the momentum along the rail is zero."""
+    """From above its hinge the rod is first level as the trolley stops, since the momentum along the rail is zero."""
     words = words_of(describe(swung(40.0)))
     acute = next(held for held in regimes(study(swung(40.0)), words, 0.5) if isinstance(held, StartsAcute))
     assert acute.clause(words).endswith("makes an acute angle with the downward vertical at the start")
@@ -252,7 +252,7 @@ def test_a_rod_that_may_start_above_its_hinge_is_said_to_start_below() -> None:
 
 
 def swung(angle: float) -> Scene:
-    """A ball on a rod that is hinged to a trolley."""
+    """Build a ball on a rod that is hinged to a trolley."""
     return loads(f"""
 scene:
   entities:
@@ -266,7 +266,7 @@ scene:
 
 
 def test_what_may_come_down_before_a_time_that_is_a_symbol_has_not() -> None:
-    """It keeps moving up, or has not fallen back; in deep space nothing comes down; nor is it said beside no time."""
+    """The rocket keeps moving up, or has not fallen back; in deep space, or without a time, nothing is said."""
     entity = RocketEntity(rocket=Rocket(mass=724.0, dry=184.0), place=LevelGround(), exhaust=2.8, rate=2.3)
     scene = Scene(entities=(Named(name="rocket", entity=entity),))
     text = assuming(scene, Query("state", Target("velocity", "rocket.rocket"), AtTime(280.0)))
@@ -286,7 +286,7 @@ def test_what_may_come_down_before_a_time_that_is_a_symbol_has_not() -> None:
 
 
 def test_where_bodies_may_collide_one_moves_only_one_way() -> None:
-    """A cart at 1 m/s and one at rest, which is struck at 1 s: of what moves to the right a text may mean either."""
+    """A cart at 1 m/s strikes one at rest at 1 s, so that *the cart that moves to the right* would be ambiguous."""
     found = [clause for clause in said(squeezed(heavy=1.0), 1.5) if " moves " in clause]
     assert "cart B moves only to the right" in found
     assert all("moves only" in clause for clause in found)

@@ -1,4 +1,4 @@
-"""Slips about how mass is spread, about friction and about angles lead where they lead on paper."""
+"""Tests of slips about the distribution of mass, friction and angles, against results by hand."""
 
 from math import cos, radians, sin
 
@@ -26,7 +26,7 @@ R, HOLE, OFFSET = 0.2, 0.1, 0.06  # m
 
 
 def at_once(name: str, scene: Scene, quantity: str, subject: str, about: str | None = None) -> float:
-    """The size of a quantity just after the start, as a slip has it."""
+    """Return the magnitude of a quantity just after the start, with a slip."""
     study, slip = SimulatedScene.of(scene, np.linspace(0.0, 0.1, 11)), MISCONCEPTIONS[name]
     subjects = list(slip.subjects(Query("state", Target(quantity, subject)), study))
     assert about is None or about in subjects
@@ -41,18 +41,18 @@ def subjects(name: str, scene: Scene) -> list[str]:
 
 
 def rolling(body: Shape, angle: float = 0.0, hole: Hole | None = None) -> Scene:
-    """A round body that never slips, let go on a plane."""
+    """Build a round body that rolls without slipping from rest on a plane."""
     entity = RollingEntity(body=body, plane=Incline(angle=angle), hole=hole, grip=NoSlipping())  # type: ignore[arg-type]
     return Scene(entities=(Named(name="roller", entity=entity),))
 
 
 def level(body: Shape) -> Scene:
-    """One on a level plane, its hole beside its axis."""
+    """Build a body on a level plane, with the hole beside its axis."""
     return rolling(body, hole=Hole(bearing=90.0, towards="right"))
 
 
 def swinging(*pieces: WeldedPiece) -> Scene:
-    """Pieces on a light arm that is let go while it is level."""
+    """Build pieces on a light arm that is released from the horizontal."""
     return Scene(entities=(Named(name="arm", entity=RotationEntity(pieces=pieces, angle=90.0)),))
 
 
@@ -78,13 +78,13 @@ def test_a_hole_that_is_forgotten_in_the_inertia(body: Shape, cut: float, k: flo
     [(HollowSphere(mass=2.0, radius=R, thickness=0.08), 2.0 / 3.0), (ThickPipe(mass=2.0, radius=R, bore=0.1), 1.0)],
 )
 def test_a_wall_that_is_taken_as_thin(body: Shape, k: float) -> None:
-    """a = g sin θ/(1 + k)."""
+    """The acceleration is a = g sin θ/(1 + k)."""
     found = at_once("wall taken as thin", rolling(body, 30.0), "acceleration", ROLLER)
     assert found == pytest.approx(0.5 * G / (1.0 + k))
 
 
 def test_what_is_taken_as_a_thin_rod_or_a_thin_disc() -> None:
-    """α = g d/(I/m + d²), of a cylinder across the arm and parallel to the axle, and of a bar along the arm."""
+    """α = g d/(I/m + d²) for a cylinder across the arm or parallel to the axle, and for a bar along the arm."""
     cylinder = Cylinder(mass=2.0, radius=0.2, height=0.5)
     across = swinging(AxialPiece(body=cylinder, axis="at right angles to both arm and axle", distance=0.6))
     piece = "arm.pieces.0.body"
@@ -101,14 +101,14 @@ def test_what_is_taken_as_a_thin_rod_or_a_thin_disc() -> None:
 
 
 def test_a_centre_of_mass_that_is_taken_to_be_at_the_centre() -> None:
-    """A hemisphere: its centre of mass is 3R/8 from its flat face, and I = (2/5 - 9/64) m R² about it."""
+    """The centre of mass of a hemisphere is 3R/8 from its flat face, and I = (2/5 - 9/64) m R² about it."""
     piece = CappedPiece(body=Hemisphere(mass=2.0, radius=0.3), distance=0.6, faces="the axle")
     found = at_once("centre of mass not displaced", swinging(piece), "angular acceleration", "arm.pieces.0.body")
     assert found == pytest.approx(G * 0.6 / ((0.4 - 9.0 / 64.0) * 0.09 + 0.36))
 
 
 def test_one_of_two_bodies_is_taken_as_a_point() -> None:
-    """α = g Σ m d/Σ I, one of the two without 2/5 m R²."""
+    """α = g Σ m d/Σ I, without 2/5 m R² for one of the two."""
     pieces = (
         RoundPiece(body=Sphere(mass=2.0, radius=0.2), distance=0.4),
         RoundPiece(body=Sphere(mass=1.0, radius=0.3), distance=1.0),
@@ -121,7 +121,7 @@ def test_one_of_two_bodies_is_taken_as_a_point() -> None:
 
 
 def test_the_parallel_axis_theorem_is_forgotten() -> None:
-    """α = g Σ m d/Σ 2/5 m R² on an arm; of a rolling body with a hole the inertia about its axis is that about c."""
+    """α = g Σ m d/Σ 2/5 m R² on an arm; a rolling body with a hole has the inertia about c about its axis."""
     pieces = (
         RoundPiece(body=Sphere(mass=2.0, radius=0.2), distance=0.4),
         RoundPiece(body=Sphere(mass=1.0, radius=0.3), distance=1.0),
@@ -139,7 +139,7 @@ def test_the_parallel_axis_theorem_is_forgotten() -> None:
 
 
 def test_friction_under_one_of_two_blocks() -> None:
-    """a = g(sin θ - μ cos θ m₂/(m₁ + m₂)) without that under the first, the lower one."""
+    """a = g(sin θ - μ cos θ m₂/(m₁ + m₂)) without the friction under the first block, the lower one."""
     entity = TwoSideMassPlane(plane=Plane(angle=30.0, friction=0.2), blocks=(Block(mass=1.0), Block(mass=3.0)))
     scene = Scene(entities=(Named(name="ramp", entity=entity),))
     found = at_once("friction on one body left out", scene, "acceleration", "ramp.blocks.0", "ramp.blocks.0")
@@ -153,6 +153,6 @@ def test_sine_for_cosine() -> None:
 
 
 def test_a_fixed_pulley_alone_is_taken_as_light() -> None:
-    """Only where the pulley moves along does its weight count without its rotation."""
+    """Only a movable pulley can have its weight counted without its rotation."""
     assert not subjects("pulley rotation left out", massive(2.0))
     assert not subjects("pulley rotations left out", massive(2.0))

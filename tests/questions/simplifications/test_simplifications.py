@@ -1,4 +1,4 @@
-"""Each slip leads where a textbook says it leads, and each applies to some scene of the catalogue."""
+"""Tests that each slip has the result that textbooks state, and applies to a scene of the catalogue."""
 
 from collections.abc import Callable, Iterable
 from math import log, log10, radians, sin, sqrt
@@ -30,7 +30,7 @@ def studied(scene: Scene, until: float = 1.0) -> SimulatedScene:
 
 
 def size(name: str, scene: Scene, quantity: str, body: str, time: float = 0.0, about: str | None = None) -> float:
-    """The size of a quantity after the first slip of a name, or the one about some subject."""
+    """Return the magnitude of a quantity with the first slip of a name, or the one about a subject."""
     study, slip = studied(scene), MISCONCEPTIONS[name]
     subjects = list(slip.subjects(ASKED, study))
     assert about is None or about in subjects
@@ -40,7 +40,7 @@ def size(name: str, scene: Scene, quantity: str, body: str, time: float = 0.0, a
 
 
 def test_a_body_held_leaves_what_the_other_does_alone() -> None:
-    """A block tied to one that is held hangs still."""
+    """A block tied to a block that is held hangs at rest."""
     assert size("body held", atwood(), "acceleration", BLOCK, about=OTHER) == pytest.approx(0.0, abs=1e-12)
 
 
@@ -49,7 +49,7 @@ def test_without_the_other_body_a_block_falls_freely() -> None:
 
 
 def test_a_light_pulley() -> None:
-    """Atwood's machine: (m₁ − m₂)g/(m₁ + m₂)."""
+    """The acceleration of an Atwood machine is (m₁ − m₂)g/(m₁ + m₂)."""
     assert size("massless pulley", massive(2.0), "acceleration", BLOCK) == pytest.approx(G / 5.0, rel=1e-5)
 
 
@@ -70,7 +70,7 @@ def test_weight_left_out() -> None:
     ("name", "speed"), [("elastic collisions", 2.0 / 3.0), ("perfectly inelastic collisions", 2.0 / 3.0)]
 )
 def test_collisions_of_another_kind(name: str, speed: float) -> None:
-    """(m₁ − e m₂)v/(m₁ + m₂), for m₂ = 2m₁: −v/3 for e = 1, v/3 for e = 0."""
+    """The velocity is (m₁ − e m₂)v/(m₁ + m₂), for m₂ = 2m₁: −v/3 for e = 1, v/3 for e = 0."""
     assert size(name, table(), "velocity", "table.pucks.0", 0.9) == pytest.approx(speed)
 
 
@@ -80,7 +80,7 @@ def test_what_happens_is_overlooked(name: str) -> None:
 
 
 def test_the_later_root() -> None:
-    """Up a smooth slope and back: s = v²/4a is passed at v/a·(1 ∓ √½)."""
+    """On a smooth slope s = v²/4a is passed at v/a·(1 ∓ √½), up and down."""
     study = studied(ramp(speed=3.0), 2.0)
     moment = Away("ramp.blocks.0", 3.0**2 / (4 * 4.9))
     later = MISCONCEPTIONS["later root"]
@@ -95,7 +95,7 @@ def test_the_later_root() -> None:
 def first_of(
     recipe: str, difficulties: Iterable[Difficulty], name: str, quantity: str = "acceleration"
 ) -> tuple[SimulatedScene, str]:
-    """The first drawn scene of a recipe to which a slip applies, and what it is about."""
+    """Return the first drawn scene of a recipe to which a slip applies, and the subject of the slip."""
     for index in range(100):
         for difficulty in difficulties:
             try:
@@ -110,7 +110,7 @@ def first_of(
 
 
 def test_a_rocket_that_keeps_its_mass() -> None:
-    """In empty space v = F t/m, not u ln(m/(m − μt))."""
+    """With a constant mass in empty space v = F t/m, not u ln(m/(m − μt))."""
     study, subject = first_of("rocket", ["easy"], "constant mass")
     burn, time = study.mechanism.burns[0], 0.5 * study.mechanism.burns[0].until
     mass = study.mechanism.body[burn.body].mass
@@ -134,9 +134,9 @@ def test_a_rocket_that_keeps_its_mass() -> None:
     ],
 )
 def test_slips_about_rockets(name: str, difficulty: Difficulty, expected: Callable[..., float]) -> None:
-    """The speed at burn-out over the exhaust speed, from the rocket equation and what the slip makes of it.
+    """The result is the speed at burn-out over the exhaust speed, from the rocket equation with the slip.
 
-    `ratio` is the mass without fuel over the mass at the start, the other what weight takes over the exhaust speed.
+    `ratio` is the mass without fuel over the mass at the start, `gt` the speed lost to weight over the exhaust speed.
     """
     study, subject = first_of("rocket", [difficulty], name)
     burn = study.mechanism.burns[0]
@@ -149,7 +149,7 @@ def test_slips_about_rockets(name: str, difficulty: Difficulty, expected: Callab
 
 
 def two_planets() -> Scene:
-    """Two that attract each other, about a star of one solar mass."""
+    """Build two planets that attract each other and move about a star of one solar mass."""
     planets = (
         HeavyPlanet(mass=1e-3, x=1.0, y=0.0, vx=0.0, vy=6.28),
         HeavyPlanet(mass=5e-4, x=2.0, y=0.0, vx=0.0, vy=4.44),
@@ -220,7 +220,7 @@ def test_each_applies_to_something_and_can_be_solved(name: str) -> None:
 
 
 def test_gravity_that_is_the_same_everywhere() -> None:
-    """Then it is what it is at the start: g on the surface of the planet."""
+    """The field stays at its initial value, g on the surface of the planet."""
     study, subject = first_of("rocket", ["hard"], "uniform gravity")
     found = MISCONCEPTIONS["uniform gravity"].simplified(study, subject, study.scene.horizon)
     assert found is not None
@@ -231,7 +231,7 @@ def test_gravity_that_is_the_same_everywhere() -> None:
 
 
 def test_a_wide_swing_taken_as_small() -> None:
-    """Released at θ₀, a uniform rod that hangs from its end then swings as θ₀ cos ωt with ω² = 3g/2ℓ."""
+    """Released at θ₀, a uniform rod that hangs from its end swings as θ₀ cos ωt with ω² = 3g/2ℓ."""
     study, _ = rod_pendulum(60.0).told()
     slip = MISCONCEPTIONS["small angle"]
     assert list(slip.subjects(ASKED, study)) == [""]
@@ -243,7 +243,7 @@ def test_a_wide_swing_taken_as_small() -> None:
 
 
 def test_a_motion_is_read_differently_once() -> None:
-    """Filters and the item ask for the same reading, whose equilibrium and modes are not looked for again."""
+    """Filters and the item share the result, so that equilibrium and modes are computed once."""
     study, slip = studied(rod_pendulum()), MISCONCEPTIONS["small angle"]
     assert list(slip.subjects(ASKED, study)) == [""]
     first = slip.simplified(study, "", 1.0)

@@ -1,4 +1,4 @@
-"""Every rigid body's volume, centroid and inertia, against sums over clouds of points and against textbooks."""
+"""Tests of rigid bodies' volume, centroid and inertia, against point clouds and textbook values."""
 
 from math import pi
 
@@ -26,7 +26,7 @@ def test_each_shape_is_summed_over_points_here() -> None:
 
 @pytest.mark.parametrize("cls", list(CLOUDS), ids=lambda cls: cls.__name__)
 def test_size_centroid_and_second_moments_are_those_of_its_points(cls: type[Shape]) -> None:
-    """An independent integration in coordinates that fit the figure, to 1e-10 of its size and extent."""
+    """An independent integration, in coordinates fitted to the shape, agrees to 1e-10 of its size and extent."""
     for seed in range(DRAWS):
         body = draw(cls, np.random.default_rng(seed), {})
         size, center, second = moments(CLOUDS[cls](body))
@@ -39,7 +39,7 @@ def test_size_centroid_and_second_moments_are_those_of_its_points(cls: type[Shap
 
 @pytest.mark.parametrize("cls", list(CLOUDS), ids=lambda cls: cls.__name__)
 def test_it_reaches_as_far_as_its_points_and_no_farther(cls: type[Shape]) -> None:
-    """The extent along any direction bounds all points; prisms are bounded by the cylinder about their edges."""
+    """The extent in any direction bounds all points; for prisms it is that of the circumscribed cylinder."""
     for seed in range(DRAWS):
         rng = np.random.default_rng(seed)
         body = draw(cls, rng, {})
@@ -50,12 +50,15 @@ def test_it_reaches_as_far_as_its_points_and_no_farther(cls: type[Shape]) -> Non
 
 
 def about(body: Shape, axis: int) -> float:
-    """The moment of inertia about an own axis through the centre of mass, over m."""
+    """Return I/m for one of the body's own axes through its centre of mass."""
     return body.solid.inertia(body.mass)[axis] / body.mass
 
 
 def test_the_moments_of_textbooks() -> None:
-    """Halliday, Resnick and Walker, table 10-2; 83/320 mr² of a hemisphere is about its centre of mass."""
+    """The moments are those of Halliday, Resnick and Walker, table 10-2.
+
+    The value 83/320 mr² for a hemisphere is about its centre of mass.
+    """
     m, r, h = 3.0, 0.2, 0.5
     assert about(Sphere(mass=m, radius=r), 0) == pytest.approx(2 / 5 * r**2)
     assert about(SphericalShell(mass=m, radius=r), 0) == pytest.approx(2 / 3 * r**2)
@@ -73,7 +76,7 @@ def test_the_moments_of_textbooks() -> None:
 
 
 def test_limits_of_cut_outs() -> None:
-    """A cap as high as its radius is a hemisphere; a thin wall has the moment of a shell."""
+    """A cap as high as its radius is a hemisphere; a thin-walled sphere has the moment of a spherical shell."""
     cap, half = SphericalCap(mass=1.0, radius=0.2, height=0.2), Hemisphere(mass=1.0, radius=0.2)
     assert cap.solid.second == pytest.approx(half.solid.second)
     assert cap.solid.size == pytest.approx(2 / 3 * pi * 0.2**3)

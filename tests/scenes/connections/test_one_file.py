@@ -1,4 +1,4 @@
-"""A connection is one file: told, read back, built, certified and drawn without another edit."""
+"""Tests that a new kind of connection needs one file: described, parsed, built, certified and drawn."""
 
 import importlib.util
 from collections.abc import Iterator
@@ -68,7 +68,7 @@ PERIOD = 2.0 * pi * sqrt(MU / K)
 
 @pytest.fixture
 def towed(tmp_path: Path) -> Iterator[Scene]:
-    """A carriage that another one tows by a cord of the new kind, a hand drawing the other one to the right."""
+    """Yield two carriages joined by a cord of the new kind, the second pulled to the right by a hand."""
     path = tmp_path / "elastic_cord.py"
     path.write_text(CORD, encoding="utf-8")
     spec = importlib.util.spec_from_file_location(path.stem, path)
@@ -83,7 +83,7 @@ def towed(tmp_path: Path) -> Iterator[Scene]:
 
 
 def test_it_pulls_as_its_law_says(towed: Scene) -> None:
-    """Newton for the stretch, µ s″ = µF/m₂ − k s: s = s₁ + (s₀ − s₁) cos ωt, s₁ = µF/(m₂k), ω² = k/µ."""
+    """The stretch is s = s₁ + (s₀ − s₁) cos ωt, s₁ = µF/(m₂k), ω² = k/µ, from µ s″ = µF/m₂ − k s."""
     found, mean = Followed(towed, 2.0 * PERIOD, 41), MU * FORCE / (OTHER * K)
     wanted = mean + (BY - mean) * np.cos(2.0 * pi * found.times / PERIOD)
     assert wanted.min() > 0.0
@@ -102,12 +102,12 @@ def test_it_is_told_read_back_certified_and_drawn(towed: Scene) -> None:
 
 
 def strings(made: Scene) -> int:
-    """How many lines are drawn as strings are."""
+    """Return the number of lines drawn in the style of strings."""
     return sum(isinstance(shape, LineShape) and shape.weight == "string" for shape in drawing(made).shapes)
 
 
 def test_a_member_that_is_taken_away_again_is_no_further_one() -> None:
-    """Processes of workers need not import its module."""
+    """Worker processes need not import the module of a removed member."""
     things: Registry[object] = Registry("things")
     things.add("work", test_a_member_that_is_taken_away_again_is_no_further_one)
     assert "work" in further_members()[__name__]

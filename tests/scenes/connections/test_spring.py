@@ -1,4 +1,4 @@
-"""A spring between two carriages on a rail, strained at first and damped: closed forms, texts, files, both engines."""
+"""Tests of a prestrained and damped spring between two carriages: closed forms, texts, files, both engines."""
 
 from itertools import product
 from math import sqrt
@@ -21,7 +21,7 @@ SEEDS = range(8)
 
 
 def joined(**more: object) -> Scene:
-    """Two carriages on one rail, a spring from the right of the first to the left of the second."""
+    """Build two carriages on a rail, with a spring between them."""
     ends = (("one", SliderMass.right), ("other", SliderMass.left))
     spring = SpringConnection.between(*ends, stiffness=K, **more)  # type: ignore[arg-type]  # pydantic checks them
     masses = {"one": ONE, "other": OTHER}
@@ -29,7 +29,7 @@ def joined(**more: object) -> Scene:
 
 
 def stretch(made: Scene, until: float, count: int) -> tuple[Followed, np.ndarray, np.ndarray]:
-    """The motion, by how much the spring has grown since the start, and the rate of that."""
+    """Return the motion, the growth of the spring since the start and the rate of that growth."""
     found = Followed(made, until, count)
     one, other = "one.carriage.slide", "other.carriage.slide"
     return found, found.q(other) - found.q(one), found.v(other) - found.v(one)
@@ -37,7 +37,7 @@ def stretch(made: Scene, until: float, count: int) -> tuple[Followed, np.ndarray
 
 @pytest.mark.parametrize(("strained", "sign"), [("stretched", 1.0), ("compressed", -1.0)])
 def test_two_carriages_swing_against_each_other(strained: str, sign: float) -> None:
-    """Newton for the distance, µ s″ = −k s from s = ±d at rest: s = ±d cos ωt, ω² = k/µ; m₁x₁ + m₂x₂ stays 0."""
+    """The strain is s = ±d cos ωt, ω² = k/µ, from µ s″ = −k s, and m₁x₁ + m₂x₂ stays 0."""
     d, omega = 0.15, sqrt(K / MU)
     found, grown, rate = stretch(joined(strained=strained, by=d), 2.0, 101)
     strain = sign * d * np.cos(omega * found.times)
@@ -48,7 +48,10 @@ def test_two_carriages_swing_against_each_other(strained: str, sign: float) -> N
 
 
 def test_a_dashpot_damps_the_swing() -> None:
-    """µ s″ + b s′ + k s = 0: s = d e^(−γt) (cos ωt + (γ/ω) sin ωt), γ = b/2µ, ω² = k/µ − γ²."""
+    """The solution of µ s″ + b s′ + k s = 0 is damped.
+
+    s = d e^(−γt) (cos ωt + (γ/ω) sin ωt), γ = b/2µ, ω² = k/µ − γ².
+    """
     d, b = 0.2, 1.6
     gamma = b / (2.0 * MU)
     omega = sqrt(K / MU - gamma**2)
@@ -60,7 +63,10 @@ def test_a_dashpot_damps_the_swing() -> None:
 
 
 def test_the_dashpot_takes_the_energy_that_is_lost() -> None:
-    """½k d² − ½k s² − ½µ s′² = ∫ b s′² dt (the centre of mass is at rest), by Simpson's rule over 4,000 pieces."""
+    """The loss is ½k d² − ½k s² − ½µ s′² = ∫ b s′² dt, the centre of mass being at rest.
+
+    The integral is taken by Simpson's rule over 4,000 intervals.
+    """
     d, b = 0.2, 1.6
     _, grown, rate = stretch(joined(by=d, damping=b), 1.0, 4001)
     weights = np.ones(4001)

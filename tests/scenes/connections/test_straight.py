@@ -1,4 +1,4 @@
-"""Springs and rods between ends that have a direction: their text tells which way they run, and they pass no pulley."""
+"""Tests of springs and rods, which are straight and can pass over no pulley."""
 
 from math import cos, sqrt
 
@@ -59,7 +59,7 @@ def test_it_has_three_wordings_from_an_end_with_a_direction(kind: type[Straight]
 @pytest.mark.parametrize(("kind", "numbers"), KINDS)
 @pytest.mark.parametrize("other", [STEEP, STACK])
 def test_it_does_not_turn_on_its_way(kind: type[Straight], numbers: dict[str, float], other: StackedMassPlane) -> None:
-    """Up one slope and up another, or up a slope and down a steeper one: that takes a string."""
+    """Ends that do not face each other, for example on two different slopes, can only be joined by a string."""
     far = StackedMassPlane.lower_right if other is STACK else StackedMassPlane.lower_left
     scene = Scene(
         entities=(Named(name="one", entity=STACK), Named(name="two", entity=other)),
@@ -70,7 +70,7 @@ def test_it_does_not_turn_on_its_way(kind: type[Straight], numbers: dict[str, fl
 
 
 def test_two_ends_that_face_each_other_are_joined() -> None:
-    """The sentence begins at the first of them."""
+    """The description names the ends in their given order."""
     scene = Scene(
         entities=(Named(name="one", entity=STACK), Named(name="two", entity=STACK)),
         connections=(
@@ -85,7 +85,7 @@ def test_two_ends_that_face_each_other_are_joined() -> None:
 
 
 def test_a_slider_on_a_spring_from_the_side_swings_as_a_spring_makes_it() -> None:
-    """Down the slope by x = (m g sin 30° / k) (1 - cos ωt) with ω = √(k / m): both slabs as one of 3 kg."""
+    """Both slabs (3 kg) move down the slope by x = (m g sin 30° / k) (1 - cos ωt) with ω = √(k / m)."""
     scene = Scene(
         entities=(
             Named(name="stack", entity=STACK.model_copy(update={"friction": 9.0})),
@@ -106,7 +106,7 @@ def test_a_slider_on_a_spring_from_the_side_swings_as_a_spring_makes_it() -> Non
 
 
 def test_recipes_join_only_what_faces_each_other() -> None:
-    """A string can turn over a pulley, from one slope to another; a spring can't."""
+    """A string can turn over a pulley from one slope to another; a spring or rod cannot."""
     one, two = Named(name="one", entity=STACK), Named(name="two", entity=STEEP)
     here, there = OpenPort(one, StackedMassPlane.lower_right), OpenPort(two, StackedMassPlane.lower_left)
     same = OpenPort(Named(name="two", entity=STACK), StackedMassPlane.lower_left)

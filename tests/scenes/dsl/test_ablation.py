@@ -1,4 +1,4 @@
-"""A body that is held at the level of the mechanism is one that the builder never let move."""
+"""Tests of bodies that are fixed in a finished mechanism."""
 
 import numpy as np
 import pytest
@@ -36,7 +36,7 @@ def test_what_is_held_is_what_the_builder_glues(recipe: str, index: int) -> None
 
 
 def test_strings_slide_over_a_glued_pulley_and_stand_still_on_one_that_is_held() -> None:
-    """Over a smooth peg blocks of 3 kg and 2 kg go as over a light pulley, with g/5."""
+    """Blocks of 3 kg and 2 kg over a glued pulley accelerate with g/5, as over a light one."""
     scene = massive(2.0)
     name = next(wheel for wheel in scene.bodies if wheel.endswith("pulley") and scene.bodies[wheel].mass)  # type: ignore[attr-defined]
     block = "one.system.blocks.0"

@@ -1,4 +1,4 @@
-"""Addresses lead to what stands there, and to values with something else there."""
+"""Tests of addresses: lookup of values, and copies with other values at them."""
 
 from typing import Self
 
@@ -44,7 +44,7 @@ def test_a_changed_value_is_another_value() -> None:
 
 
 def test_changes_are_validated_together() -> None:
-    """Only as a whole: what lies between is no value that anybody asked for."""
+    """Only the final value is validated, not intermediate ones."""
     span = Span(low=1.0, high=2.0)
     assert with_values(span, {"low": 3.0, "high": 4.0}) == Span(low=3.0, high=4.0)
     with pytest.raises(ValidationError):

@@ -1,4 +1,4 @@
-"""The builder's verbs make a mechanism; gluing, naming and the splitting of strings are settled there."""
+"""Tests of the builder of mechanisms: its methods, gluing, names and the splitting of strings."""
 
 import pytest
 
@@ -9,7 +9,7 @@ from sim2reason.scenes.dsl.vectors import unit
 
 
 def atwood(mass: float, glued: tuple[str, ...] = ()) -> Builder:
-    """Two blocks over one pulley of a mass."""
+    """Return a builder of two blocks over a pulley with mass."""
     builder = Builder(glued=glued)
     room = builder.room("a")
     pulley = room.pulley("pulley", mass=mass)
@@ -35,7 +35,7 @@ def test_a_massive_pulley_cuts_a_string_and_turns_with_both_parts() -> None:
 
 
 def test_under_a_pulley_the_wheel_turns_the_other_way() -> None:
-    """String that holds the rim from above is given out where the rim rises."""
+    """The radius of a wheel that hangs in a loop of string is negative."""
     builder = Builder()
     room = builder.room()
     pulley = room.body("carrier").slide(Z).pulley("pulley", mass=1.0, faces=Z)

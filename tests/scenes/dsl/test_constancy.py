@@ -1,4 +1,4 @@
-"""What is claimed never to change never does: masses, loads and gradients at random places, of random mechanisms."""
+"""Tests that masses, loads and gradients reported as constant are so, in random mechanisms and places."""
 
 import math
 from collections.abc import Callable
@@ -28,7 +28,7 @@ MAKERS: dict[str, Callable[[int], Mechanism]] = {
 
 
 def numbers(mechanism: Mechanism, q: list[float], v: list[float]) -> list[float]:
-    """All that the equations of motion consist of; rows only of lines that stay straight pieces of one direction."""
+    """Return all entries of the equations of motion."""
     system = System(mechanism)
     assembly = Assembly(mechanism, system.phase, (q, v, 0.7), math)
     rows = assembly.rows(system.starts)
@@ -43,7 +43,7 @@ def numbers(mechanism: Mechanism, q: list[float], v: list[float]) -> list[float]
 
 @pytest.mark.parametrize("family", MAKERS)
 def test_what_is_claimed_constant_is_constant(family: str) -> None:
-    """Never a wrong claim: places near the start, where no line is turned inside out, and any rates."""
+    """The entries keep their values at random positions near the start, at any rates."""
     rng = np.random.default_rng(3)
     for seed in range(TRIED):
         mechanism = MAKERS[family](seed)
@@ -121,7 +121,7 @@ def test_what_stays_is_known_to_stay(name: str) -> None:
 
 @pytest.mark.parametrize("family", FAMILIES)
 def test_points_of_random_mechanisms_move_as_their_derivatives_say(family: str) -> None:
-    """Velocity, bias and gradient of every centre of mass, and rate and bias of every line, by differences."""
+    """Velocity, bias and gradient of every centre of mass, and rate and bias of every line, match differences."""
     rng = np.random.default_rng(5)
     h = 1e-4
     for seed in range(3):
@@ -148,7 +148,7 @@ def test_points_of_random_mechanisms_move_as_their_derivatives_say(family: str) 
 
 
 def _ring() -> Builder:
-    """Two bodies that turn about one axis, and a spring on it, whose ends therefore never part."""
+    """Return two bodies that turn about one axis, with a wound spring between them."""
     builder = Builder()
     one, other = (builder.room().body(name, 1.0, center=(way, 0.0, 0.0)) for name, way in (("a", 1.0), ("b", -1.0)))
     builder.room().wind("s", one.hinge(Z), other.hinge(Z), 1.0, math.pi, Elastic(1.0, 3.0))
@@ -156,7 +156,7 @@ def _ring() -> Builder:
 
 
 def _shared() -> Builder:
-    """A rod that leads from one place of a body to another, and a string on from there."""
+    """Return a cart with a rod between two places on it, and a string that continues from the rod's end."""
     builder = _block()
     builder.room().body("cart", 1.0).slide(X).site("rear", (0.2, 0.0, 1.0)).site("front", (0.5, 0.0, 1.0))
     builder.room().rod("r", "rear", "front")
@@ -173,7 +173,7 @@ KEEPERS: dict[str, Callable[[int], Mechanism]] = {
 
 @pytest.mark.parametrize("family", KEEPERS)
 def test_directions_that_are_kept_change_no_length(family: str) -> None:
-    """Lengths of pieces, their rates, second derivatives and gradients: with directions from the start, and without."""
+    """Lengths, rates, second derivatives and gradients are the same with and without cached directions."""
     rng = np.random.default_rng(4)
     for seed in range(TRIED):
         mechanism = KEEPERS[family](seed)

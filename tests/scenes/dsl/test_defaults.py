@@ -1,4 +1,4 @@
-"""The time for which a motion is followed at first."""
+"""Tests of the default duration of a simulation."""
 
 from math import cos, pi, sin, sqrt
 
@@ -14,7 +14,7 @@ RATE = sqrt(STIFF / LIGHT)
 
 
 def spring(support: str, stiffness: float = STIFF, mass: float = LIGHT) -> Scene:
-    """A block on a spring, longer by 0.1 m than by itself."""
+    """Build a block on a spring that is initially stretched by 0.1 m."""
     parameters = f"spring: {{stiffness: {stiffness}, length: {FREE}}}, block: {{mass: {mass}}}, start: {START}"
     kind = f"type: AnchoredSpring, parameters: {{{parameters}, support: {support}}}"
     return loads(f"scene: {{entities: [{{name: it, {kind}}}]}}")
@@ -22,7 +22,7 @@ def spring(support: str, stiffness: float = STIFF, mass: float = LIGHT) -> Scene
 
 @pytest.mark.parametrize("support", ["wall", "ceiling"])
 def test_a_stiff_spring_on_a_small_mass_is_followed_by_both_engines(support: str) -> None:
-    """1 MN/m on 1 g: for forty of its five thousand oscillations a second; x − x₀ = A cos ω t."""
+    """A spring of 1 MN/m with a mass of 1 g is followed for 40 periods; x − x₀ = A cos ω t."""
     held = spring(support)
     trace, certificate = certify(held)
     assert certificate.stable_until == held.horizon == pytest.approx(80.0 * pi / RATE), certificate.reason
@@ -40,11 +40,11 @@ def test_a_stiff_spring_on_a_small_mass_is_followed_by_both_engines(support: str
     ],
 )
 def test_it_is_asked_about(find: str, when: str, answer: float) -> None:
-    """Against the closed form."""
+    """The answers agree with the closed form."""
     assert solve(spring("wall"), find=find, of="it.block", when=when).answer == pytest.approx(answer, rel=1e-6)
 
 
 def test_ordinary_springs_keep_their_horizon() -> None:
-    """It is two seconds, the default horizon of an entity."""
+    """The horizon is two seconds, the default of an entity."""
     assert spring("wall", 250.0, 0.1).horizon == 2.0
     assert spring("wall", 2e4, 1.0).horizon == 2.0

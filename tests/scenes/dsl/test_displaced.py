@@ -1,4 +1,4 @@
-"""Mechanisms that begin elsewhere: a motion begun again on the way goes on as it would have."""
+"""Tests of mechanisms restarted at another position and velocity."""
 
 import numpy as np
 import pytest
@@ -21,7 +21,7 @@ SEEDS = range(2)
 @pytest.mark.parametrize("difficulty", DIFFICULTIES)
 @pytest.mark.parametrize("recipe", sorted(RECIPES))
 def test_a_motion_goes_on_as_it_was(recipe: str, difficulty: str, seed: int) -> None:
-    """From 0.4 of the way to the first event to 0.9: as far, as fast, under the same tensions."""
+    """A motion restarted at 0.4 of the time to the first event agrees at 0.9 of it with the original one."""
     rng = generator(recipe, difficulty, "numeric", seed, 0, 0)
     try:
         scene = RECIPES[recipe](difficulty, rng)
@@ -44,7 +44,7 @@ def test_a_motion_goes_on_as_it_was(recipe: str, difficulty: str, seed: int) -> 
 
 
 def test_slack_and_wound_strings_keep_their_length() -> None:
-    """A string that is 0.3 m too long still is, after its end has come up by 0.2 m: 0.5 m too long."""
+    """A string with 0.3 m of slack has 0.5 m after its end has risen by 0.2 m."""
     builder = Builder()
     room = builder.room().site("nail")
     room.body("load", 1.0, at=(0.0, 0.0, -1.0)).slide(Z, limits=(-0.3, 0.9)).site("hook")
@@ -57,7 +57,7 @@ def test_slack_and_wound_strings_keep_their_length() -> None:
 
 
 def test_a_body_that_has_left_its_own_hinge_can_not_begin_there() -> None:
-    """A bead that slides along a rod which turns about the other end, both in one body."""
+    """A bead that slides along a rotating rod, both in one body, is not supported."""
     builder = Builder()
     builder.room().body("bead", 1.0).hinge(Y).slide(X)
     with pytest.raises(UnsupportedError, match="hinge"):

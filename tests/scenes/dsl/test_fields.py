@@ -1,4 +1,4 @@
-"""Laws of force and regions: against differences, other origins, and what they say of themselves."""
+"""Tests of force laws and regions: gradients by differences, shifted origins, declared properties."""
 
 import math
 
@@ -39,7 +39,7 @@ def shifted(place: Vector, by: Vector) -> Vector:
 
 
 def far(law: Law, place: Vector) -> bool:
-    """Whether a place is far enough from a centre of force for differences to tell anything."""
+    """Return whether a place is far enough from a centre of force for finite differences."""
     return not isinstance(law, Central) or math.dist(law.center, place) > 0.3
 
 
@@ -102,7 +102,7 @@ def test_drag_is_against_the_motion(linear: float, quadratic: float, velocity: V
 
 @given(value=NUMBER, slope=NUMBER, way=WAY, other=WAY)
 def test_a_push_that_changes_aside_has_no_potential(value: float, slope: float, way: Vector, other: Vector) -> None:
-    """Its curl, slope · |other × way|, is not zero."""
+    """The curl, of magnitude slope · |other × way|, is not zero."""
     law = Push(way, Profile(value, slope, other))
     aside = float(np.linalg.norm(np.cross(other, way))) > 1e-6
     assert (law.potential((0.0, 0.0, 0.0), math) is None) == (slope != 0.0 and aside)
@@ -115,7 +115,7 @@ def test_a_region_elsewhere_has_the_same_borders(region: Region, place: Vector, 
 
 @given(region=REGION, place=VECTOR, step=WAY)
 def test_a_margin_is_a_distance(region: Region, place: Vector, step: Vector) -> None:
-    """One step of length h changes none by more than h."""
+    """A step of length h changes no margin by more than h."""
     there = (place[0] + 0.01 * step[0], place[1] + 0.01 * step[1], place[2] + 0.01 * step[2])
     for here, then in zip(region.margins(place, math), region.margins(there, math), strict=True):
         assert abs(then - here) <= 0.01 + 1e-12

@@ -1,4 +1,4 @@
-"""The tree of bodies walked with numbers: places, gradients, velocities and biases, against differences."""
+"""Tests of positions, gradients, velocities and biases in a tree of bodies, against finite differences."""
 
 import math
 
@@ -15,7 +15,7 @@ H = 1e-4
 
 @pytest.fixture
 def cart() -> Mechanism:
-    """A cart with a sloping top, a block on it that slides aside, an arm that swings from the block, one more on it."""
+    """Return a cart with a block that slides on its sloping top, and two arms hinged one to the other on it."""
     builder = Builder()
     room = builder.room("r", at=(1.0, 0.0, 0.0))
     room.site("nail", at=(0.0, 0.0, 5.0))
@@ -41,7 +41,7 @@ def test_a_chain_of_slides(cart: Mechanism) -> None:
 
 @pytest.mark.parametrize("seed", range(5))
 def test_places_velocities_and_biases_agree_with_differences(cart: Mechanism, seed: int) -> None:
-    """At q̈ = 0 a point has moved by H·velocity + ½H²·bias; central differences of places, to their own accuracy."""
+    """At q̈ = 0 a point moves by H·velocity + ½H²·bias; central differences of its position confirm both."""
     rng = np.random.default_rng(seed)
     n = len(cart.coordinates)
     q, v = rng.normal(size=n), rng.normal(size=n)

@@ -1,4 +1,4 @@
-"""What is drawn is plausible, and what is not is said in words."""
+"""Tests that drawn numbers are plausible, and that implausible ones are reported in words."""
 
 import pytest
 
@@ -42,19 +42,19 @@ def sphere(mass: float, radius: float) -> Scene:
 
 
 def planets(mass: float) -> Scene:
-    """Two planets of a mass, in those of the sun, about a star of 1.0."""
+    """Build two planets of a given mass, in solar masses, about a star of 1.0 solar mass."""
     heavy = (HeavyPlanet(mass=mass, x=x, y=0.0, vx=0.0, vy=vy) for x, vy in ((1.0, 6.28), (2.0, 4.44)))
     return alone(SolarSystem(star=Star(mass=1.0), planets=tuple(heavy)))
 
 
 def airless(gravity: float) -> Scene:
-    """A rocket on a planet with a radius of 2000 km."""
+    """Build a rocket on an airless planet with a radius of 2000 km."""
     rocket, place = Rocket(mass=1000.0, dry=200.0), AirlessPlanet(radius=2000.0, gravity=gravity)
     return alone(RocketEntity(rocket=rocket, place=place, exhaust=2.0, rate=2.0))
 
 
 def sprung(start: float) -> Scene:
-    """A block on a spring with a natural length of 0.50 m, let go where that has another length."""
+    """Build a block on a spring of natural length 0.50 m, released at another length."""
     spring = Spring(stiffness=100.0, length=0.5)
     return alone(AnchoredSpring(spring=spring, block=Block(mass=2.0), start=start))
 
@@ -82,5 +82,5 @@ def test_what_is_not_plausible_is_said(scene: Scene, said: list[str]) -> None:
 
 
 def test_zero_is_plausible() -> None:
-    """Such as the friction of a smooth plane."""
+    """A smooth plane has a coefficient of friction of zero."""
     assert not list(implausible_numbers(ramp(friction=0.0)))

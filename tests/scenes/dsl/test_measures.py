@@ -1,4 +1,4 @@
-"""Numbers are spoken as they are simulated."""
+"""Tests of measures: how numbers are rounded, drawn and printed with their units."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""What a mechanism can do from where it stands."""
+"""Tests of the search for bodies of a mechanism that cannot move."""
 
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.mechanism import X, Z
@@ -6,7 +6,7 @@ from sim2reason.scenes.dsl.structure import is_weightless, stuck_bodies
 
 
 def _hanging(mass: float = 1.0) -> Builder:
-    """A load that hangs by a string from the axle of a pulley; the pulley is at the end of the string `s`, if any."""
+    """Return a builder of a load that hangs by a string from the axle of a movable pulley."""
     builder = Builder()
     room = builder.room().site("hook", (0.0, 0.0, 2.0))
     carrier = room.body("carrier").slide(Z).site("axle")
@@ -32,7 +32,7 @@ def test_a_body_that_can_swing_is_not_stuck() -> None:
 
 
 def test_what_a_moving_body_carries_moves() -> None:
-    """A wedge free to slide moves the body that is fixed on it."""
+    """A wedge that is free to slide carries a block whose string would keep it still."""
     builder = Builder()
     wedge = builder.room().body("wedge", 1.0).rest(X, Z)
     wedge.body("block", 1.0, at=(0.0, 0.0, 1.0)).slide(Z, name="rise").site("eye")

@@ -1,4 +1,4 @@
-"""Values with declared parameters: walked, changed and drawn."""
+"""Tests of models with declared parameters: traversal, changes and random draws."""
 
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal, Self
@@ -96,11 +96,11 @@ def test_what_validators_refuse_is_drawn_again_within_a_budget() -> None:
 
 
 class Shape(Model):
-    """An open base."""
+    """Base class with an open set of variants."""
 
     @classmethod
     def variants(cls) -> tuple[type[Model], ...]:
-        """Both of them; a variant itself is but one."""
+        """Return both variants for the base class, and a variant itself for a variant."""
         return (Round, Square) if cls is Shape else (cls,)
 
 
@@ -121,7 +121,7 @@ class Tray(Model):
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
-        """A tray that is tilted by ten degrees for each metre of its rise."""
+        """Return a tilt of ten degrees for each metre of the rise."""
         del rng
         return {"tilt": 10.0 * drawn["rise"]}
 

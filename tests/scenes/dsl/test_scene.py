@@ -1,4 +1,4 @@
-"""Scenes are values: built by their ports, changed into other scenes, refused where they can not be."""
+"""Tests of scenes: built from ports, changed into other scenes, refused if inconsistent."""
 
 import pytest
 
@@ -32,7 +32,7 @@ def scene(connections: tuple[Connection, ...], **entities: Entity) -> Scene:
 
 
 def bight() -> Scene:
-    """A ramp, a bight and a hanging block on one string."""
+    """Build a ramp, a pulley in a loop of string and a hanging block, all on one string."""
     string = String.between(("ramp", RIGHT), ("bight", UNDER), ("left", LEFT))
     return scene((string,), ramp=RAMP, bight=BIGHT, left=hanging(1.5))
 
@@ -80,7 +80,7 @@ def test_gluing_welds_and_is_remembered() -> None:
 
 
 def test_a_glued_bight_lets_the_rest_move_as_if_it_were_fixed() -> None:
-    """With the ramp's blocks welded the pulley and the hanging block are an Atwood machine with 2:1 string.
+    """With the ramp's blocks glued, the pulley and the hanging block are an Atwood machine with 2:1 string.
 
     m₁ = 1.5 kg on the free end, m₂ = 3.0 + 0.4 kg on the axle, and the wheel's ½M = 0.2 kg at the rim speed of
     the string relative to the axle: with u the speed of m₂ upwards, m₁ sinks at 2u, and the rim runs at u.
@@ -100,7 +100,7 @@ def test_a_string_brings_a_pulley_where_directions_need_one() -> None:
 
 
 class _Pivot(Port):
-    """A port for something that is no string."""
+    """Port that accepts no string."""
 
 
 class _Rod(Connection):
@@ -132,7 +132,7 @@ def test_rings_and_doubled_names_are_refused() -> None:
 
 
 def test_names_at_which_something_else_stands_are_refused() -> None:
-    """An address begins with the name of an entity, of a connection, or with *world*."""
+    """An address begins with the name of an entity or connection or with *world*, so these must differ."""
     string = String.between(("ramp", RIGHT), ("left", LEFT))
     assert scene((string,), ramp=RAMP, left=hanging(1.0)).value("tendon_1") == string
     for name in ("world", "tendon_1"):
@@ -157,7 +157,7 @@ def test_two_hands_on_one_string_are_refused() -> None:
 
 
 def test_where_an_entity_stands_does_not_matter() -> None:
-    """The same motion, whichever entity is listed first."""
+    """The accelerations are the same in either order of the entities."""
     one = scene((String.between(("a", LEFT), ("b", LEFT)),), a=hanging(1.0), b=hanging(2.0))
     other = scene((String.between(("a", LEFT), ("b", LEFT)),), b=hanging(2.0), a=hanging(1.0))
     first, second = simulate(one, 0.3).state.a[0], simulate(other, 0.3).state.a[0]

@@ -1,4 +1,4 @@
-"""Figures that are turned, moved, joined and cut out of each other, against sums over the points of each."""
+"""Tests of solids that are rotated, moved, joined and cut, against sums over point clouds."""
 
 from math import nextafter
 
@@ -14,7 +14,7 @@ CLOSE = 1e-10
 
 
 def rotation(rng: np.random.Generator) -> tuple[Axes, NDArray[np.float64]]:
-    """Axes turned at random, and the same as a matrix of columns."""
+    """Return random axes, and the same as the columns of a matrix."""
     matrix, _ = np.linalg.qr(rng.normal(size=(3, 3)))
     matrix *= np.linalg.det(matrix)
     x, y, z = ((float(c[0]), float(c[1]), float(c[2])) for c in matrix.T)
@@ -30,7 +30,7 @@ def check(found: Solid, cloud: Cloud) -> None:
 
 @pytest.mark.parametrize("seed", range(6))
 def test_turned_moved_joined_and_cut(seed: int) -> None:
-    """The parallel-axis theorem and signed sums, in any orientation and place."""
+    """The parallel-axis theorem and signed sums hold for any orientation and position."""
     rng = np.random.default_rng(seed)
     axes, matrix = rotation(rng)
     by = (float(rng.normal()), float(rng.normal()), float(rng.normal()))
@@ -63,7 +63,7 @@ def test_axes_along_are_axes(axis: tuple[float, float, float]) -> None:
     [(1.0, 0.5, 0.8), (1.0, 0.9, 0.2), (0.5, 1.0, 0.8), (1.0, 0.3, 0.5), (0.3, 1.0, 0.5)],
 )
 def test_what_two_balls_share(radius: float, other: float, distance: float) -> None:
-    """A lens of two caps, or the smaller ball where it lies in the larger one."""
+    """Two balls intersect in a lens of two caps, or in the smaller ball if the larger one contains it."""
     check(solids.lens(radius, other, distance), lens(radius, other, distance))
 
 

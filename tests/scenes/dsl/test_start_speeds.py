@@ -1,4 +1,4 @@
-"""What holds both ways begins as it can go on, or is refused by both engines: never a motion in which a rod shrinks."""
+"""Tests of initial velocities: both engines refuse those that violate a constraint."""
 
 from math import inf
 
@@ -15,7 +15,7 @@ TIMES = np.linspace(0.0, 0.5, 6)
 
 
 def dumbbell(speed: float, other: float) -> Mechanism:
-    """Two balls on a rod along x."""
+    """Build two balls joined by a rod along x."""
     builder = Builder()
     room = builder.room()
     for name, x, v in (("a", 0.0, speed), ("b", 1.0, other)):

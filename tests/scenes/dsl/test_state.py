@@ -1,4 +1,4 @@
-"""What is read off a motion, and when."""
+"""Tests of lazy evaluation in states."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ from sim2reason.simulation.scenes import simulate
 
 
 def test_forces_are_worked_out_only_where_they_are_asked_for() -> None:
-    """A block of a half Atwood machine moves with a constant acceleration, which its velocity tells as well."""
+    """The block's velocity needs no forces; its acceleration, which is constant and less than g, does."""
     state = simulate(half_atwood(), duration=0.5).sample(np.array([0.2, 0.4]))
     speeds = np.linalg.norm(Velocity.evaluate(state, "ramp.blocks.0"), axis=1)
     assert "_dynamics" not in vars(state)

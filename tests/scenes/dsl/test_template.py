@@ -1,4 +1,4 @@
-"""Sentences as data, and classes that are refused when their sentences and numbers do not fit."""
+"""Tests of sentence templates, and of errors for classes whose sentences do not match their fields."""
 
 import pytest
 

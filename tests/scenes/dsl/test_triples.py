@@ -1,4 +1,4 @@
-"""Vectors of any kind of number, against NumPy."""
+"""Tests of vectors and tensors of any numeric type, against NumPy."""
 
 import numpy as np
 import pytest

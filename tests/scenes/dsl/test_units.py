@@ -1,4 +1,4 @@
-"""The table of units: spelling, dimension, display."""
+"""Tests of the table of units: spelling, dimension, display."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""The rarer verbs of a frame: what they put into the mechanism."""
+"""Tests of the less common methods of a builder's frames."""
 
 from math import inf
 

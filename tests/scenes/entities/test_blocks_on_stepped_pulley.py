@@ -1,4 +1,4 @@
-"""Comparison of two blocks on a stepped pulley with the closed form of their acceleration."""
+"""Tests of two blocks on a stepped pulley, against the closed form of their acceleration."""
 
 import pytest
 
@@ -26,13 +26,13 @@ def scene(sides: str) -> Scene:
 
 
 def turning(sides: str) -> float:
-    """The angular acceleration, rad/s²: α = (M R ± m r) g/(I + M R² + m r²)."""
+    """Return the angular acceleration α = (M R ± m r) g/(I + M R² + m r²) in rad/s²."""
     return (BIG * OUTER + SIDES[sides] * SMALL * INNER) * G / (INERTIA + BIG * OUTER**2 + SMALL * INNER**2)
 
 
 @pytest.mark.parametrize("sides", SIDES)
 def test_both_engines_turn_it_as_the_torques_do(sides: str) -> None:
-    """Accelerations R α and ± r α; tensions M (g − R α) and m (g ∓ r α)."""
+    """The accelerations are R α and ± r α, the tensions M (g − R α) and m (g ∓ r α)."""
     trace, certificate = certify(scene(sides), duration=0.5)
     assert certificate.stable_until == 0.5, certificate.reason
     alpha, sign = turning(sides), SIDES[sides]
@@ -73,7 +73,7 @@ def test_it_is_asked_about_and_solved(sides: str, find: str, of: str, when: str,
 
 
 def test_a_tension_is_solved() -> None:
-    """m (g + r α), of the block that rises."""
+    """The tension on the rising block is m (g + r α)."""
     question = "What is the tension in the string between the stepped pulley and block B 0.4 s after release?"
     found = solve(scene("opposite"), question=question)
     assert found.answer == pytest.approx(SMALL * (G + INNER * turning("opposite")), rel=1e-10)
@@ -81,7 +81,6 @@ def test_a_tension_is_solved() -> None:
 
 
 def test_the_outer_radius_is_the_larger_one() -> None:
-    """Else the words would be wrong."""
     with pytest.raises((SceneError, ValueError), match="not greater than inner"):
         SteppedPulley(outer=0.1, inner=0.1, inertia=0.2)
 

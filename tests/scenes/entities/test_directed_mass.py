@@ -1,4 +1,4 @@
-"""A block whose strings turn as it moves, against work and energy, and the boat that a winch draws in."""
+"""Tests of a block on slanting strings, against work and energy and the closed form for a winch."""
 
 from math import cos, radians, sin
 
@@ -31,7 +31,7 @@ def joined(left: Entity, left_port: str, right: Entity, right_port: str) -> Scen
 
 
 def lengths(x: Array | float) -> tuple[Array, Array]:
-    """Of the slanting parts of the two strings, once the block has moved by x to the right, m."""
+    """Return the lengths of both strings' slanting parts in m, with the block moved by x to the right."""
     sides = []
     for distance, angle, way in ((0.9, 40.0, -1.0), (1.4, 25.0, 1.0)):
         base, height = distance * cos(radians(angle)), distance * sin(radians(angle))
@@ -44,7 +44,10 @@ def hanging(mass: float) -> MassWithFixedPulley:
 
 
 def test_two_hands_do_work() -> None:
-    """½ m v² = F₁ Δℓ₁ + F₂ Δℓ₂, each being what is drawn in; at first m a = F₂ cos θ₂ − F₁ cos θ₁."""
+    """The work is ½ m v² = F₁ Δℓ₁ + F₂ Δℓ₂, and initially m a = F₂ cos θ₂ − F₁ cos θ₁.
+
+    Each Δℓ is the length of string drawn in.
+    """
     one, two = 3.0, 8.0
     found = Followed(joined(ConstantForcePuller(force=one), "end", ConstantForcePuller(force=two), "end"), 1.5)
     x, v = found.q("it.block.slide"), found.v("it.block.slide")
@@ -54,7 +57,10 @@ def test_two_hands_do_work() -> None:
 
 
 def test_two_hanging_blocks_keep_the_energy() -> None:
-    """½ (m + M₁ ℓ₁′² + M₂ ℓ₂′²) v² + M₁ g Δℓ₁ + M₂ g Δℓ₂ = 0, with what hangs at each end and dℓ/dx."""
+    """The sum ½ (m + M₁ ℓ₁′² + M₂ ℓ₂′²) v² + M₁ g Δℓ₁ + M₂ g Δℓ₂ stays zero.
+
+    M₁ and M₂ are the hanging masses, and ℓ′ = dℓ/dx.
+    """
     one, two = 0.9, 1.7
     found = Followed(joined(hanging(one), "tail", hanging(two), "tail"), 1.0)
     x, v = found.q("it.block.slide"), found.v("it.block.slide")
@@ -66,7 +72,10 @@ def test_two_hanging_blocks_keep_the_energy() -> None:
 
 
 def test_a_winch_draws_the_block_in() -> None:
-    """The boat and the winch: ℓ = ℓ₀ − u t, d² = ℓ² − h², v = u ℓ/d, a = u² h²/d³ and T cos θ = m a + F cos θ₁."""
+    """The motion is that of a boat drawn in by a winch at speed u.
+
+    ℓ = ℓ₀ − u t, d² = ℓ² − h², v = u ℓ/d, a = u² h²/d³ and T cos θ = m a + F cos θ₁.
+    """
     speed, pull = 0.4, 2.0
     made = joined(ConstantForcePuller(force=pull), "end", ConstantVelocityPuller(speed=speed), "end")
     found = Followed(made, 1.2)

@@ -1,4 +1,4 @@
-"""A charged bead in each kind of field, alone and together, and through each kind of region."""
+"""Tests of a charged bead in all kinds of fields, media and regions, against closed forms."""
 
 from math import atan, cos, hypot, pi, radians, sin, sqrt, tan
 
@@ -42,7 +42,10 @@ OMEGA = RATIO * 0.8
 
 @pytest.mark.parametrize(("sign", "way", "sense"), [("positive", "positive z", -1.0), ("negative", "positive z", 1.0)])
 def test_a_circle(sign: str, way: str, sense: float) -> None:
-    """ω = qB/m; with B out of the plane a positive charge turns clockwise (100 turns, J. J. Thomson, 1897)."""
+    """The angular frequency is ω = qB/m (100 turns, J. J. Thomson, 1897).
+
+    With B out of the plane, a positive charge turns clockwise.
+    """
     bead = ChargedBead.model_validate({"mass": 2.0, "charge": 3.0, "sign": sign})
     field = UniformMagnetic.model_validate({"strength": 0.8, "way": way})
     trace = followed(EmEntity(magnetic=field, particle=bead, start=AHEAD), 200.0 * pi / OMEGA, 801)
@@ -55,7 +58,7 @@ def test_a_circle(sign: str, way: str, sense: float) -> None:
 
 @pytest.mark.parametrize("start", [Released(), AHEAD, Launched(speed=1.5, angle=200.0)])
 def test_crossed_fields(start: Launched | Released) -> None:
-    """E up and B out of the plane: a drift E/B to the right, and a circle about it; from rest a cycloid.
+    """With E up and B out of the plane, the bead circles about a drift E/B to the right; from rest, a cycloid.
 
     With w = v_x + iv_y, dw/dt = −iωw + ia has w = a/ω + (w₀ − a/ω) e^{−iωt} (L. D. Landau, E. M. Lifshitz, § 22).
     """
@@ -71,7 +74,7 @@ def test_crossed_fields(start: Launched | Released) -> None:
 
 @pytest.mark.parametrize(("trend", "sign"), [("increases", "positive"), ("decreases", "positive")])
 def test_a_field_that_changes_along_its_own_axis(trend: str, sign: str) -> None:
-    """ẍ = a + kx: (a/k)(cosh √k t − 1) for a growing field, with cos for one that falls."""
+    """With ẍ = a + kx, x = (a/k)(cosh √k t − 1) in a growing field, and with cos in a decreasing one."""
     values = {"strength": 0.9, "way": "positive x", "trend": trend, "axis": "x", "slope": 0.7}
     bead = ChargedBead.model_validate({"mass": 2.0, "charge": 3.0, "sign": sign})
     trace = followed(EmEntity(electric=LinearElectric.model_validate(values), particle=bead, start=Released()), 3.0)
@@ -82,7 +85,7 @@ def test_a_field_that_changes_along_its_own_axis(trend: str, sign: str) -> None:
 
 
 def test_a_field_that_grows_with_time() -> None:
-    """y = −(a t²/2 + r t³/6) for a field along −y."""
+    """The displacement is y = −(a t²/2 + r t³/6) in a field along −y."""
     field = GrowingElectric(strength=0.5, way="negative y", trend="increases", growth=0.3)
     trace = followed(EmEntity(electric=field, particle=BEAD, start=Released()), 4.0)
     t = trace.state.times
@@ -90,7 +93,7 @@ def test_a_field_that_grows_with_time() -> None:
 
 
 def test_a_field_that_oscillates() -> None:
-    """v = (a/ω) sin ωt, x = (a/ω²)(1 − cos ωt)."""
+    """The motion is v = (a/ω) sin ωt, x = (a/ω²)(1 − cos ωt)."""
     field = OscillatingElectric(strength=1.2, way="negative x", frequency=2.5)
     trace = followed(EmEntity(electric=field, particle=BEAD, start=Released()), 6.0)
     t = trace.state.times
@@ -99,7 +102,7 @@ def test_a_field_that_oscillates() -> None:
 
 
 def test_a_spiral_with_drag() -> None:
-    """dw/dt = −(γ + iω) w, so w = w₀ e^{−(γ+iω)t}."""
+    """The equation dw/dt = −(γ + iω) w has the solution w = w₀ e^{−(γ+iω)t}."""
     drag = LinearDrag(coefficient=0.8)
     trace = followed(EmEntity(magnetic=OUT, medium=drag, particle=BEAD, start=AHEAD), 10.0)
     rate = complex(0.8 / 2.0, OMEGA)
@@ -109,7 +112,7 @@ def test_a_spiral_with_drag() -> None:
 
 
 def test_a_terminal_speed() -> None:
-    """m dv/dt = qE − cv²: v = √(qE/c) tanh(t √(qEc)/m)."""
+    """The equation m dv/dt = qE − cv² has the solution v = √(qE/c) tanh(t √(qEc)/m)."""
     electric, drag = UniformElectric(strength=0.9, way="positive x"), QuadraticDrag(coefficient=0.4)
     trace = followed(EmEntity(electric=electric, medium=drag, particle=BEAD, start=Released()), 8.0)
     push, c, m = 3e-3 * 0.9, 0.4e-3, 2e-3
@@ -118,7 +121,7 @@ def test_a_terminal_speed() -> None:
 
 @pytest.mark.parametrize("trend", ["increases", "decreases"])
 def test_a_magnetic_field_with_a_gradient_keeps_a_momentum(trend: str) -> None:
-    """B = B₀ ± βx depends on x alone: v² and mv_y + q(B₀x ± βx²/2) are constant (the canonical momentum along y)."""
+    """In B = B₀ ± βx, v² and mv_y + q(B₀x ± βx²/2) are constant (the canonical momentum along y)."""
     values = {"strength": 0.9, "way": "positive z", "trend": trend, "axis": "x", "slope": 0.3}
     start = Launched(speed=2.0, angle=40.0)
     trace = followed(EmEntity(magnetic=LinearMagnetic.model_validate(values), particle=BEAD, start=start), 12.0)
@@ -129,7 +132,7 @@ def test_a_magnetic_field_with_a_gradient_keeps_a_momentum(trend: str) -> None:
 
 
 def test_a_dipole_keeps_speed_and_stoermers_momentum() -> None:
-    """In its equatorial plane v and m(r × v)_z − qb/r are constant (C. Størmer, 1907)."""
+    """In the equatorial plane v and m(r × v)_z − qb/r are constant (C. Størmer, 1907)."""
     field = DipoleMagnetic(strength=2.0, way="positive z", x=1.2, y=-0.4)
     trace = followed(EmEntity(magnetic=field, particle=BEAD, start=Launched(speed=2.5, angle=330.0)), 6.0)
     x, y, vx, vy = planar(trace)
@@ -141,7 +144,7 @@ def test_a_dipole_keeps_speed_and_stoermers_momentum() -> None:
 
 @pytest.mark.parametrize("angle", [0.0, 35.0, 320.0])
 def test_a_half_plane(angle: float) -> None:
-    """It comes out where it went in, 2mv cos α/(qB) farther along the border, after the angle π + 2α of its circle."""
+    """The bead leaves after an arc of π + 2α, 2mv cos α/(qB) along the border from its entry."""
     start, edge = Launched(speed=2.0, angle=angle), 0.6
     alpha = radians(angle if angle < 180.0 else angle - 360.0)
     enter = edge / (2.0 * cos(alpha))
@@ -156,7 +159,7 @@ def test_a_half_plane(angle: float) -> None:
 
 @pytest.mark.parametrize("radius", [0.3, 0.9])
 def test_a_circle_of_field_aimed_at_its_centre(radius: float) -> None:
-    """The way out is radial too, turned by φ with tan(φ/2) = R/r_L."""
+    """The velocity on exit is radial too, turned by φ with tan(φ/2) = R/r_L."""
     center = (1.5 * cos(radians(30.0)), 1.5 * sin(radians(30.0)))
     entity = EmEntity(
         magnetic=OUT,
@@ -174,7 +177,7 @@ def test_a_circle_of_field_aimed_at_its_centre(radius: float) -> None:
 
 @pytest.mark.parametrize("region", [Strip(low=0.5, high=1.7), Rectangle(left=0.5, bottom=-1.0, right=1.7, top=1.0)])
 def test_a_capacitor(region: Strip | Rectangle) -> None:
-    """Deflected by aL²/2v² on its way through, and by the tangent aL/v² of its way on."""
+    """The deflection is aL²/2v² in the field, and the slope of the path after it aL/v²."""
     electric = UniformElectric(strength=0.6, way="negative y")
     trace = followed(EmEntity(electric=electric, region=region, particle=BEAD, start=AHEAD), 1.5)
     inside, a = 1.2 / 2.0, -RATIO * 0.6
@@ -184,7 +187,7 @@ def test_a_capacitor(region: Strip | Rectangle) -> None:
 
 
 def test_a_filter_of_velocities() -> None:
-    """E = vB across: both fields of one region are entered once, and the bead goes straight on."""
+    """With E = vB the bead passes straight through both fields; its entry into their region is one event."""
     electric = UniformElectric(strength=1.6, way="positive y")
     region = CircularRegion(radius=0.5, x=1.0, y=0.0)
     entity = EmEntity(magnetic=OUT, electric=electric, region=region, particle=BEAD, start=AHEAD)
@@ -194,7 +197,7 @@ def test_a_filter_of_velocities() -> None:
 
 
 def test_drawn_fields_turn_the_bead_by_some_radians_and_are_reached() -> None:
-    """ω_c·T in 1–12 rad, E/(Bv) about one, and a region that is aimed at is entered."""
+    """The turn ω_c·T is 1–12 rad, E/(Bv) is about one, and a bead aimed at a region enters it."""
     reached = 0
     for seed in range(60):
         scene = drawn("EmEntity", seed)
@@ -213,7 +216,7 @@ def test_drawn_fields_turn_the_bead_by_some_radians_and_are_reached() -> None:
 
 
 def test_no_field_at_rest_has_a_curl() -> None:
-    """∂E_x/∂y = ∂E_y/∂x without a changing magnetic field."""
+    """A static electric field has ∂E_x/∂y = ∂E_y/∂x."""
     values = {"strength": 1.0, "way": "negative x", "trend": "increases", "slope": 0.5}
     assert LinearElectric.model_validate({**values, "axis": "x"}).axis == "x"
     with pytest.raises(ValidationError, match="axis: a field at rest does not change across its direction"):
@@ -241,7 +244,7 @@ def test_what_does_not_move_is_refused(fields: dict[str, object], says: str) -> 
 
 
 def test_a_bead_starts_at_the_origin_at_t_0() -> None:
-    """Whatever it does, no text of these speaks of a release of all, nor of g."""
+    """The text mentions neither a release of the system nor g."""
     scene = alone(EmEntity(magnetic=OUT, particle=BEAD, start=AHEAD))
     assert not scene.starts_from_rest
 
@@ -265,14 +268,14 @@ def test_the_number_is_the_size_of_a_charge_and_words_tell_its_sign(sign: str, n
 
 @pytest.mark.parametrize("law", [LinearElectric, LinearMagnetic, GrowingElectric])
 def test_the_text_says_which_way_a_changing_field_points(law: type[ForceField]) -> None:
-    """A component alone may be negative; then a question for it can have two answers."""
+    """A component alone could be negative, so that a question about it might have two answers."""
     saying = law.says[0]
     assert isinstance(saying, Wordings)
     assert all("magnitude {strength}" in told and "points in {direction}" in told for told in saying.wordings)
 
 
 def electric(text: str) -> ElectricField | None:
-    """The electric field of the scene that a text tells."""
+    """Return the electric field of the scene that a text describes."""
     entity = parse_scene(text).scene.entities[0].entity
     assert isinstance(entity, EmEntity)
     return entity.electric
@@ -281,7 +284,7 @@ def electric(text: str) -> ElectricField | None:
 @pytest.mark.parametrize(("way", "trend", "does"), [("positive", "increases", "in"), ("negative", "increases", "de")])
 @pytest.mark.parametrize("seed", range(4))
 def test_what_changes_is_told_as_a_component_along_an_axis(way: str, trend: str, does: str, seed: int) -> None:
-    """E = −(E₀ + k x) points the other way the more the larger x is: its x component decreases."""
+    """The x component of E = −(E₀ + k x) decreases with x."""
     values = {"strength": 1.1, "way": f"{way} x", "trend": trend}
     linear = LinearElectric.model_validate({**values, "axis": "x", "slope": 0.4})
     told = describe(alone(EmEntity(electric=linear, particle=BEAD, start=Released())), seed).text

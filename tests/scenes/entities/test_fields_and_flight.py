@@ -1,4 +1,4 @@
-"""Texts, files and certificates of what flies: rockets, planets, charges, balls, bobs."""
+"""Tests of rockets, planets, charges, balls and bobs: texts, files and agreement of both engines."""
 
 import re
 
@@ -20,7 +20,7 @@ CERTIFIED = 10
 @pytest.mark.parametrize("draws", DRAWS)
 @pytest.mark.parametrize("name", NAMES)
 def test_they_come_back_from_their_text_and_from_their_file(name: str, draws: int) -> None:
-    """Every number that is said is said as it is, and the text means one scene."""
+    """Numbers are printed exactly, and the text has only one meaning."""
     for seed in range(draws):
         scene = drawn(name, seed)
         assert load(dump(scene)) == scene
@@ -32,7 +32,10 @@ def test_they_come_back_from_their_text_and_from_their_file(name: str, draws: in
 @pytest.mark.slow  # testing/test_entities cuts the sentences of every entity
 @pytest.mark.parametrize("name", NAMES)
 def test_no_sentence_can_be_spared(name: str) -> None:
-    """Without it the text is refused, or means something else; but for those that matter to some questions only."""
+    """Without any one sentence, the text is refused or describes another scene.
+
+    Sentences that only some questions need are exempt.
+    """
     for seed in range(8):
         scene = drawn(name, seed)
         description = describe(scene, seed)
@@ -48,7 +51,7 @@ def test_no_sentence_can_be_spared(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_both_engines_find_the_same_motion(name: str) -> None:
-    """To the end of what is described, or to where a ball comes to rest."""
+    """The engines agree up to the end of the motion, or until a bouncing ball comes to rest."""
     for seed in range(CERTIFIED):
         scene = drawn(name, seed)
         trace, certificate = certify(scene)

@@ -1,4 +1,4 @@
-"""A pulley with a hook, winches and loads, against textbook results."""
+"""Tests of a pulley with a hook, winches and loads, against textbook results."""
 
 from math import cos, radians, sin
 
@@ -23,7 +23,7 @@ G = 9.8
 
 
 def lifted(load: float, weight: float, pulley: float = 0.0) -> Scene:
-    """A load on the hook of a pulley, whose string leads from a hook over a fixed pulley to a weight."""
+    """Build a load on the hook of a movable pulley, held by a weight over a fixed pulley."""
     entities = {
         "nail": FixedSupport(),
         "it": ThreePointMovablePulley(pulley=MovablePulley(mass=pulley)),
@@ -35,7 +35,10 @@ def lifted(load: float, weight: float, pulley: float = 0.0) -> Scene:
 
 @pytest.mark.parametrize("pulley", [0.0, 0.8])
 def test_a_load_on_the_hook(pulley: float) -> None:
-    """Weight M falls with 2a: T₂ = M (g − 2a), T₂ − T₁ = ½ m_p a, T₁ + T₂ = (m + m_p)(g + a) (uniform disc)."""
+    """The load rises with a, the weight M falls with 2a, by Newton's laws for a pulley that is a uniform disc.
+
+    T₂ = M (g − 2a), T₂ − T₁ = ½ m_p a, T₁ + T₂ = (m + m_p)(g + a).
+    """
     load, weight = 3.0, 2.2
     found = Followed(lifted(load, weight, pulley), 0.5)
     a = G * (2.0 * weight - load - pulley) / (load + 1.5 * pulley + 4.0 * weight)
@@ -45,7 +48,7 @@ def test_a_load_on_the_hook(pulley: float) -> None:
 
 
 def test_a_winch_on_a_hook_that_points_up() -> None:
-    """The winch draws the pulley up with u; over it the weights keep their sum, so each has a = g ± 2 g (…)."""
+    """A pulley drawn up at constant speed u is an Atwood machine, with a = g (m₂ − m₁)/(m₁ + m₂)."""
     left, right, speed = 1.0, 1.8, 0.3
     entities = {
         "it": ThreePointMovablePulley(pulley=MovablePulley(), hook="above"),
@@ -61,7 +64,7 @@ def test_a_winch_on_a_hook_that_points_up() -> None:
 
 
 def test_a_winch_draws_a_block_up_a_rough_slope() -> None:
-    """At constant speed T = m g (sin θ + µ cos θ); the string is taut from the first moment on."""
+    """At constant speed T = m g (sin θ + µ cos θ); the string is taut from the start."""
     mass, friction, speed, slope = 2.0, 0.3, 0.4, radians(25.0)
     entities = {
         "it": TwoSideMassPlane(plane=Plane(angle=25.0, friction=friction), blocks=(Block(mass=mass),)),
@@ -73,7 +76,7 @@ def test_a_winch_draws_a_block_up_a_rough_slope() -> None:
 
 
 def test_a_winch_takes_in_twice_what_its_movable_pulley_rises() -> None:
-    """The load rises with u/2 and each side of the string carries half of its weight."""
+    """The load rises with u/2, and each side of the string carries half of the load's weight."""
     load, speed = 3.0, 0.5
     entities = {
         "nail": FixedSupport(),

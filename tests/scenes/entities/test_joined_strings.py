@@ -1,4 +1,4 @@
-"""Strings and planes joined at random: what is told is read back, files keep it, and both engines agree."""
+"""Tests of random combinations of strings and planes: texts, files, agreement of both engines."""
 
 from contextlib import suppress
 
@@ -42,7 +42,10 @@ def test_texts_and_files_lead_back(kind: str, texts: int) -> None:
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_witness_agrees(kind: str) -> None:
-    """To 1e-6, but where a winch draws a block to a dead point: then the motion is singular, and refused."""
+    """The engines agree to 1e-6.
+
+    A block that a winch draws to a dead point has a singular motion, which is refused.
+    """
     for seed in range(MOTIONS):
         made = at_random(kind, seed)
         drawn = any(isinstance(named.entity, ConstantVelocityPuller) for named in made.entities)

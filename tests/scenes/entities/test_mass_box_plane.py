@@ -1,4 +1,4 @@
-"""A box that blocks ride on, against Lagrange's equations solved by hand."""
+"""Tests of a sliding box with blocks on it, against solutions of Lagrange's equations."""
 
 import pytest
 
@@ -21,7 +21,10 @@ def box(friction: float = 0.0, left: float | None = None) -> MassBoxPlane:
 
 
 def test_the_box_recoils() -> None:
-    """With the displacement s along the string: (M + m₁ + m₂) X″ + m₁ s″ = 0 and m₁ X″ + (m₁ + m₂) s″ = m₂ g."""
+    """The accelerations solve (M + m₁ + m₂) X″ + m₁ s″ = 0 and m₁ X″ + (m₁ + m₂) s″ = m₂ g.
+
+    s is the displacement along the string.
+    """
     found = Followed(scene({"it": box()}), 1.0)
     whole = BOX + TOP + SIDE
     along = SIDE * G / (TOP + SIDE - TOP**2 / whole)
@@ -32,7 +35,10 @@ def test_the_box_recoils() -> None:
 
 
 def test_a_force_on_the_box_holds_the_blocks_where_they_are() -> None:
-    """The string pulls with m₂ g and gives the upper block the box's acceleration: F = (M + m₁ + m₂) g m₂/m₁."""
+    """The force is F = (M + m₁ + m₂) g m₂/m₁.
+
+    The string pulls with m₂ g, which gives the upper block the box's acceleration.
+    """
     force = (BOX + TOP + SIDE) * G * SIDE / TOP
     entities = {"it": box(), "hand": ConstantForcePuller(force=force)}
     found = Followed(scene(entities, string("it.right_end", "hand.end")), 0.6)
@@ -44,7 +50,7 @@ def test_a_force_on_the_box_holds_the_blocks_where_they_are() -> None:
 
 @pytest.mark.parametrize("factor", [1.0 - 1e-6, 1.0 + 1e-6])
 def test_the_upper_block_stays_if_friction_can_hold_the_other(factor: float) -> None:
-    """It slips if m₂ g > µ m₁ g; the guide's force on the box and the string's on its pulley then cancel."""
+    """The block slips if m₂ g > µ m₁ g; otherwise the forces of guide and string on the box cancel."""
     friction = SIDE / TOP / factor
     found = Followed(scene({"it": box(friction)}), 1.0)
     if factor < 1.0:
@@ -56,7 +62,10 @@ def test_the_upper_block_stays_if_friction_can_hold_the_other(factor: float) -> 
 
 
 def test_two_sides_make_an_atwood_machine() -> None:
-    """T: (m₁ + m₂ + m₃) s″ + m₁ X″ = (m₂ − m₃) g, where m₁ slides to the right and m₃ hangs on the left."""
+    """The equation for s is (m₁ + m₂ + m₃) s″ + m₁ X″ = (m₂ − m₃) g.
+
+    m₁ slides to the right and m₃ hangs on the left.
+    """
     left = 0.2
     found = Followed(scene({"it": box(left=left)}), 1.0)
     whole = BOX + TOP + SIDE + left

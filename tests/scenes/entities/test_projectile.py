@@ -1,4 +1,4 @@
-"""Balls thrown from the ground, from rest, straight down, and at any speed."""
+"""Tests of balls thrown from the ground, from rest, straight down, and at any speed."""
 
 from math import cos, radians, sin, sqrt
 
@@ -25,14 +25,14 @@ ALL = [GROUND, UP, DROPPED, DOWN, SHELL, FAST, {**GROUND, "restitution": 0.5}, {
 
 
 def thrown(numbers: Numbers) -> Scene:
-    """A scene of a ball."""
+    """Return a scene with a ball."""
     given = ", ".join(f"{name}: {value}" for name, value in numbers.items())
     return loads(f"scene: {{entities: [{{name: it, type: Projectile, parameters: {{ball: {{mass: 0.2}}, {given}}}}}]}}")
 
 
 @pytest.mark.parametrize("numbers", ALL)
 def test_it_is_written_told_read_drawn_and_certified(numbers: Numbers) -> None:
-    """Each start that a textbook has."""
+    """All usual textbook starts are covered."""
     scene = thrown(numbers)
     assert loads(dump(scene)) == scene
     for seed in range(3):
@@ -62,7 +62,7 @@ def test_it_is_written_told_read_drawn_and_certified(numbers: Numbers) -> None:
     ],
 )
 def test_it_is_asked_about_and_solved_in_steps(numbers: Numbers, find: str, when: str, answer: float) -> None:
-    """Against closed forms, with a worked solution whose formulas leave out what is zero."""
+    """Answers agree with closed forms, and the solution's formulas omit what is zero."""
     found = solve(thrown(numbers), find=find, when=when)
     assert found.answer == pytest.approx(answer, rel=1e-9)
     assert found.solution.text, found.solution.reason
@@ -70,7 +70,7 @@ def test_it_is_asked_about_and_solved_in_steps(numbers: Numbers, find: str, when
 
 
 def test_a_speed_of_zero_is_a_start_from_rest() -> None:
-    """Whatever angle stands beside it."""
+    """The launch angle has no influence at zero speed."""
     assert thrown({"height": 5.0, "speed": 0.0, "angle": 30.0}) == thrown(DROPPED)
 
 
@@ -86,6 +86,5 @@ def test_a_speed_of_zero_is_a_start_from_rest() -> None:
     ],
 )
 def test_what_can_not_be_is_refused_in_words(numbers: Numbers, said: str) -> None:
-    """The error is one line with a remedy."""
     with pytest.raises(SceneError, match=said):
         thrown(numbers)

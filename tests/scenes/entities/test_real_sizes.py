@@ -1,4 +1,4 @@
-"""Real rockets, moons and electrons: numbers far from those that problems are drawn with."""
+"""Tests of real rockets, moons and electrons, whose numbers are far from those drawn for problems."""
 
 from math import cos, log, pi, sin, sqrt
 
@@ -19,7 +19,7 @@ G, MOON, LOW = 4.0 * pi**2, 3.69e-8, 1.25e-5  # au³/(Msun yr²), Msun, au
 
 
 def scene(kind: str, parameters: str) -> Scene:
-    """A scene of one entity."""
+    """Return a scene with one entity."""
     return loads(f"scene: {{entities: [{{name: it, type: {kind}, parameters: {{{parameters}}}}}]}}")
 
 
@@ -46,7 +46,7 @@ FROM_EARTH = scene("RocketEntity", f"{STAGE}, place: {{kind: airless_planet, rad
 
 @pytest.mark.parametrize("held", [TURNING, DRIVEN, ORBITER, ROCKET, FROM_EARTH])
 def test_they_are_written_told_and_read_back(held: Scene) -> None:
-    """Tiny and vast numbers have a power of ten and a unit without prefix."""
+    """Very small and very large numbers have a power of ten and a unit without prefix."""
     assert loads(dump(held)) == held
     for seed in range(3):
         text = describe(held, seed).text
@@ -66,12 +66,12 @@ def test_they_are_written_told_and_read_back(held: Scene) -> None:
     ],
 )
 def test_tiny_and_vast_numbers_are_said_with_a_power_of_ten(value: float, unit: str, said: str) -> None:
-    """Others as ever."""
+    """Other numbers are printed without one."""
     assert Measure("size", unit, "x").say(value) == said
 
 
 def test_an_electron_turns_in_a_magnetic_field() -> None:
-    """The radius of the circle is m v/(q B); the motion is followed for about one turn."""
+    """The radius of the circle is m v/(q B); the simulation covers about one turn."""
     rate = CHARGE * FIELD / MASS
     trace = simulate(TURNING)
     times, radius = trace.state.times, SPEED / rate
@@ -91,7 +91,7 @@ PROTON = scene(
 
 @pytest.mark.parametrize("held", [TURNING, DRIVEN, PROTON])
 def test_both_engines_follow_electrons_and_protons(held: Scene) -> None:
-    """All the way: accelerations of 10^15 m/s² and masses of 10^−31 kg."""
+    """The engines agree to the end, at accelerations of 10^15 m/s² and masses of 10^−31 kg."""
     trace, certificate = certify(held)
     assert certificate.stable_until == trace.state.times[-1] == pytest.approx(held.horizon), certificate.reason
     assert certificate.agreement
@@ -99,7 +99,7 @@ def test_both_engines_follow_electrons_and_protons(held: Scene) -> None:
 
 
 def test_the_second_engine_turns_an_electron_by_itself() -> None:
-    """The circle is the same, and the states are in SI units."""
+    """The circle has the radius m v/(q B), and the states are in SI units."""
     rate = CHARGE * FIELD / MASS
     trace = simulate(TURNING, engine="mujoco")
     radius, turned = SPEED / rate, rate * trace.state.times
@@ -111,7 +111,7 @@ def test_the_second_engine_turns_an_electron_by_itself() -> None:
 
 
 def test_an_electron_in_an_electric_field_is_followed_while_newton_holds() -> None:
-    """A = e E/m; solved in steps."""
+    """The acceleration is a = e E/m, and the horizon ends at 3e7 m/s."""
     pull = CHARGE * 1000.0 / MASS
     assert pull * DRIVEN.horizon == pytest.approx(3e7)
     found = solve(DRIVEN, find="speed", when="1e-8 s")
@@ -128,7 +128,7 @@ def test_a_probe_circles_the_moon() -> None:
 
 
 def test_a_real_rocket_burns_out() -> None:
-    """At u ln(m₀/m₁) − g t, as both engines see it."""
+    """Both engines find the speed u ln(m₀/m₁) − g t at burn-out."""
     trace, certificate = certify(ROCKET)
     assert certificate.stable_until == trace.state.times[-1]
     wanted = 2580.0 * log(2.97e6 / 8.1e5) - 9.8 * (2.97e6 - 8.1e5) / 13300.0

@@ -1,4 +1,4 @@
-"""A rocket: Tsiolkovsky's equation, its wait on the pad, its coast above a planet, its return."""
+"""Tests of rockets: Tsiolkovsky's equation, delayed lift-off, coasting above a planet, return."""
 
 from math import log, sqrt
 
@@ -17,12 +17,12 @@ FULL, DRY = 900.0, 300.0
 def launched(
     place: AirlessPlanet | LevelGround | DeepSpace, rate: float, exhaust: float, mass: float = FULL
 ) -> RocketEntity:
-    """A rocket with some thrust; the exhaust in km/s."""
+    """Build a rocket with an exhaust velocity in km/s."""
     return RocketEntity(rocket=Rocket(mass=mass, dry=DRY), place=place, exhaust=exhaust, rate=rate)
 
 
 def test_in_deep_space() -> None:
-    """v = u ln(m₀/m), s = ut − (um/µ) ln(m₀/m) (K. Tsiolkovsky, 1903), then at the speed u ln(m₀/m₁)."""
+    """The motion is v = u ln(m₀/m), s = ut − (um/µ) ln(m₀/m), then v = u ln(m₀/m₁) (K. Tsiolkovsky, 1903)."""
     entity = launched(DeepSpace(), 5.0, 2.0)
     assert entity.burning_time == 120.0
     assert alone(entity).horizon == 360.0
@@ -38,7 +38,7 @@ def test_in_deep_space() -> None:
 
 
 def test_from_level_ground() -> None:
-    """v = u ln(m₀/m) − gt, h = ut − (um/µ) ln(m₀/m) − gt²/2."""
+    """The motion is v = u ln(m₀/m) − gt, h = ut − (um/µ) ln(m₀/m) − gt²/2."""
     entity = launched(LevelGround(), 20.0, 0.8)
     trace = followed(entity, 30.0, 241)
     t = trace.state.times
@@ -48,7 +48,7 @@ def test_from_level_ground() -> None:
 
 
 def test_it_waits_until_it_is_light_enough() -> None:
-    """Thrust uµ lifts a mass of uµ/g: it leaves after (m₀ − uµ/g)/µ, and until then does not move."""
+    """The thrust uµ lifts a mass of uµ/g, so the rocket is at rest until (m₀ − uµ/g)/µ."""
     rate, exhaust = 10.0, 0.7
     wait = (FULL - 1e3 * exhaust * rate / GRAVITY) / rate
     trace = followed(launched(LevelGround(), rate, exhaust), 60.0, 241)
@@ -63,14 +63,14 @@ def test_it_waits_until_it_is_light_enough() -> None:
 
 
 def test_it_waits_on_a_planet_for_its_surface_gravity() -> None:
-    """The same with the planet's g, from the attraction that it really has there."""
+    """The rocket lifts off when its thrust equals its weight with the planet's surface gravity."""
     trace = followed(launched(AirlessPlanet(radius=2400.0, gravity=3.0), 1.0, 2.5), 400.0)
     assert happened(trace)[0][0] == "leave"
     close(happened(trace)[0][1], FULL - 2500.0 / 3.0)
 
 
 def test_it_never_lifts_off() -> None:
-    """Not even the empty rocket is light enough: it stands there, and nothing happens."""
+    """The thrust is less than the weight of the empty rocket."""
     trace = followed(launched(LevelGround(), 3.0, 0.9), 400.0)
     assert np.abs(trace.state.q).max() < 1e-12
     assert [kind for kind, _ in happened(trace)] == ["burn-out"]
@@ -78,7 +78,7 @@ def test_it_never_lifts_off() -> None:
 
 @pytest.mark.parametrize("rate", [4.0, 12.0])
 def test_above_a_planet(rate: float) -> None:
-    """dv/dt = uµ/m − gR²/r² while it burns; afterwards v²/2 − gR²/r is constant."""
+    """The thrust gives dv/dt = uµ/m − gR²/r²; after burn-out v²/2 − gR²/r is constant."""
     radius, g, exhaust = 1.5e6, 2.0, 2.1
     entity = launched(AirlessPlanet(radius=1e-3 * radius, gravity=g), rate, exhaust)
     trace = followed(entity, entity.horizon(9.8), 601)
@@ -91,7 +91,7 @@ def test_above_a_planet(rate: float) -> None:
 
 
 def test_its_speed_at_burn_out_is_that_of_tsiolkovsky_less_what_gravity_took() -> None:
-    """v = u ln(m₀/m₁) − ∫ gR²/r² dt, the integral by Gauss's rule over the recorded way."""
+    """The speed is v = u ln(m₀/m₁) − ∫ gR²/r² dt, by Gaussian quadrature over the recorded motion."""
     radius, g, rate, exhaust = 9.0e5, 1.5, 6.0, 1.2
     entity = launched(AirlessPlanet(radius=1e-3 * radius, gravity=g), rate, exhaust)
     end = entity.burning_time
@@ -103,7 +103,7 @@ def test_its_speed_at_burn_out_is_that_of_tsiolkovsky_less_what_gravity_took() -
 
 
 def test_its_way_ends_where_it_returns_to_the_ground() -> None:
-    """With what it has at burn-out, a throw: (v + √(v² + 2gh))/g later."""
+    """The rocket lands (v + √(v² + 2gh))/g after burn-out, like a ball thrown up with its speed there."""
     burning = RocketEntity(rocket=Rocket(mass=400.0, dry=DRY), place=LevelGround(), exhaust=0.5, rate=10.0)
     end = burning.burning_time
     m, u = 400.0 / DRY, 500.0

@@ -1,4 +1,4 @@
-"""Round bodies on a plane, against textbook formulas and, off-centre, against Newton's laws integrated here."""
+"""Tests of round bodies on a plane, against textbook formulas and integrated equations of motion."""
 
 from collections.abc import Callable, Iterator
 from math import cos, inf, pi, radians, sin, sqrt, tan
@@ -55,14 +55,14 @@ Array = NDArray[np.float64]
 
 
 def rolls(body: Shape, angle: float, friction: float = inf, **fields: object) -> RollingEntity:
-    """A body on a plane; without a friction it never slips."""
+    """Build a body on a plane; it never slips unless a coefficient of friction is given."""
     grip = NoSlipping() if friction == inf else Rough(friction=friction)
     return RollingEntity(body=body, plane=Incline(angle=angle), grip=grip, **fields)  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(("body", "share"), ROUND)
 def test_rolling_down_an_incline(body: Shape, share: float) -> None:
-    """a = g sin α/(1 + I/mR²); Halliday, Resnick and Walker, eq. 11-10."""
+    """The acceleration is a = g sin α/(1 + I/mR²); Halliday, Resnick and Walker, eq. 11-10."""
     trace = followed(rolls(body, 25.0), 1.0, 21)
     acceleration = -G * sin(radians(25.0)) / (1.0 + share)
     assert trace.state.a[:, 0] == pytest.approx(acceleration, rel=CLOSE)
@@ -72,7 +72,7 @@ def test_rolling_down_an_incline(body: Shape, share: float) -> None:
 
 @pytest.mark.parametrize(("body", "share"), ROUND)
 def test_the_least_friction_for_rolling(body: Shape, share: float) -> None:
-    """µ = tan α/(1 + mR²/I): with more it rolls, with less it slides with g(sin α − µ cos α)."""
+    """The threshold is µ = tan α/(1 + mR²/I), below which the body slides with g(sin α − µ cos α)."""
     slope = radians(35.0)
     least = tan(slope) / (1.0 + 1.0 / share)
     more, less = (followed(rolls(body, 35.0, least * factor), 0.5, 6).state for factor in (1.0 + 1e-6, 1.0 - 1e-6))
@@ -82,7 +82,7 @@ def test_the_least_friction_for_rolling(body: Shape, share: float) -> None:
 
 
 def test_a_sliding_ball_begins_to_roll() -> None:
-    """After 2v₀/(7µg), with 5v₀/7; Kleppner and Kolenkow, problem 7.38 in essence."""
+    """The ball rolls after 2v₀/(7µg), with 5v₀/7; Kleppner and Kolenkow, problem 7.38 in essence."""
     trace = followed(rolls(Sphere(**SIZE), 0.0, 0.2, start=Sliding(speed=3.0, way="to the right")), 3.0)
     assert [(event.kind, event.time) for event in trace.events] == [
         ("stick", pytest.approx(6.0 / (7.0 * 0.2 * G), rel=CLOSE))
@@ -91,7 +91,7 @@ def test_a_sliding_ball_begins_to_roll() -> None:
 
 
 def test_a_spinning_ball_begins_to_roll() -> None:
-    """After 2Rω₀/(7µg), with 2Rω₀/7: friction drives it on and slows its spin."""
+    """The ball rolls after 2Rω₀/(7µg), with 2Rω₀/7, since friction accelerates it and slows its spin."""
     trace = followed(rolls(Sphere(**SIZE), 0.0, 0.3, start=Spinning(spin=40.0, way="to the right")), 2.0)
     assert [(event.kind, event.time) for event in trace.events] == [
         ("stick", pytest.approx(2.0 * 4.8 / (7.0 * 0.3 * G), rel=CLOSE))
@@ -100,7 +100,7 @@ def test_a_spinning_ball_begins_to_roll() -> None:
 
 
 def test_rolling_up_and_down_again() -> None:
-    """It turns after v₀/a, a = g sin α/(1 + I/mR²)."""
+    """The body reverses after v₀/a, a = g sin α/(1 + I/mR²)."""
     trace = followed(rolls(Hoop(**SIZE), 20.0, start=Rolling(speed=2.0, way="up the slope")), 3.0)
     turns = {event.time for event in trace.events}
     assert [kind for kind, _ in {(event.kind, event.subjects) for event in trace.events}] == ["turn", "turn"]
@@ -108,7 +108,7 @@ def test_rolling_up_and_down_again() -> None:
 
 
 class OffCentre(NamedTuple):
-    """A bored cylinder by itself: what Newton's laws for its centre of mass and its spin need, on paper."""
+    """Equations of motion of a bored cylinder, derived by hand from Newton's laws."""
 
     body: BoredCylinder
     slope: float  # rad
@@ -116,26 +116,29 @@ class OffCentre(NamedTuple):
 
     @property
     def offset(self) -> float:
-        """Of its centre of mass: that of the missing disc, weighed."""
+        """Return the distance of the centre of mass from the axis, from that of the missing disc."""
         area = self.body.radius**2 - self.body.hole**2
         return self.body.offset * self.body.hole**2 / area
 
     @property
     def inertia(self) -> float:
-        """About its centre of mass, over its mass: ½R² and ½r² of the discs, moved by Steiner's theorem."""
+        """Return the moment of inertia about the centre of mass, over the mass.
+
+        It is ½R² and ½r² of the discs, moved by the parallel-axis theorem.
+        """
         R, r, e = self.body.radius, self.body.hole, self.body.offset
         axis = (0.5 * R**4 - r**2 * (0.5 * r**2 + e**2)) / (R**2 - r**2)
         return axis - self.offset**2
 
     def turning(self, angle: Array, rate: Array) -> Array:
-        """φ̈ of rolling without slipping: torques about the point of contact."""
+        """Return φ̈ of rolling without slipping, from the torques about the point of contact."""
         R, d = self.body.radius, self.offset
         s, c = np.sin(self.start + angle), np.cos(self.start + angle)
         pull = R * d * s * rate**2 - G * (R + d * c) * sin(self.slope) + G * d * s * cos(self.slope)
         return pull / (self.inertia + (R + d * c) ** 2 + (d * s) ** 2)
 
     def forces(self, angle: Array, rate: Array) -> tuple[Array, Array]:
-        """Friction up the slope and the normal force, over the mass."""
+        """Return the friction up the slope and the normal force, over the mass."""
         R, d = self.body.radius, self.offset
         s, c = np.sin(self.start + angle), np.cos(self.start + angle)
         more = self.turning(angle, rate)
@@ -144,7 +147,7 @@ class OffCentre(NamedTuple):
         return along + G * sin(self.slope), out + G * cos(self.slope)
 
     def steps(self, rate: float, step: float) -> Iterator[tuple[float, float, float]]:
-        """Time, angle and rate by the classical Runge–Kutta method."""
+        """Yield time, angle and rate by the classical Runge–Kutta method."""
         here, time = np.array([0.0, rate]), 0.0
 
         def change(state: Array) -> Array:
@@ -160,7 +163,7 @@ class OffCentre(NamedTuple):
             time += step
 
     def first(self, rate: float, margin: Callable[[float, float], float], step: float = 2e-4) -> float:
-        """When a margin of angle and rate is used up: the step in which it is, ever finer."""
+        """Return the time at which a function of angle and rate turns negative, by successively finer steps."""
         time, angle = 0.0, 0.0
         shifted = self
         while step > 1e-14:
@@ -175,19 +178,22 @@ class OffCentre(NamedTuple):
 
 
 def placed(angle: float, bearing: float) -> OffCentre:
-    """The hole downhill of the upward vertical, or to its right on level ground; the centre of mass is opposite."""
+    """Return equations with the hole downhill of the upward vertical, or to its right on level ground.
+
+    The centre of mass is opposite the hole.
+    """
     side = -1.0 if angle else 1.0
     return OffCentre(BORED, radians(angle), side * radians(bearing) + radians(angle) + pi)
 
 
 def hole(angle: float, bearing: float) -> Hole:
-    """The same in the entity's words."""
+    """Return the same hole in terms of the entity's parameters."""
     return Hole(bearing=bearing, towards="downhill" if angle else "right")
 
 
 @pytest.mark.parametrize(("angle", "bearing", "speed"), [(0.0, 90.0, 0.0), (15.0, 60.0, 0.0), (10.0, 140.0, 0.8)])
 def test_off_centre_without_slipping(angle: float, bearing: float, speed: float) -> None:
-    """φ̈, the friction and the normal force at every sample are those of Newton's laws; its energy is kept."""
+    """φ̈, the friction and the normal force at every sample satisfy Newton's laws, and energy is conserved."""
     way = "down the slope" if angle else "to the right"
     start = Rolling(speed=speed, way=way) if speed else None
     trace = followed(rolls(BORED, angle, hole=hole(angle, bearing), start=start), 1.2, 121)
@@ -204,7 +210,10 @@ def test_off_centre_without_slipping(angle: float, bearing: float, speed: float)
 
 
 def test_small_oscillations_of_an_off_centre_cylinder() -> None:
-    """ω² = mgd/(I + m(R − d)²), the hole near the top; Landau and Lifshitz, §32, problem 5 in essence."""
+    """With the hole near the top, ω² = mgd/(I + m(R − d)²).
+
+    Landau and Lifshitz, §32, problem 5 in essence.
+    """
     paper = placed(0.0, 0.0)
     period = 2.0 * pi * sqrt((paper.inertia + (0.2 - paper.offset) ** 2) / (G * paper.offset))
     trace = followed(rolls(BORED, 0.0, hole=Hole(bearing=1e-3, towards="right")), 1.2 * period)
@@ -215,7 +224,7 @@ def test_small_oscillations_of_an_off_centre_cylinder() -> None:
 
 
 def test_an_off_centre_cylinder_begins_to_slip() -> None:
-    """The first instant at which |f| > µN, by a Runge–Kutta integration of its own."""
+    """The slip begins at the first instant with |f| > µN, found by a separate Runge–Kutta integration."""
     mu = 0.148
     paper = placed(15.0, 60.0)
 
@@ -230,7 +239,7 @@ def test_an_off_centre_cylinder_begins_to_slip() -> None:
 
 
 def test_an_off_centre_cylinder_leaves_the_plane() -> None:
-    """The first instant at which it would have to be pulled down, by the same integration."""
+    """The cylinder leaves at the first instant with N < 0, found by a separate Runge–Kutta integration."""
     paper = placed(20.0, 0.0)
     when = paper.first(-12.0, lambda angle, rate: float(paper.forces(np.array(angle), np.array(rate))[1]))
     start = Rolling(speed=2.4, way="down the slope")
@@ -240,7 +249,7 @@ def test_an_off_centre_cylinder_leaves_the_plane() -> None:
 
 
 def test_a_disc_drawn_by_a_string_over_a_pulley() -> None:
-    """a = (M − m sin α)g/(M + m + I/R²): the string holds its axle; Newton for both, and rolling."""
+    """The acceleration is a = (M − m sin α)g/(M + m + I/R²), with the string at the disc's axle."""
     disc = Named(name="roller", entity=rolls(Disc(**SIZE), 25.0))
     side = MassWithFixedPulley(system=Hanging(blocks=(Block(mass=3.0),)), pulley=FixedPulley())
     links = (Link(entity="roller", port="axle"), Link(entity="side", port="tail"))
@@ -255,7 +264,7 @@ def test_a_disc_drawn_by_a_string_over_a_pulley() -> None:
 
 
 def test_both_engines_see_an_off_centre_roller_reach_the_pulley() -> None:
-    """The string's pull turns round where its ends meet, on a straight line in a mechanism that is not constant."""
+    """The string's direction reverses where its ends meet, in a mechanism whose mass matrix is not constant."""
     roller = Named(name="roller", entity=rolls(BORED, 25.0, hole=hole(25.0, 60.0)))
     side = MassWithFixedPulley(system=Hanging(blocks=(Block(mass=9.0),)), pulley=FixedPulley())
     links = (Link(entity="roller", port="axle"), Link(entity="side", port="tail"))
@@ -291,7 +300,7 @@ def test_what_makes_no_sense_is_refused(fields: dict[str, object], says: str) ->
 
 
 def test_it_is_told_where_the_hole_is() -> None:
-    """60° from the upward vertical on the downhill side: to the left, since the plane rises to the right."""
+    """The hole is 60° from the upward vertical on the left, downhill side, as the plane rises to the right."""
     scene = alone(rolls(BORED, 15.0, hole=hole(15.0, 60.0)))
     body = scene.mechanism.body["it.body"]
     offset = placed(15.0, 60.0).offset

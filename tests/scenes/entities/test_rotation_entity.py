@@ -1,4 +1,4 @@
-"""Rigid bodies about an axle, against closed forms and against sums over the points of all pieces."""
+"""Tests of rigid bodies about an axle, against closed forms and sums over point clouds."""
 
 import re
 from math import cos, degrees, pi, radians, sin, sqrt
@@ -51,7 +51,7 @@ Array = NDArray[np.float64]
 
 
 def complete(k: float) -> float:
-    """The complete elliptic integral K(k), by Gauss's mean: π/(2 agm(1, √(1 − k²))); Abramowitz and Stegun 17.6."""
+    """Return the complete elliptic integral K(k) = π/(2 agm(1, √(1 − k²))); Abramowitz and Stegun 17.6."""
     a, b = 1.0, sqrt(1.0 - k * k)
     while abs(a - b) > 1e-15 * a:
         a, b = 0.5 * (a + b), sqrt(a * b)
@@ -59,14 +59,17 @@ def complete(k: float) -> float:
 
 
 def hung(length: float = 1.2, mass: float = 2.0, angle: float = 60.0, rate: float | None = None) -> RotationEntity:
-    """A uniform rod that hangs by its end."""
+    """Build a uniform rod that hangs by its end."""
     piece = AxialPiece(body=UniformRod(mass=mass, length=length), distance=0.5 * length, axis="along the arm")
     return RotationEntity(pieces=(piece,), angle=angle, rate=rate)
 
 
 @pytest.mark.parametrize("angle", [5.0, 60.0, 120.0, 175.0])
 def test_the_period_of_a_rod_hung_by_its_end(angle: float) -> None:
-    """T = 4√(2L/3g)·K(sin θ₀/2); Landau and Lifshitz, Mechanics, §11, with the length 2L/3 of the equal pendulum."""
+    """The period is T = 4√(2L/3g)·K(sin θ₀/2).
+
+    Landau and Lifshitz, Mechanics, §11, with the length 2L/3 of the equivalent simple pendulum.
+    """
     length = 1.2
     period = 4.0 * sqrt(2.0 * length / (3.0 * G)) * complete(sin(radians(angle) / 2.0))
     trace = followed(hung(length, angle=angle), 1.2 * period)
@@ -75,7 +78,7 @@ def test_the_period_of_a_rod_hung_by_its_end(angle: float) -> None:
 
 
 def test_small_balls_on_both_sides() -> None:
-    """The angular acceleration at release is g sin θ (m₁d₁ − m₂d₂)/(m₁d₁² + m₂d₂²), back to the vertical."""
+    """The initial angular acceleration is g sin θ (m₁d₁ − m₂d₂)/(m₁d₁² + m₂d₂²)."""
     pieces = (
         BallPiece(body=FixedBall(mass=3.0), distance=0.8),
         BallPiece(body=FixedBall(mass=2.0), distance=0.5, side="on the other side"),
@@ -86,7 +89,7 @@ def test_small_balls_on_both_sides() -> None:
 
 
 def test_a_rod_that_goes_over_the_top() -> None:
-    """½·⅓mL²(ω² − ω₀²) = −mg(L/2)(cos θ₀ − cos θ): faster than 6g/L from the bottom it never turns back."""
+    """Energy gives ½·⅓mL²(ω² − ω₀²) = −mg(L/2)(cos θ₀ − cos θ), here with ω₀² > 6g/L."""
     length, rate = 1.2, 8.0
     trace = followed(hung(length, angle=0.0, rate=rate), 2.0)
     assert trace.events == ()
@@ -96,7 +99,7 @@ def test_a_rod_that_goes_over_the_top() -> None:
 
 
 def test_a_physical_pendulum_of_a_rod_and_a_sphere() -> None:
-    """½Iω² = Mgd(cos θ − cos θ₀), I and Md by the parallel-axis theorem on paper."""
+    """Energy gives ½Iω² = Mgd(cos θ − cos θ₀), with I and Md by the parallel-axis theorem."""
     rod, ball = UniformRod(mass=1.2, length=0.8), Sphere(mass=2.0, radius=0.1)
     pieces = (
         AxialPiece(body=rod, distance=0.4, axis="along the arm"),
@@ -150,7 +153,7 @@ PLACED: list[tuple[AnyPiece, Array]] = [
 
 @pytest.mark.parametrize(("piece", "turn"), PLACED)
 def test_each_piece_turns_as_its_points_do(piece: AnyPiece, turn: Array) -> None:
-    """Iθ̈ = −g Σ m (x sin θ + z cos θ), sums over points that are turned by hand as the text says; beyond the axle too.
+    """The equation of motion is Iθ̈ = −g Σ m (x sin θ + z cos θ), with sums over a point cloud.
 
     The piece's own momentum is Σ m v, its kinetic energy Σ ½mv² = ½Iω².
     """
@@ -170,7 +173,7 @@ def test_each_piece_turns_as_its_points_do(piece: AnyPiece, turn: Array) -> None
 
 
 def test_beyond_the_axle() -> None:
-    """A dumb-bell: I = Σ m(d² + ⅖r²), and the moment is the difference of both sides."""
+    """A dumb-bell has I = Σ m(d² + ⅖r²), and its moment is the difference of both sides."""
     one = RoundPiece(body=Sphere(mass=3.0, radius=0.1), distance=0.5)
     other = RoundPiece(body=Sphere(mass=1.0, radius=0.1), distance=0.7, side="on the other side")
     trace = followed(RotationEntity(pieces=(one, other), angle=40.0), 1.0, 11)
@@ -180,7 +183,7 @@ def test_beyond_the_axle() -> None:
 
 
 def test_energy_is_kept_for_a_long_time() -> None:
-    """Four pieces for a hundred swings."""
+    """Four pieces swing for a hundred periods."""
     entity = drawn_entity(RotationEntity, 7, {**CHOICES, "rate?": 0.0})
     trace = followed(entity, 100.0 * entity.horizon(G) / 1.5, 401)
     state, bodies = trace.state, [body.name for body in trace.mechanism.bodies if body.mass]
@@ -190,7 +193,7 @@ def test_energy_is_kept_for_a_long_time() -> None:
 
 
 def double(reach: float | None = 0.9, *, stiff: bool = False) -> Scene:
-    """A rod on an axle; from its end hangs another."""
+    """Build a rod on an axle, with another rod hinged or welded to its end."""
     upper = hung(0.9, 2.0, 50.0).model_copy(update={"reach": reach})
     piece = AxialPiece(body=UniformRod(mass=1.4, length=0.6), distance=0.3, axis="along the arm")
     lower = RigidPendulum(pieces=(piece,), angle=20.0)
@@ -200,7 +203,7 @@ def double(reach: float | None = 0.9, *, stiff: bool = False) -> Scene:
 
 
 def test_a_double_physical_pendulum() -> None:
-    """Lagrange's equations of two rods of masses M, m and lengths L, l, hinged at their ends, at every sample.
+    """The motion satisfies Lagrange's equations of two rods of masses M, m and lengths L, l.
 
     (M/3 + m)L²θ̈ + ½mLl(φ̈ cos(θ−φ) + φ̇² sin(θ−φ)) = −(M/2 + m)gL sin θ and
     ⅓ml²φ̈ + ½mLl(θ̈ cos(θ−φ) − θ̇² sin(θ−φ)) = −½mgl sin φ; Goldstein, ch. 1, for uniform rods.
@@ -222,7 +225,7 @@ def test_a_double_physical_pendulum() -> None:
 
 
 def test_welded_to_each_other_they_turn_as_one() -> None:
-    """One coordinate is left, and the moment of inertia is that of both."""
+    """Only the coordinate of the upper arm is left."""
     mechanism = double(stiff=True).mechanism
     assert [coordinate.body for coordinate in mechanism.coordinates] == ["upper.arm"]
 
@@ -233,7 +236,7 @@ def test_what_hangs_from_an_arm_needs_its_end() -> None:
 
 
 def test_the_length_of_an_arm_is_given_only_where_something_hangs_there() -> None:
-    """Else it is said, and matters to nothing; a scene that loses what hangs there loses it as well."""
+    """An unused length is refused, and removed from a scene together with the part that used it."""
     upper = hung().model_copy(update={"reach": 1.5})
     with pytest.raises(SceneError, match="reach only matters to what is joined to its port 'tip', which is open"):
         Scene(entities=(Named(name="upper", entity=upper),))
@@ -243,7 +246,10 @@ def test_the_length_of_an_arm_is_given_only_where_something_hangs_there() -> Non
 
 
 def test_a_tilt_towards_the_axle_changes_the_inertia() -> None:
-    """Of a cylinder I = I⊥ cos²β + I∥ sin²β + md², I∥ = ½mr², I⊥ = m(3r² + h²)/12; it starts with mgd sin θ / I."""
+    """A tilted cylinder has I = I⊥ cos²β + I∥ sin²β + md², and initially mgd sin θ / I.
+
+    I∥ = ½mr², I⊥ = m(3r² + h²)/12.
+    """
     mass, radius, height, distance, tilt = 1.5, 0.12, 0.4, 0.5, radians(35.0)
     body = Cylinder(mass=mass, radius=radius, height=height)
     entity = RotationEntity(pieces=(TiltedPiece(body=body, distance=distance, tilt=35.0),), angle=40.0)
@@ -296,7 +302,7 @@ def test_a_rod_ends_in_what_is_thick_on_its_own_side_alone() -> None:
 
 @pytest.mark.parametrize(("side", "angle", "line"), [(OTHER, 150.0, "the bodies on the arm"), (SAME, 30.0, "the arm")])
 def test_an_arm_that_carries_bodies_on_both_sides_does_not_point(side: Side, angle: float, line: str) -> None:
-    """Its centre of mass is on the side of the ball at 2 m, not at 0.5 m; that on the other side is at 180° − 30°."""
+    """The centre of mass is on the side of the ball at 2 m, not at 0.5 m: the deflection is 30° or 180° − 30°."""
     near = BallPiece(body=FixedBall(mass=1.0), distance=0.5)
     arm = RotationEntity(pieces=(near, near.model_copy(update={"distance": 2.0, "side": side})), angle=30.0)
     search = QuestionSearch(Scene(entities=(Named(name="it", entity=arm),)), 0)
@@ -307,7 +313,7 @@ def test_an_arm_that_carries_bodies_on_both_sides_does_not_point(side: Side, ang
 
 
 def test_the_start_is_where_the_text_says() -> None:
-    """60° to the right of the downward vertical; sent off downwards it goes left."""
+    """The rod starts 60° to the right of the downward vertical, moving down and to the left."""
     trace = followed(hung(1.0, angle=60.0, rate=2.0), 0.1, 11)
     center = trace.state.frames.center("it.pieces.0.body")
     place, velocity = trace.state.vector(center.place)[0], trace.state.vector(center.velocity)[0]
@@ -329,14 +335,17 @@ def test_how_a_hemisphere_is_turned_is_told(faces: str) -> None:
 
 @pytest.mark.parametrize(("tilt", "past"), [(38.0, True), (80.0, False)])
 def test_a_tilted_rod_may_reach_past_the_axle(tilt: float, past: bool) -> None:
-    """Half of 0.67 m times cos 38° is 0.26 m, more than the 0.14 m from the axle to its centre; one along may."""
+    """A rod of 0.67 m tilted by 38° extends by 0.26 m, past the axle 0.14 m from its centre.
+
+    A rod along the arm is allowed to.
+    """
     rod = UniformRod(mass=3.3, length=0.67)
     assert holds_axle(TiltedPiece(body=rod, distance=0.14, tilt=tilt)) is past
     assert not holds_axle(AxialPiece(body=rod, distance=0.14, axis="along the arm"))
 
 
 def test_no_piece_that_is_drawn_holds_the_axle() -> None:
-    """Though one may: a number that the text leaves open may be such that it does."""
+    """The user may still give such a piece."""
     for index in range(100):
         scene = sample("rotation", "hard", seed=3, index=index)
         arms = [named.entity for named in scene.entities if isinstance(named.entity, WeldedArm)]
@@ -344,7 +353,7 @@ def test_no_piece_that_is_drawn_holds_the_axle() -> None:
 
 
 def test_once_a_piece_is_on_the_other_side_the_next_is_told_from_the_first() -> None:
-    """*The other side* would be that of either of two pieces that are opposite each other."""
+    """The phrase *the other side* would be ambiguous after two pieces on opposite sides."""
 
     def sides(*opposite: bool) -> list[str]:
         balls = (

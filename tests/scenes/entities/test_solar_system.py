@@ -1,4 +1,4 @@
-"""Planets about a fixed star: ellipses, pairs that attract each other, falls, refusals."""
+"""Tests of planets about a fixed star: ellipses, mutual attraction, collisions, refusals."""
 
 import time
 from math import pi, sqrt
@@ -17,13 +17,13 @@ from sim2reason.text.prose import describe
 
 
 def elliptic(e: float, axis: float = 1.0, mass: float = 1.0) -> SolarSystem:
-    """A planet at its perihelion, on the x axis."""
+    """Build a planet at its perihelion, on the x axis."""
     speed = sqrt(G * mass / axis * (1.0 + e) / (1.0 - e))
     return SolarSystem(star=Star(mass=mass), planets=(Planet(x=axis * (1.0 - e), y=0.0, vx=0.0, vy=speed),))
 
 
 def test_the_earth_takes_a_year() -> None:
-    """A circle of 1 au about one solar mass, with 2π au/yr: by the definition of G = 4π²."""
+    """A circle of 1 au about one solar mass has the speed 2π au/yr, by the definition of G = 4π²."""
     system = elliptic(0.0)
     assert alone(system).horizon == pytest.approx(FULL)
     t = np.linspace(0.0, 1.0, 201)
@@ -34,7 +34,10 @@ def test_the_earth_takes_a_year() -> None:
 
 @pytest.mark.parametrize(("e", "axis", "mass"), [(0.3, 0.8, 1.4), (0.5, 1.7, 0.6)])
 def test_ten_periods_by_keplers_equation(e: float, axis: float, mass: float) -> None:
-    """M = E − e sin E (J. Kepler, Astronomia nova, 1609); x = a (cos E − e), y = a √(1 − e²) sin E."""
+    """The motion is x = a (cos E − e), y = a √(1 − e²) sin E with M = E − e sin E.
+
+    J. Kepler, Astronomia nova, 1609.
+    """
     system = elliptic(e, axis, mass)
     period = 2.0 * pi * sqrt(axis**3 / (G * mass))
     assert alone(system).horizon == pytest.approx(FULL * period)
@@ -48,7 +51,7 @@ def test_ten_periods_by_keplers_equation(e: float, axis: float, mass: float) -> 
 
 
 def test_two_heavy_planets_opposite_each_other() -> None:
-    """On one circle, at ±r, the other planet adds Gm/4r² to the star's GM/r² (three-body problem, L. Euler, 1767)."""
+    """At ±r on one circle, the other planet adds Gm/4r² to the star's GM/r² (L. Euler, 1767)."""
     r, m, mass = 0.9, 0.04, 1.1
     omega = sqrt(G * (mass + 0.25 * m) / r**3)
     planets = (
@@ -63,7 +66,7 @@ def test_two_heavy_planets_opposite_each_other() -> None:
 
 
 def test_planets_that_attract_each_other_keep_energy_and_angular_momentum() -> None:
-    """Σ½mv² − ΣGMm/r − Gmm'/d and Σm(xv_y − yv_x) are constant, though no planet's own are."""
+    """The sums Σ½mv² − ΣGMm/r − Gmm'/d and Σm(xv_y − yv_x) are constant; one planet's alone are not."""
     star, planets = 1.0, ((0.05, 0.8, 0.1, -0.6, 7.0), (0.03, -1.3, 0.4, -1.2, -5.2))
     system = SolarSystem(
         star=Star(mass=star),
@@ -87,7 +90,7 @@ def test_planets_that_attract_each_other_keep_energy_and_angular_momentum() -> N
 
 @pytest.mark.parametrize("aside", [0.0, 1e-9])
 def test_a_planet_that_falls_into_its_star_is_refused_at_once(aside: float) -> None:
-    """From rest at r it is there after (π/2) √(r³/2GM), 0.18 yr from 1 au; also if it misses it by a hair."""
+    """A planet released at r reaches the star after (π/2) √(r³/2GM), 0.18 yr from 1 au; so does a near miss."""
     system = SolarSystem(star=Star(mass=1.0), planets=(Planet(x=1.0, y=0.0, vx=0.0, vy=aside),))
     began, held = time.process_time(), getrusage(RUSAGE_SELF).ru_maxrss
     with pytest.raises(SimulationError, match=r"singular at 0\.17"):
@@ -97,7 +100,7 @@ def test_a_planet_that_falls_into_its_star_is_refused_at_once(aside: float) -> N
 
 
 def test_heavy_planets_that_meet_are_refused_at_once() -> None:
-    """Two that start towards each other far from their star."""
+    """The planets start towards each other, far from their star."""
     planets = (
         HeavyPlanet(mass=0.05, x=5.0, y=0.0, vx=1.0, vy=0.0),
         HeavyPlanet(mass=0.05, x=5.5, y=0.0, vx=-1.0, vy=0.0),
@@ -109,7 +112,7 @@ def test_heavy_planets_that_meet_are_refused_at_once() -> None:
 
 
 def test_a_planet_that_escapes_is_followed_for_the_time_of_a_circle() -> None:
-    """Nothing returns: the horizon is a little more than 2π √(r³/GM)."""
+    """The horizon is a little more than 2π √(r³/GM)."""
     system = SolarSystem(star=Star(mass=1.0), planets=(Planet(x=1.0, y=0.0, vx=3.0, vy=12.0),))
     assert alone(system).horizon == pytest.approx(FULL)
     assert followed(system, 1.0).cut == ""
@@ -139,7 +142,7 @@ def test_what_is_no_solar_system_is_refused(planets: tuple[Planet | HeavyPlanet,
 
 
 def test_masses_of_planets_are_said_only_where_they_matter() -> None:
-    """A planet that attracts nothing has no mass in its text; two that do are said to."""
+    """The text states masses of planets only if they attract each other."""
     assert describe(alone(elliptic(0.2))).text.count("Msun") == 3  # of the unit, of G, of the star
     heavy = tuple(HeavyPlanet(mass=0.02, x=x, y=0.0, vx=0.0, vy=6.0) for x in (1.0, -1.0))
     text = describe(alone(SolarSystem(star=Star(mass=1.0), planets=heavy))).text

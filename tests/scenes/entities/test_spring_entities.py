@@ -1,4 +1,4 @@
-"""Springs at angles and in chains: closed forms on the entities, their texts, their files, both engines."""
+"""Tests of springs at angles and in chains: closed forms, texts, files, agreement of both engines."""
 
 from math import cos, pi, radians, sin, sqrt
 
@@ -23,7 +23,7 @@ def moved(scene: Scene, times: np.ndarray) -> State:
 
 
 def block(springs: list[tuple[float, float, float, float]], mass: float = 0.5, **more: object) -> Scene:
-    """A block, and springs by stiffness, natural length and fixed end."""
+    """Build a block on springs, each given by stiffness, natural length and fixed end."""
     told = tuple({"stiffness": k, "length": free, "x": x, "y": y} for k, free, x, y in springs)
     return scene_of(SpringBlock.model_validate({"block": {"mass": mass}, "springs": told, **more}))
 
@@ -35,7 +35,7 @@ def chain(masses: list[float], stiffness: list[float], **more: object) -> Scene:
 
 @pytest.mark.parametrize("angle", [0.0, 0.3, 2.0])
 def test_a_block_between_two_springs_in_line(angle: float) -> None:
-    """Along their line both pull back: ω² = (k₁ + k₂)/m about where the forces balance, and nothing moves across."""
+    """The block oscillates along the springs with ω² = (k₁ + k₂)/m about the point of equilibrium."""
     way = np.array([cos(angle), sin(angle)])
     (x1, y1), (x2, y2) = np.round(-0.8 * way, 12), np.round(0.9 * way, 12)
     springs = [(90.0, 0.6, float(x1), float(y1)), (60.0, 0.5, float(x2), float(y2))]
@@ -48,7 +48,10 @@ def test_a_block_between_two_springs_in_line(angle: float) -> None:
 
 
 def test_energy_that_a_dashpot_takes() -> None:
-    """d/dt(½mv² + Σ½k(ℓ − ℓ₀)²) = −b Σ (dℓ/dt)², integrated by Simpson's rule over 4,000 pieces."""
+    """The power is d/dt(½mv² + Σ½k(ℓ − ℓ₀)²) = −b Σ (dℓ/dt)².
+
+    The integral is taken by Simpson's rule over 4,000 intervals.
+    """
     springs = [(90.0, 0.6, -0.8, 0.1), (60.0, 0.5, 0.9, -0.3)]
     scene = block(springs, damping=1.3, x=0.1, y=0.2, launch={"x": 0.7, "y": -0.4})
     state = moved(scene, np.linspace(0.0, 1.0, 4001))
@@ -65,7 +68,7 @@ def test_energy_that_a_dashpot_takes() -> None:
 
 
 def test_a_turned_table_gives_the_turned_motion() -> None:
-    """Nothing on a smooth table prefers a direction."""
+    """A smooth horizontal table is isotropic."""
     ends, c, s = [(-0.8, 0.1), (0.9, -0.3), (0.2, 0.7)], cos(0.7), sin(0.7)
     turn = np.array([[c, -s], [s, c]])
     first = block([(90.0, 0.6, x, y) for x, y in ends], x=0.1, y=0.2)
@@ -79,7 +82,7 @@ def test_a_turned_table_gives_the_turned_motion() -> None:
 def exact_chain(
     masses: list[float], matrix: np.ndarray, damping: np.ndarray, start: tuple[np.ndarray, np.ndarray], t: float
 ) -> np.ndarray:
-    """M ẍ = −K x − B ẋ by the eigenvalues of its matrix of first order, (positions, velocities)."""
+    """Return positions and velocities that solve M ẍ = −K x − B ẋ, by the eigenvalues of its first-order matrix."""
     n = len(masses)
     first = np.zeros((2 * n, 2 * n))
     first[:n, n:] = np.eye(n)
@@ -93,7 +96,7 @@ def exact_chain(
 @pytest.mark.parametrize("tilt", [0.0, 25.0])
 @pytest.mark.parametrize("damping", [None, 1.7])
 def test_a_chain_between_walls(ends: str, tilt: float, damping: float | None) -> None:
-    """Strained, struck, damped and on a slope, which only shifts what it swings about: x₀ = −K⁻¹ M g sin θ."""
+    """The chain is prestrained, struck and damped; a slope only shifts its equilibrium to x₀ = −K⁻¹ M g sin θ."""
     masses, stiffness = [0.5, 1.2, 0.8], [60.0, 110.0, 45.0, 80.0]
     used = {"left": stiffness[:3], "right": stiffness[1:], "both": stiffness}[ends]
     strain = {"spring": 1, "way": "compressed", "by": 0.12}
@@ -117,14 +120,14 @@ def test_a_chain_between_walls(ends: str, tilt: float, damping: float | None) ->
 
 
 def test_a_free_chain_keeps_its_momentum() -> None:
-    """Σ m v is that of the blow; two equal carts on a spring change places after half a period π√(m/2k)."""
+    """Two equal carts on a spring exchange velocities after half a period π√(m/2k), so Σ m v is constant."""
     scene = chain([0.7, 0.7], [90.0], blow={"cart": 0, "toward": "right", "speed": 1.4})
     state = moved(scene, np.array([0.0, pi * sqrt(0.7 / 180.0)]))
     assert state.v[1] == pytest.approx([0.0, 1.4], abs=CLOSE)
 
 
 def test_a_rough_chain_stops_for_good() -> None:
-    """One cart, one spring, released where k d > µ m g: the first swing lasts π√(m/k) and is 2µmg/k shorter."""
+    """A cart released where k d > µ m g swings for π√(m/k), by 2µmg/k less than without friction."""
     strain = {"by": 0.3}
     scene = chain([2.0], [80.0], ends="left", strain=strain, track={"friction": 0.25})
     half = pi * sqrt(2.0 / 80.0)

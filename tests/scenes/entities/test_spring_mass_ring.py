@@ -1,4 +1,4 @@
-"""Beads and springs in a loop: closed forms by the modes of a ring, what is kept, texts, both engines, drawing."""
+"""Tests of beads and springs in a ring: normal modes, conserved quantities, texts, both engines, figures."""
 
 from math import pi, sqrt
 
@@ -30,7 +30,7 @@ def moved(scene: Scene, times: np.ndarray = TIMES) -> State:
 
 
 def wave(count: int, stiffness: float, mass: float) -> np.ndarray:
-    """(1/N) Σ cos ω_j t cos(2πjn/N), by time and n: what becomes of a unit at n = 0, at rest, on a ring of N.
+    """Return (1/N) Σ cos ω_j t cos(2πjn/N) by time and n, the response to a unit at n = 0 on a ring of N.
 
     On such a ring m q_n″ = k (q_{n+1} − 2 q_n + q_{n−1}), which q_n = cos(ωt) cos(2πjn/N) solves if
     ω_j = 2 √(k/m) sin(πj/N); the sum of all j is 1 at n = 0 and 0 elsewhere.
@@ -43,7 +43,7 @@ def wave(count: int, stiffness: float, mass: float) -> np.ndarray:
 @pytest.mark.parametrize("count", range(2, 7))
 @pytest.mark.parametrize(("way", "sign"), [("stretched", 1.0), ("compressed", -1.0)])
 def test_the_modes_of_a_ring_of_equal_beads(count: int, way: str, sign: float) -> None:
-    """Extensions obey the equation of `wave`, since m u_n″ = k (s_n − s_{n−1}) and s_n = u_{n+1} − u_n."""
+    """Extensions s_n = u_{n+1} − u_n satisfy the equation of `wave`, since m u_n″ = k (s_n − s_{n−1})."""
     k, m, d = 70.0, 0.6, 0.12
     state = moved(ring([m] * count, [k] * count, strain={"spring": 0, "way": way, "by": d}))
     found = np.array([QUANTITIES["extension"].evaluate(state, f"it.springs.{n}") for n in range(count)]).T
@@ -52,14 +52,14 @@ def test_the_modes_of_a_ring_of_equal_beads(count: int, way: str, sign: float) -
 
 @pytest.mark.parametrize(("toward", "sign"), [("anticlockwise", 1.0), ("clockwise", -1.0)])
 def test_a_bead_that_is_struck(toward: str, sign: float) -> None:
-    """All springs relaxed, the velocities obey the equation of `wave`, too; anticlockwise as seen from above is +."""
+    """With all springs relaxed, the velocities satisfy the equation of `wave`; anticlockwise is positive."""
     count, k, m, speed = 5, 70.0, 0.6, 0.8
     state = moved(ring([m] * count, [k] * count, tap={"bead": 0, "toward": toward, "speed": speed}))
     assert state.v * RADIUS == pytest.approx(sign * speed * wave(count, k, m), abs=CLOSE)
 
 
 def test_a_single_mode_has_its_own_frequency() -> None:
-    """Two beads of different masses on two springs: ω² = (k₁ + k₂)(1/m₁ + 1/m₂), by the reduced mass."""
+    """Two beads of different masses on two springs have ω² = (k₁ + k₂)(1/m₁ + 1/m₂), by the reduced mass."""
     (m1, m2), (k1, k2), d = (0.5, 1.1), (60.0, 90.0), 0.15
     state = moved(ring([m1, m2], [k1, k2], strain={"by": d}))
     omega, balance = sqrt((k1 + k2) * (1.0 / m1 + 1.0 / m2)), -k1 * d / (k1 + k2)
@@ -68,7 +68,7 @@ def test_a_single_mode_has_its_own_frequency() -> None:
 
 
 def test_a_damped_ring() -> None:
-    """The same two beads with equal springs and dashpots: µ s″ + 2b s′ + 2k (s − s₀) = 0, underdamped."""
+    """Two beads with equal springs and dashpots satisfy µ s″ + 2b s′ + 2k (s − s₀) = 0, underdamped."""
     (m1, m2), k, b, d = (0.5, 1.1), 75.0, 0.9, 0.15
     state = moved(ring([m1, m2], [k, k], damping=b, strain={"by": d}))
     mu = m1 * m2 / (m1 + m2)
@@ -81,7 +81,10 @@ def test_a_damped_ring() -> None:
 
 @pytest.mark.parametrize("damping", [None, 0.7])
 def test_what_is_kept_and_what_is_lost(damping: float | None) -> None:
-    """Σ m v along the ring stays; ½Σmv² + ½Σks² falls by b Σ∫(ds/dt)² dt, by Simpson's rule over 4,000 pieces."""
+    """Σ m v along the ring is constant; ½Σmv² + ½Σks² decreases by b Σ∫(ds/dt)² dt.
+
+    The integral is taken by Simpson's rule over 4,000 intervals.
+    """
     masses, stiffness = np.array([0.5, 0.9, 0.3, 1.4]), np.array([60.0, 110.0, 45.0, 80.0])
     strain, tap = {"spring": 2, "by": 0.2}, {"bead": 1, "toward": "clockwise", "speed": 0.9}
     scene = ring([*masses], [*stiffness], damping=damping, strain=strain, tap=tap)
@@ -100,7 +103,7 @@ def test_what_is_kept_and_what_is_lost(damping: float | None) -> None:
 
 
 def test_the_ring_bends_the_paths() -> None:
-    """The acceleration has the parts R θ″ and v²/R; a bead that has turned by θ is 2R sin(θ/2) from its start."""
+    """The acceleration has the components R θ″ and v²/R; a turn by θ is a displacement of 2R sin(θ/2)."""
     state = moved(ring([0.5, 0.5, 0.5], [60.0] * 3, tap={"bead": 0, "toward": "clockwise", "speed": 1.5}))
     acceleration = np.linalg.norm(QUANTITIES["acceleration"].evaluate(state, "it.beads.0"), axis=1)
     parts = RADIUS * state.a[:, 0], RADIUS * state.v[:, 0] ** 2

@@ -1,4 +1,4 @@
-"""A block that oscillates on a wedge, which slides to and fro below it."""
+"""Tests of a block on a spring that oscillates on a freely sliding wedge."""
 
 from math import cos, pi, radians, sin, sqrt
 
@@ -21,7 +21,7 @@ SCENE = loads(f"scene: {{entities: [{{name: it, type: SpringOnWedge, parameters:
 
 
 def test_the_motion_is_harmonic() -> None:
-    """ω² = k (M + m)/(m (M + m sin² θ)) about ℓ₀ − m g sin θ/k, and M + m keeps no momentum: both engines see it."""
+    """The motion has ω² = k (M + m)/(m (M + m sin² θ)) about ℓ₀ − m g sin θ/k, with zero total momentum."""
     trace, certificate = certify(SCENE, duration=2.0)
     assert certificate.stable_until == 2.0, certificate.reason
     turn = RATE * trace.state.times
@@ -47,7 +47,7 @@ def test_it_is_told_read_back_and_written_to_a_file() -> None:
     ],
 )
 def test_it_is_asked_about_and_solved(find: str, of: str, when: str, answer: float) -> None:
-    """Against the same closed form, in steps."""
+    """Answers agree with the closed form of the motion."""
     found = solve(SCENE, find=find, of=of, when=when)
     assert found.answer == pytest.approx(answer, rel=1e-8)
     if find != "period":
@@ -55,7 +55,7 @@ def test_it_is_asked_about_and_solved(find: str, of: str, when: str, answer: flo
 
 
 def test_a_figure_shows_the_spring_on_the_face() -> None:
-    """No point of it lies beyond the foot of the wedge."""
+    """The spring does not extend beyond the foot of the wedge."""
     shown = drawing(SCENE, describe(SCENE))
     wedge = next(shape for shape in shown.shapes if isinstance(shape, Area) and shape.fill == "wedge")
     coil = max((s.points for s in shown.shapes if isinstance(s, LineShape)), key=len)

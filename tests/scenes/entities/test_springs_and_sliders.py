@@ -1,4 +1,4 @@
-"""Blocks between a spring and a string, and a rod that hangs from a carriage, against closed forms and invariants."""
+"""Tests of blocks on springs and strings and of a pendulum on a carriage: closed forms and invariants."""
 
 from math import cos, pi, radians, sin, sqrt
 from typing import Literal
@@ -24,7 +24,7 @@ SPRING = Spring(stiffness=K, length=0.4)
 
 @pytest.mark.parametrize("support", ["wall", "ceiling", "floor"])
 def test_a_block_on_a_spring_oscillates(support: Literal["wall", "ceiling", "floor"]) -> None:
-    """About where the spring carries its weight, with ω² = k/m."""
+    """The block oscillates with ω² = k/m about the length at which the spring carries its weight."""
     mass, start = 0.8, 0.45
     entity = AnchoredSpring(spring=SPRING, block=Block(mass=mass), support=support, start=start)
     found = Followed(scene({"it": entity}), 2.0)
@@ -35,7 +35,7 @@ def test_a_block_on_a_spring_oscillates(support: Literal["wall", "ceiling", "flo
 
 
 def test_a_hanging_block_on_the_other_end_of_the_string() -> None:
-    """Joined while the string is taut, both oscillate with ω² = k/(m + M) about k x = M g; T = M (g − x″)."""
+    """While the string is taut, both oscillate with ω² = k/(m + M) about k x = M g; T = M (g − x″)."""
     mass, load = 0.8, 0.5
     entities = {
         "it": AnchoredSpring(spring=SPRING, block=Block(mass=mass), support="wall", start=0.44),
@@ -49,7 +49,7 @@ def test_a_hanging_block_on_the_other_end_of_the_string() -> None:
 
 
 def test_a_winch_stretches_a_spring() -> None:
-    """The block moves with u, so that the winch must pull with k (ℓ + u t − ℓ₀)."""
+    """The block moves with u, so the winch pulls with k (ℓ + u t − ℓ₀)."""
     speed, start = 0.2, 0.41
     entities = {
         "it": AnchoredSpring(spring=SPRING, block=Block(mass=1.0), support="wall", start=start),
@@ -60,7 +60,7 @@ def test_a_winch_stretches_a_spring() -> None:
 
 
 def test_a_pull_up_the_slope() -> None:
-    """On a smooth incline: k x = F − m g sin θ in the middle, ω² = k/m."""
+    """On a smooth incline, the block oscillates with ω² = k/m about k x = F − m g sin θ."""
     mass, force, start, slope = 1.0, 9.0, 0.35, radians(30.0)
     entities = {
         "it": SpringMassIncline(
@@ -74,7 +74,7 @@ def test_a_pull_up_the_slope() -> None:
 
 
 def test_friction_takes_a_like_share_of_every_swing() -> None:
-    """On a rough level plane each half swing ends 2 µ m g/k nearer, after π/ω, until the spring is too weak."""
+    """On a rough level plane each half swing takes π/ω and ends 2 µ m g/k nearer, until the spring is too weak."""
     mass, friction, start = 1.0, 0.3, 0.56
     entity = SpringMassIncline(
         plane=Plane(angle=0.0, friction=friction), block=Block(mass=mass), spring=SPRING, start=start
@@ -89,7 +89,10 @@ def test_friction_takes_a_like_share_of_every_swing() -> None:
 
 
 def test_a_rod_on_a_carriage_keeps_energy_and_momentum() -> None:
-    """½ m ℓ² θ′² (1 − m cos²θ/(M + m)) = m g ℓ (cos θ − cos θ₀), and (M + m) X′ + m ℓ cos θ θ′ = 0."""
+    """Conservation laws give the motion of a pendulum hinged to a carriage.
+
+    ½ m ℓ² θ′² (1 − m cos²θ/(M + m)) = m g ℓ (cos θ − cos θ₀), and (M + m) X′ + m ℓ cos θ θ′ = 0.
+    """
     ball, cart, length, start = 0.4, 1.5, 0.6, radians(130.0)
     entities = {
         "cart": SliderMass(carriage=Carriage(mass=cart)),
@@ -104,7 +107,7 @@ def test_a_rod_on_a_carriage_keeps_energy_and_momentum() -> None:
 
 
 def test_a_carriage_that_a_winch_draws_along() -> None:
-    """It does not accelerate, so that the ball on its left swings as from a fixed point, after a jerk.
+    """The carriage has constant velocity, so the ball swings as from a fixed point after an initial jerk.
 
     At t = 0 the hinge begins to move with u to the right; the ball keeps its velocity along the arc, so that
     ℓ θ′ = −u cos θ₀ relative to the hinge. The string pulls with what the rod takes, T = m (g cos θ + ℓ θ′²) |sin θ|.

@@ -1,4 +1,4 @@
-"""Slabs that slide on each other, against Newton's laws solved by hand."""
+"""Tests of slabs that slide on each other, against solutions of Newton's laws."""
 
 from math import cos, radians, sin
 
@@ -37,7 +37,7 @@ def drawn(entity: StackedMassPlane, port: str, force: float) -> Scene:
 
 
 def test_a_launched_slab_takes_the_other_along() -> None:
-    """µ m g acts on both until they move alike, at t = v M/(µ g (M + m)), with m v/(M + m) (momentum)."""
+    """Both slabs have the velocity m v/(m + M) from t = v M/(µ g (M + m)) on; until then friction is µ m g."""
     friction, speed, lower, upper = 0.3, 2.0, 4.0, 1.5
     found = Followed(scene({"it": stack(speed=speed)}), 2.0)
     together = speed * lower / (friction * G * (lower + upper))
@@ -52,7 +52,7 @@ def test_a_launched_slab_takes_the_other_along() -> None:
 
 @pytest.mark.parametrize("factor", [1.0 - 1e-6, 1.0 + 1e-6])
 def test_the_upper_slab_slips_off_a_lower_one_that_is_drawn_too_hard(factor: float) -> None:
-    """Friction can give the upper one at most µ g, so the greatest force without slip is µ (M + m) g."""
+    """Friction accelerates the upper slab by at most µ g, so the greatest force without slip is µ (M + m) g."""
     friction, lower, upper = 0.3, 4.0, 1.5
     force = factor * friction * (lower + upper) * G
     found = Followed(drawn(stack(), "lower_right", force), 0.5)
@@ -65,7 +65,7 @@ def test_the_upper_slab_slips_off_a_lower_one_that_is_drawn_too_hard(factor: flo
 
 
 def test_drawn_at_the_upper_slab_the_lower_one_follows_by_friction() -> None:
-    """F = 2 µ m g (1 + m/M) is twice the greatest force without slip: A = µ m g/M, a = (F − µ m g)/m."""
+    """A force F = 2 µ m g (1 + m/M), twice that without slip, gives A = µ m g/M, a = (F − µ m g)/m."""
     friction, lower, upper = 0.3, 4.0, 1.5
     force = 2.0 * friction * upper * G * (1.0 + upper / lower)
     found = Followed(drawn(stack(), "upper_left", force), 0.5)
@@ -74,7 +74,7 @@ def test_drawn_at_the_upper_slab_the_lower_one_follows_by_friction() -> None:
 
 
 def test_each_face_of_three_has_its_own_friction() -> None:
-    """On a rough slope µ₀ = 0.2, µ₁ = 0.1, µ₂ = 0.4 at 30°: the top two slide as one on the lower slab.
+    """With µ₀ = 0.2, µ₁ = 0.1, µ₂ = 0.4 on a slope of 30°, the top two slabs slide as one on the lower slab.
 
     Both: a = g (sin θ − µ₁ cos θ); lower: a = g sin θ + (µ₁ (m₁ + m₂) − µ₀ (m₀ + m₁ + m₂)) g cos θ/m₀.
     """
@@ -89,7 +89,7 @@ def test_each_face_of_three_has_its_own_friction() -> None:
 
 
 def test_a_string_from_the_upper_slab_to_a_hanging_block() -> None:
-    """The lower slab lies still on rough ground: (M + m) a = M g − µ m g, T = M (g − a)."""
+    """The lower slab stays at rest on rough ground: (M + m) a = M g − µ m g, T = M (g − a)."""
     friction, upper, load = 0.3, 1.5, 2.5
     entity = stack(Plane(angle=0.0, friction=0.6), friction)
     hanging = MassWithFixedPulley(system=Hanging(blocks=(Block(mass=load),)), pulley=FixedPulley())

@@ -1,4 +1,4 @@
-"""Static friction that is stronger than kinetic friction: in motions, texts, questions, solutions and figures."""
+"""Tests of static friction greater than kinetic friction: motions, texts, questions, solutions, figures."""
 
 from math import atan, cos, degrees, radians, sin, tan
 
@@ -37,7 +37,7 @@ SEEDS = 40  # of which one has both coefficients
 
 
 def slope(angle: float, speed: float = 0.0, static: float | None = STATIC) -> Scene:
-    """A block on a plane with both coefficients."""
+    """Build a block on a plane with both coefficients of friction."""
     plane = f"{{angle: {angle}, friction: {KINETIC}{f', static_friction: {static}' if static else ''}}}"
     more = f", speed: {speed}" if speed else ""
     parameters = f"{{plane: {plane}, blocks: [{{mass: {M}}}]{more}}}"
@@ -52,7 +52,7 @@ def sphere(angle: float) -> Scene:
 
 
 def oscillator(stretch: float) -> Scene:
-    """A cart of 1 kg on a spring of 100 N/m on a rough track."""
+    """Build a cart of 1 kg on a spring of 100 N/m on a rough track."""
     track = f"{{friction: {KINETIC}, static_friction: {STATIC}}}"
     rest = f"ends: left, springs: [{{stiffness: 100.0}}], strain: {{way: stretched, by: {stretch}}}"
     parameters = f"{{track: {track}, carts: [{{mass: 1.0}}], {rest}}}"
@@ -60,13 +60,13 @@ def oscillator(stretch: float) -> Scene:
 
 
 def told(scene: Scene) -> list[float | None]:
-    """All numbers that a text tells."""
+    """Return all numbers that the text states."""
     return [p.value for p in scene.parameters if not p.hidden]
 
 
 @RESTS
 def test_what_static_friction_holds_stays_at_rest(angle: float) -> None:
-    """Though kinetic friction alone would let it slide; both engines see it, and f = m g sin θ."""
+    """Static friction is f = m g sin θ, on slopes where kinetic friction alone would not hold the block."""
     trace, certificate = certify(slope(angle))
     assert certificate.stable_until == trace.state.times[-1]
     assert np.abs(trace.state.q).max() == 0.0
@@ -75,7 +75,7 @@ def test_what_static_friction_holds_stays_at_rest(angle: float) -> None:
 
 @SLIDES
 def test_what_slides_is_rubbed_by_kinetic_friction(angle: float) -> None:
-    """a = g (sin θ − µ_k cos θ)."""
+    """The acceleration is a = g (sin θ − µ_k cos θ)."""
     trace, certificate = certify(slope(angle))
     assert certificate.stable_until == trace.state.times[-1]
     wanted = G * (sin(radians(angle)) - KINETIC * cos(radians(angle)))
@@ -84,7 +84,7 @@ def test_what_slides_is_rubbed_by_kinetic_friction(angle: float) -> None:
 
 @pytest.mark.parametrize(("angle", "back"), [(20.0, False), (30.0, True)])
 def test_a_block_thrown_up_a_slope_stays_where_static_friction_holds_it(angle: float, back: bool) -> None:
-    """Up by v²/(2 g (sin θ + µ_k cos θ)), and back only if tan θ > µ_s."""
+    """The block rises by v²/(2 g (sin θ + µ_k cos θ)), and slides back only if tan θ > µ_s."""
     trace, certificate = certify(slope(angle, speed=3.0))
     assert certificate.stable_until == trace.state.times[-1]
     way = 9.0 / (2.0 * G * (sin(radians(angle)) + KINETIC * cos(radians(angle))))
@@ -94,7 +94,7 @@ def test_a_block_thrown_up_a_slope_stays_where_static_friction_holds_it(angle: f
 
 
 def test_a_spring_stops_where_it_pulls_less_than_static_friction() -> None:
-    """Turning points move by 2 µ_k m g/k to the middle; it rests at the first where k |x| ≤ µ_s m g."""
+    """Turning points approach the middle by 2 µ_k m g/k; the cart stops at the first with k |x| ≤ µ_s m g."""
     place, step, hold = 0.2, 2.0 * KINETIC * G / 100.0, STATIC * G / 100.0
     while abs(place) > hold:
         place = -place + (step if place > 0.0 else -step)
@@ -105,7 +105,7 @@ def test_a_spring_stops_where_it_pulls_less_than_static_friction() -> None:
 
 
 def test_a_sphere_rolls_up_to_static_friction_and_slips_with_kinetic() -> None:
-    """It slips where tan θ > 7/2 µ_s, with a = g (sin θ − µ_k cos θ)."""
+    """The sphere slips where tan θ > 7/2 µ_s, with a = g (sin θ − µ_k cos θ)."""
     for angle, slips in ((60.0, False), (61.0, True)):
         trace, certificate = certify(sphere(angle))
         assert certificate.stable_until == trace.state.times[-1]
@@ -116,7 +116,7 @@ def test_a_sphere_rolls_up_to_static_friction_and_slips_with_kinetic() -> None:
 
 @pytest.mark.parametrize("name", ROUGH)
 def test_every_rough_entity_tells_both_and_is_read_back(name: str) -> None:
-    """All that a class declares is drawn, told, read back and written to a file."""
+    """Both coefficients are drawn, described, parsed and saved for every entity with friction."""
     cls = ENTITIES[name]
     scenes = (specimen(cls, seed).scene for seed in range(SEEDS))
     scene = next(s for s in scenes if any(p.value and p.path.endswith("static_friction") for p in s.parameters))
@@ -128,7 +128,7 @@ def test_every_rough_entity_tells_both_and_is_read_back(name: str) -> None:
 
 
 def test_their_symbols_say_which_is_which() -> None:
-    """µ_s and µ_k beside each other, µ alone."""
+    """The symbols are µ_s and µ_k if both are given, else µ."""
     both, one = describe(slope(20.0), 0, "symbolic").text, describe(slope(20.0, static=None), 0, "symbolic").text
     assert r"$\mu_s$ and $\mu_k$" in both
     assert r"$\mu$" in one
@@ -151,7 +151,7 @@ def test_their_symbols_say_which_is_which() -> None:
     ],
 )
 def test_either_can_be_asked_for_and_decides_answers(scene: Scene, parts: dict[str, str], answer: float) -> None:
-    """Questions in parts agree with closed forms."""
+    """Structured questions agree with closed forms."""
     assert solve(scene, question=parts).answer == pytest.approx(answer, rel=1e-6)
 
 
@@ -167,14 +167,14 @@ def test_either_can_be_asked_for_and_decides_answers(scene: Scene, parts: dict[s
     ],
 )
 def test_solutions_name_the_one_that_acts(scene: Scene, parts: dict[str, str], said: str) -> None:
-    """What holds is compared with µ_s N, what slides is rubbed by µ_k N."""
+    """The solution compares the force on a body at rest with µ_s N, and uses µ_k N for a sliding one."""
     solution = solve(scene, question=parts).solution
     assert solution is not None
     assert said in solution.text
 
 
 def test_a_figure_shows_both() -> None:
-    """The figure names both coefficients as the text does."""
+    """The figure labels both coefficients as the text does."""
     scene = slope(20.0)
     labels = {label.text for label in drawing(scene, describe(scene)).labels}
     assert r"$\mu_s$ = 0.50, $\mu_k$ = 0.20" in labels
@@ -182,16 +182,16 @@ def test_a_figure_shows_both() -> None:
 
 @pytest.mark.parametrize("static", [0.1, KINETIC])
 def test_it_is_greater_than_kinetic_friction(static: float) -> None:
-    """Anything else is refused in words."""
+    """A smaller or equal static coefficient is refused."""
     with pytest.raises(SceneError, match=r"static_friction.*not greater than friction.*leave it out"):
         slope(20.0, static=static)
 
 
 def test_an_entity_without_words_for_it_refuses_it() -> None:
-    """One that was written before there was such a number is as it was, and leaves none untold."""
+    """An entity whose sentences omit the static coefficient still works without one."""
 
     class Shelf(Entity):
-        """A block on a plane."""
+        """Block on a plane."""
 
         plane: Plane
         block: Block

@@ -1,4 +1,4 @@
-"""Bodies that touch at the start: Newton's cradle, a rack of discs, a block against a wall."""
+"""Tests of bodies in contact at the start: Newton's cradle, a rack of discs, a block against a wall."""
 
 from math import sqrt
 
@@ -17,19 +17,19 @@ V = 2.0
 
 
 def scene(kind: str, parameters: str) -> Scene:
-    """A scene of one entity."""
+    """Return a scene with one entity."""
     return loads(f"scene: {{entities: [{{name: it, type: {kind}, parameters: {{{parameters}}}}}]}}")
 
 
 def discs(count: int, e: float = 1.0, masses: tuple[float, ...] = (1.0,) * 5) -> Scene:
-    """Build a scene in which one disc runs into a row of discs that touch."""
+    """Build a disc that runs into a row of discs in contact."""
     rows = zip(masses, (-1.0, 0.0, 0.2, 0.4, 0.6), (V, 0.0, 0.0, 0.0, 0.0), strict=True)
     pucks = [f"{{mass: {m}, x: {x}, y: 0.0, vx: {v}, vy: 0.0}}" for m, x, v in rows][:count]
     return scene("TwoDCollisionPlane", f"table: {{}}, radius: 0.1, restitution: {e}, pucks: [{', '.join(pucks)}]")
 
 
 def carts(count: int, e: float = 1.0, wall: str = "") -> Scene:
-    """The same on a track, with or without a wall that the last one touches."""
+    """Build a cart that runs into a row of carts in contact, the last possibly against a wall."""
     rows = [
         f"{{kind: glider, mass: 1.0, x: {-1.0 if i == 0 else 0.0}, v: {V if i == 0 else 0.0}}}" for i in range(count)
     ]
@@ -37,7 +37,7 @@ def carts(count: int, e: float = 1.0, wall: str = "") -> Scene:
 
 
 def rack() -> Scene:
-    """A disc runs into two that touch, between them."""
+    """Build a disc that runs into the middle of two discs in contact."""
     half, gap = 0.1, 0.1 * sqrt(3.0)
     pucks = [
         f"{{mass: 1.0, x: {-gap - 1.0}, y: 0.0, vx: {V}, vy: 0.0}}",
@@ -61,7 +61,7 @@ CRADLES = [
 
 @pytest.mark.parametrize(("held", "wanted"), CRADLES)
 def test_collisions_pass_from_pair_to_pair(held: Scene, wanted: list[float]) -> None:
-    """The next pair collides as u' = u (m − e M)/(m + M) and so on say, at the same instant; both engines see it."""
+    """All pairs collide one after the other at the same instant, with u' = u (m − e M)/(m + M)."""
     trace, certificate = certify(held, duration=1.0)
     assert certificate.stable_until == 1.0, certificate.reason
     slides = [number for number, c in enumerate(trace.mechanism.coordinates) if c.label != "y"]
@@ -70,7 +70,7 @@ def test_collisions_pass_from_pair_to_pair(held: Scene, wanted: list[float]) -> 
 
 
 def test_two_that_are_hit_at_once_take_part_at_once() -> None:
-    """The first goes back with a fifth of its speed, the others leave along the lines of centres."""
+    """The first disc rebounds with a fifth of its speed; the others move off along the lines of centres."""
     trace, certificate = certify(rack(), duration=1.0)
     assert certificate.stable_until == 1.0, certificate.reason
     size = 2.0 * sqrt(3.0) / 5.0 * V
@@ -80,7 +80,7 @@ def test_two_that_are_hit_at_once_take_part_at_once() -> None:
 
 @pytest.mark.parametrize("held", [held for held, _ in CRADLES] + [rack()])
 def test_they_are_told_read_back_and_drawn(held: Scene) -> None:
-    """The text says that collisions are of pairs."""
+    """The text says that the bodies touch."""
     assert loads(dump(held)) == held
     for seed in range(3):
         text = describe(held, seed).text
@@ -91,7 +91,7 @@ def test_they_are_told_read_back_and_drawn(held: Scene) -> None:
 
 @pytest.mark.parametrize(("held", "name"), [(discs(5), "pucks.4"), (carts(4), "gliders.3")])
 def test_they_are_solved_in_steps(held: Scene, name: str) -> None:
-    """Pair by pair, each with the laws of its collision."""
+    """The solution takes one pair after the other, each with the equations of its collision."""
     found = solve(held, find="speed", of=f"it.{name}", when="1 s")
     assert found.answer == pytest.approx(V)
     assert found.solution.text, found.solution.reason

@@ -1,4 +1,4 @@
-"""Collisions on a straight track: closed forms on the entity, its texts and files, both engines."""
+"""Tests of collisions on a straight track: closed forms, texts, files, agreement of both engines."""
 
 from math import pi, radians, sin, sqrt
 
@@ -21,7 +21,7 @@ G = 9.8
 
 
 def track(gliders: list[tuple[float, float, float]], restitution: float = 1.0, **more: object) -> Scene:
-    """Gliders by mass, place and velocity."""
+    """Build gliders on a track, each given by mass, position and velocity."""
     told = tuple(Glider(mass=m, x=x, v=v) for m, x, v in gliders)
     held = {"track": {}, "gliders": told, "restitution": restitution, **more}
     return scene_of(ComplexCollisionPlane.model_validate(held))
@@ -37,7 +37,7 @@ def hits(trace: Trace) -> list[float]:
 
 @pytest.mark.parametrize("e", [1.0, 0.6])
 def test_three_in_a_row(e: float) -> None:
-    """Newton's law of impact, one pair after the other: u⁺ = −e u⁻ and Σmv is kept."""
+    """The pairs collide one after the other by Newton's law of impact, u⁺ = −e u⁻ with Σmv constant."""
     masses, v = [1.0, 2.0, 0.5], [2.0, 0.5, -0.3]
     trace = moved(track([(1.0, 0.0, 2.0), (2.0, 1.5, 0.5), (0.5, 4.0, -0.3)], e), [0.0, 1.1, 10.0])
     first = 1.5 / 1.5
@@ -56,7 +56,7 @@ def test_three_in_a_row(e: float) -> None:
 
 @pytest.mark.parametrize("wall", [False, True])
 def test_those_that_stick_go_on_together(wall: bool) -> None:
-    """e = 0: v = Σmv/Σm after each hit; at a wall all come to rest."""
+    """With e = 0, v = Σmv/Σm after each collision; at a wall all come to rest."""
     ends = {"right": 9.0} if wall else {}
     scene = track([(1.0, 0.0, 3.0), (2.0, 1.5, 0.0), (0.5, 4.0, -0.5)], 0.0, **ends)
     first = 0.5
@@ -73,14 +73,20 @@ def test_those_that_stick_go_on_together(wall: bool) -> None:
 
 @pytest.mark.parametrize(("power", "count"), [(0, 3), (1, 31)])
 def test_galperin_counts_the_digits_of_pi(power: int, count: int) -> None:
-    """Masses 1 and 100^k and a wall: floor(π·10^k) elastic hits. G. Galperin, Playing pool with π (2003)."""
+    """Masses 1 and 100^k and a wall have floor(π·10^k) elastic collisions.
+
+    G. Galperin, Playing pool with π (2003).
+    """
     speed = 0.1**power
     scene = track([(1.0, 1.0, 0.0), (100.0**power, 2.0, -speed)], left=0.0)
     assert len(hits(moved(scene, [0.0, 60.0 / speed]))) == count
 
 
 def test_bounces_on_a_slope() -> None:
-    """The k-th of them at t₁ + (2v₁/a) e (1 − e^(k−1))/(1 − e), with a = g sin θ, v₁ = a t₁ (a geometric series)."""
+    """The k-th bounce is at t₁ + (2v₁/a) e (1 − e^(k−1))/(1 − e), with a = g sin θ, v₁ = a t₁.
+
+    The times between bounces are a geometric series.
+    """
     e, a = 0.7, G * sin(radians(30.0))
     scene = track([(1.0, 1.0, 0.0), (1.0, 50.0, 0.0)], e, left=0.0, track={"angle": 30.0})
     first = sqrt(2.0 / a)
@@ -90,7 +96,7 @@ def test_bounces_on_a_slope() -> None:
 
 
 def test_a_buffer_is_touched_for_half_a_period() -> None:
-    """π√(µ/k), then the velocities of an elastic hit, whatever the coefficient of restitution of the others is."""
+    """The contact lasts π√(µ/k) and ends as an elastic collision, whatever the coefficient of restitution."""
     buffer = {"first": 0, "second": 1, "buffer": {"stiffness": 80.0, "length": 0.3}}
     scene = track([(1.0, 0.0, 1.2), (3.0, 1.5, 0.0)], 0.5, buffers=(buffer,), right=9.0)
     mu = 0.75
@@ -105,7 +111,7 @@ def test_a_buffer_is_touched_for_half_a_period() -> None:
 
 
 def test_a_spring_block_that_is_struck() -> None:
-    """After an elastic hit on A by an equal ball, x_B − x_A − ℓ = −(v/ω) sin ωt with ω² = k/µ."""
+    """After an elastic collision of A with an equal ball, x_B − x_A − ℓ = −(v/ω) sin ωt with ω² = k/µ."""
     joined = {"first": 1, "second": 2, "spring": {"stiffness": 120.0}}
     scene = track([(0.8, 0.0, 1.5), (0.8, 0.6, 0.0), (2.0, 1.2, 0.0)], joined=(joined,))
     hit, omega = 0.4, sqrt(120.0 * (1.0 / 0.8 + 0.5))
@@ -127,7 +133,7 @@ def test_texts_and_files_lead_back(count: int) -> None:
     [("bb", "two small blocks"), ("ss", "two small balls"), ("bs", "two small bodies"), ("sbs", "")],
 )
 def test_balls_are_called_balls_and_drawn_round(kinds: str, called: str) -> None:
-    """Those of one kind together, else one by one; each kind has its noun and its shape, and both move alike."""
+    """Balls and blocks have their own nouns and shapes, and move alike."""
     classes = {"b": Glider, "s": SlidingBall}
     gliders = tuple(classes[kind](mass=1.0 + n, x=float(n), v=-0.5 * n) for n, kind in enumerate(kinds))
     scene = scene_of(ComplexCollisionPlane(track=Track(), gliders=gliders, restitution=0.8))
@@ -152,14 +158,14 @@ def test_dead_hits_are_told() -> None:
 
 
 def test_the_order_on_the_track_is_told() -> None:
-    """Symbols of places do not say who is where, and who can meet whom."""
+    """Symbolic positions do not show the order of the bodies, so the text states it."""
     scene = track([(1.0, -1.0, 2.0), (2.0, 0.0, 0.0)])
     assert all("named in order of increasing x" in describe(scene, seed).text for seed in range(10))
 
 
 @pytest.mark.parametrize("restitution", [0.0, 0.6, 1.0])
 def test_what_is_said_of_collisions_is_true_of_walls(restitution: float) -> None:
-    """No sentence on the restitution of all speaks of two bodies: one and a wall collide, too."""
+    """No sentence about restitution speaks of two bodies, since a body may also hit a wall."""
     scene = track([(1.0, 0.0, 3.0), (2.0, 1.5, 0.0)], restitution, right=9.0)
     told = {describe(scene, seed).sentences[-1] for seed in range(30)}
     assert len(told) == 3
@@ -173,7 +179,7 @@ def test_no_sentence_can_be_left_out() -> None:
 
 
 def test_both_engines_agree() -> None:
-    """Fully compressed springs and hits that crowd end what is certified early in some of random draws."""
+    """A few random draws end early, at fully compressed springs or accumulating collisions."""
     assert sum(certified(scene) for scene in drawn(ComplexCollisionPlane, 12, seed=2)) >= 7
 
 

@@ -1,4 +1,4 @@
-"""A prism that tumbles from edge to edge, against angular momentum and energy about its edges."""
+"""Tests of a prism that tumbles from edge to edge, against conservation of angular momentum and energy."""
 
 from math import cos, pi, radians, sin, sqrt
 
@@ -22,26 +22,27 @@ BRISK = {**CHOICES, "angle": Range(6.0, 12.0), "LongPrism.shape": MANY[2:], "Tum
 
 
 def prism(shape: str = "hexagonal", angle: float = 10.0, rate: float | None = 6.0) -> TumblingPrism:
-    """One of radius 0.1 m."""
+    """Build a prism of radius 0.1 m on a slope."""
     body = LongPrism(mass=2.0, shape=shape, radius=0.1)  # type: ignore[arg-type]
     return TumblingPrism(prism=body, plane=Incline(angle=angle), rate=rate)
 
 
 def landings(trace: Trace) -> list[float]:
-    """When edges land."""
+    """Return the times at which edges land."""
     return [event.time for event in trace.events if event.kind == "land"]
 
 
 def spins(trace: Trace, times: list[float]) -> list[float]:
-    """The angular velocity down the slope at some times, at events just after them."""
+    """Return the angular velocity down the slope at some times, just after any event at them."""
     return [-float(w) for w in trace.sample(np.array(times)).v[:, 2]]
 
 
 @pytest.mark.parametrize("shape", MANY)
 def test_what_a_landing_leaves_of_the_spin(shape: str) -> None:
-    """ω⁺/ω⁻ = (I + mr² cos 2π/n)/(I + mr²), I = mr²(2 + cos 2π/n)/6; 11/17 for a hexagon: IPhO 1998, problem 1.
+    """The ratio is ω⁺/ω⁻ = (I + mr² cos 2π/n)/(I + mr²) with I = mr²(2 + cos 2π/n)/6.
 
-    Between landings ½(I + mr²)ω² + mgh is kept: the axis falls from r cos(π/n − α) to r cos(π/n + α).
+    For a hexagon it is 11/17: IPhO 1998, problem 1. Between landings ½(I + mr²)ω² + mgh is constant: the axis
+    falls from r cos(π/n − α) to r cos(π/n + α).
     """
     n, slope, radius = SIDES[shape], radians(10.0), 0.1
     inertia = (2.0 + cos(2.0 * pi / n)) / 6.0
@@ -58,7 +59,10 @@ def test_what_a_landing_leaves_of_the_spin(shape: str) -> None:
 
 
 def test_when_the_first_edge_lands() -> None:
-    """t = ∫ dφ/ω(φ), ω² = ω₀² + 2mgr(cos(π/n − α) − cos(π/n − α − φ))/(I + mr²), by Gauss's rule; φ from 0 to 2π/n."""
+    """The time is t = ∫ dφ/ω(φ), with φ from 0 to 2π/n, by Gaussian quadrature.
+
+    ω² = ω₀² + 2mgr(cos(π/n − α) − cos(π/n − α − φ))/(I + mr²).
+    """
     half, slope = pi / 6.0, radians(10.0)
     nodes, weights = np.polynomial.legendre.leggauss(60)
     turned = half * (nodes + 1.0)
@@ -68,7 +72,7 @@ def test_when_the_first_edge_lands() -> None:
 
 
 def test_too_slow_it_falls_back() -> None:
-    """It tips over its edge only if ½(I + mr²)ω₀² > mgr(1 − cos(π/n − α)); else the upper edge lands."""
+    """The prism tips over only if ½(I + mr²)ω₀² > mgr(1 − cos(π/n − α)); else the upper edge lands again."""
     least = sqrt(2.0 * G * (1.0 - cos(pi / 6.0 - radians(10.0))) / (0.1 * 17.0 / 12.0))
     for factor, edge in ((1.001, "it.edge4"), (0.999, "it.edge0")):
         trace = followed(prism(rate=factor * least), 1.5)
@@ -76,14 +80,14 @@ def test_too_slow_it_falls_back() -> None:
 
 
 def test_on_a_steep_slope_it_tips_by_itself() -> None:
-    """At rest on a slope of more than 180°/n; it begins with ω̇ = gr sin(α − π/n)/(I/m + r²)."""
+    """On a slope of more than 180°/n, a prism at rest starts with ω̇ = gr sin(α − π/n)/(I/m + r²)."""
     trace = followed(prism("dodecagonal", 20.0, None), 0.1, 11)
     inertia = (2.0 + cos(pi / 6.0)) / 6.0
     assert -trace.state.a[0, 2] == pytest.approx(G * sin(radians(5.0)) / (0.1 * (inertia + 1.0)), rel=CLOSE)
 
 
 def test_its_axis_stays_as_far_from_the_edge_on_which_it_stands() -> None:
-    """Without slipping: the axis goes round the edge in a circle of radius r."""
+    """The axis moves in a circle of radius r about the edge, which does not slip."""
     trace = followed(prism(), 0.1, 21)
     place = trace.state.vector(trace.state.frames.center("it.prism").place)
     edge = trace.state.vector(trace.state.frames.site("it.edge5").place)
@@ -108,7 +112,7 @@ def test_engines_agree(seed: int) -> None:
 
 
 def test_engines_agree_on_how_it_rocks_to_rest() -> None:
-    """Until landings come too fast to tell apart; before that the witness once landed ever deeper, without end."""
+    """The certificate ends where landings are too frequent to distinguish."""
     _, certificate = sim2reason.certify(alone(prism(angle=12.0, rate=2.1)))
     assert certificate.reason == "crowd"
 

@@ -1,4 +1,4 @@
-"""Walls that bound a table on which discs slide."""
+"""Tests of walls around a table on which discs slide."""
 
 from math import hypot, radians, sin, sqrt
 
@@ -18,7 +18,7 @@ E = 0.8
 
 
 def table(walls: str, tilt: float = 0.0) -> Scene:
-    """A disc of radius 0.1 m that leaves the origin with (2, 1) m/s, and another one at rest far away."""
+    """Build a disc of radius 0.1 m that leaves the origin with (2, 1) m/s, and another at rest far away."""
     pucks = "{mass: 1.0, x: 0.0, y: 0.0, vx: 2.0, vy: 1.0}, {mass: 1.0, x: -1.0, y: -1.0, vx: 0.0, vy: 0.0}"
     parameters = f"table: {{angle: {tilt}}}, radius: 0.1, restitution: {E}, pucks: [{pucks}], {walls}"
     return loads(f"scene: {{entities: [{{name: it, type: TwoDCollisionPlane, parameters: {{{parameters}}}}}]}}")
@@ -28,7 +28,7 @@ CORNER = table("right: 1.1, top: 0.85")
 
 
 def test_a_disc_rebounds_from_each_wall_it_meets() -> None:
-    """Its rim meets them after (1.1 − 0.1)/2 s and (0.85 − 0.1)/1 s; the part square to each changes by −e."""
+    """The rim hits the walls after (1.1 − 0.1)/2 s and (0.85 − 0.1)/1 s; the normal velocity changes by −e."""
     trace, certificate = certify(CORNER, duration=2.0)
     assert certificate.stable_until == 2.0, certificate.reason
     assert [event.time for event in trace.events] == pytest.approx([0.5, 0.75], rel=1e-9)
@@ -36,14 +36,14 @@ def test_a_disc_rebounds_from_each_wall_it_meets() -> None:
 
 
 def test_walls_on_all_sides_of_a_tilted_table() -> None:
-    """Both engines agree; a disc that lies on the wall below is struck again and again, which ends it."""
+    """Both engines agree up to the given time, before a disc comes to rest on the lower wall."""
     trace, certificate = certify(table("left: -1.5, right: 1.1, bottom: -1.5, top: 0.85", tilt=10.0), duration=0.7)
     assert certificate.stable_until == trace.stable_until == 0.7, certificate.reason
 
 
 @pytest.mark.parametrize("held", [CORNER, table("left: -1.5, bottom: -1.5", tilt=10.0)])
 def test_they_are_told_read_back_and_drawn(held: Scene) -> None:
-    """Each in a sentence, and hatched at the edge of the table."""
+    """The text has a sentence for each wall, and the figure an edge."""
     assert loads(dump(held)) == held
     for seed in range(4):
         text = describe(held, seed).text
@@ -57,7 +57,7 @@ CHASED = "{mass: 2.0, x: -1.0, y: -1.0, vx: 0.1, vy: -0.3}"
 
 
 def moving(walls: str, tilt: float = 0.0) -> Scene:
-    """The first disc as above; another one slides away from it."""
+    """Build the disc of `table`, with another one that slides away from it."""
     pucks = f"{{mass: 1.0, x: 0.0, y: 0.0, vx: 2.0, vy: 1.0}}, {CHASED}"
     parameters = f"table: {{angle: {tilt}}}, radius: 0.1, restitution: {E}, pucks: [{pucks}], {walls}"
     return loads(f"scene: {{entities: [{{name: it, type: TwoDCollisionPlane, parameters: {{{parameters}}}}}]}}")
@@ -73,7 +73,7 @@ def moving(walls: str, tilt: float = 0.0) -> Scene:
 )
 @pytest.mark.parametrize("held", [CORNER, moving("right: 1.1, top: 0.85")])
 def test_what_rebounds_from_walls_is_solved_in_steps(held: Scene, find: str, when: str, answer: float) -> None:
-    """From one wall to the other, and why no other collision comes before; a gap may be a sum of three lengths."""
+    """The solution takes one wall after the other, and excludes any earlier collision."""
     found = solve(held, find=find, of="it.pucks.0", when=when)
     assert found.answer == pytest.approx(answer, rel=1e-9)
     assert "hits the right wall when $x_W - R = v_{x,A} t_1$" in found.solution.text, found.solution.reason
@@ -81,7 +81,7 @@ def test_what_rebounds_from_walls_is_solved_in_steps(held: Scene, find: str, whe
 
 
 def test_a_wall_up_the_slope_is_solved_in_steps() -> None:
-    """At s = v t − ½ g t² sin β = 0.75 m the velocity v − g t sin β up the slope changes to −e times that."""
+    """At s = v t − ½ g t² sin β = 0.75 m the velocity v − g t sin β up the slope changes by the factor −e."""
     held = moving("right: 1.1, top: 0.4, left: -5.0", tilt=5.0)
     slope = 9.8 * sin(radians(5.0))
     time = (1.0 - sqrt(1.0 - 2.0 * slope * 0.3)) / slope
@@ -92,7 +92,7 @@ def test_a_wall_up_the_slope_is_solved_in_steps() -> None:
 
 
 def test_a_wall_down_the_slope_is_solved_in_steps() -> None:
-    """Off which a disc rebounds up the slope, and to which it comes back only later."""
+    """The disc rebounds up the slope, and returns to the wall only after the asked time."""
     slope = 9.8 * sin(radians(5.0))
     pucks = "{mass: 1.0, x: 0.0, y: 0.0, vx: 0.2, vy: -1.0}, {mass: 2.0, x: -1.0, y: 1.0, vx: 0.1, vy: 0.3}"
     parameters = f"table: {{angle: 5.0}}, radius: 0.1, restitution: {E}, pucks: [{pucks}], bottom: -0.5"
@@ -107,6 +107,6 @@ def test_a_wall_down_the_slope_is_solved_in_steps() -> None:
 
 @pytest.mark.parametrize("walls", ["right: 0.05", "left: 0.0", "top: -0.5", "bottom: -1.05"])
 def test_no_disc_is_in_a_wall(walls: str) -> None:
-    """That is refused in words."""
+    """An overlap is refused with an error message."""
     with pytest.raises(SceneError, match="a puck is in the wall or beyond it"):
         table(walls)

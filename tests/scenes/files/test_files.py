@@ -1,4 +1,4 @@
-"""What `load` reads, `dump` writes back equal, in the same bytes; the paper's pairs and the paths they mean."""
+"""Tests of loading and dumping scenes: exact round trips, and the paper's shorthand for connections."""
 
 import re
 from pathlib import Path
@@ -59,7 +59,7 @@ def links(text: str) -> list[str]:
 
 
 def with_pairs(*pairs: tuple[str, str], free: int = 0) -> str:
-    """The file with other pairs; the string's length stands beside one of them."""
+    """Return the file with other pairs of ends, one of them with the string's length."""
     head, _, rest = BIGHT.partition("  connections:\n")
     said = [f"  - tendon: [{one}, {other}]\n" for one, other in pairs]
     said[free] += "    free: 2.75\n"
@@ -144,7 +144,7 @@ def test_everything_else_is_a_text(text: str) -> None:
 
 @pytest.mark.parametrize("text", ["x.yaml", "/etc/passwd.json"])
 def test_a_text_that_looks_like_a_path_leads_nowhere(text: str) -> None:
-    """So that what stands in a file can't name another."""
+    """The content of a file is not read as the path of another."""
     with pytest.raises(SceneError, match="not a mapping"):
         loads(text)
 
@@ -191,7 +191,7 @@ def test_a_side_may_be_said_as_a_connecting_point() -> None:
 
 
 def forget_ports() -> None:
-    """What is kept of classes, which do not change but in a test."""
+    """Clear the caches of properties of classes, which only change in a test."""
     for kept in (directions, outer_ports, ports_of):
         kept.cache_clear()
 

@@ -1,4 +1,4 @@
-"""What is wrong with a file is one error: the path in the file, the line, the problem, the remedy."""
+"""Tests that a faulty file raises one error with its path, line, problem and remedy."""
 
 import re
 import time

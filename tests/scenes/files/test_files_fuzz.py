@@ -1,4 +1,4 @@
-"""Files that nobody should have written: each is a scene that can be simulated, or one error with path and remedy."""
+"""Tests of malformed files: each can be simulated or raises one error with path and remedy."""
 
 import re
 import time
@@ -26,7 +26,7 @@ def scenes() -> list[Scene]:
 
 
 def check(error: SceneError) -> None:
-    """The message says where, what and what to do, in one line."""
+    """Assert that the message names place, problem and remedy in one line."""
     assert PLACE.fullmatch(error.place), error
     assert error.problem
     assert error.remedy
@@ -35,7 +35,7 @@ def check(error: SceneError) -> None:
 
 
 def outcome(text: str) -> str:
-    """Load, describe and simulate; whatever is refused must be refused well, and soon."""
+    """Load, describe and simulate a scene; assert that any refusal is well-formed and fast."""
     begun = time.perf_counter()
     try:
         scene = load(text)

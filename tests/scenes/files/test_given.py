@@ -1,4 +1,4 @@
-"""Public functions take a scene as a person has it: itself, its file, its text, or an item about it."""
+"""Tests that public functions accept a scene as an object, a file, a text or an item about it."""
 
 import json
 import re

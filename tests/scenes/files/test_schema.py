@@ -1,4 +1,4 @@
-"""The JSON schema and the page on the format say what the classes say."""
+"""Tests that the JSON schema and the documentation of the format match the classes."""
 
 import copy
 from collections.abc import Iterator
@@ -116,7 +116,7 @@ def test_the_committed_page_is_current() -> None:
 
 
 def test_no_choice_holds_a_comma() -> None:
-    """A list of choices is read by its commas, and so is a flow mapping in YAML."""
+    """Commas separate the documented choices and the entries of a flow mapping in YAML."""
 
     def choices(held: Any) -> Iterator[str]:  # noqa: ANN401 - JSON of any kind
         if isinstance(held, dict):

@@ -1,4 +1,4 @@
-"""The spellings of the paper's figure: positions, masses by their type, ways along a string, titles."""
+"""Tests of the spellings in the paper's figure: positions, masses by type, directions along a string, titles."""
 
 import jsonschema
 import pytest
@@ -87,7 +87,7 @@ def test_keys_of_the_kind_stand_beside_the_masses() -> None:
 
 
 def test_systems_of_several_types_take_what_is_theirs() -> None:
-    """The figure with a block that hangs and two on a plane."""
+    """The figure has one hanging block, and two on a plane."""
     left, right = (
         load(FIGURE).entities[1].entity.model_dump()["left"],
         load(FIGURE).entities[1].entity.model_dump()["right"],

@@ -1,4 +1,4 @@
-"""How a problem tells its scene travels with the scene's file."""
+"""Tests that the wording of a problem is saved in the scene's file."""
 
 import pytest
 

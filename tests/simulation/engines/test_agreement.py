@@ -1,4 +1,4 @@
-"""What both engines must make the same of, though it is not determined, hardly there, or all at once."""
+"""Tests that both engines agree on indeterminate forces, massless parts and simultaneous events."""
 
 import numpy as np
 import pytest
@@ -20,7 +20,7 @@ ENGINES = pytest.mark.parametrize("engine", [exactly, witnessed])
 
 @ENGINES
 def test_a_massless_ring_between_two_nails_stays(engine: Engine) -> None:
-    """The tensions of its two strings are equal, else open; it weighs nothing, so even a faint one must hold it."""
+    """Both tensions are equal and undetermined, and any positive one holds the massless ring."""
     builder = Builder()
     room = builder.room()
     room.body("block", 50.0, at=(3.0, 0.0, 0.0)).slide(X)
@@ -36,10 +36,10 @@ def test_a_massless_ring_between_two_nails_stays(engine: Engine) -> None:
 
 @ENGINES
 def test_blocks_that_rest_do_not_slip_when_others_do(engine: Engine) -> None:
-    """Two tied rough blocks rest on a slope between two nails: N and f stay open, and nothing there ever changes.
+    """Two tied rough blocks rest on a slope between two nails, with undetermined N and f, and no event.
 
-    Elsewhere a sliding block stops after v/µg. The search for what acts then starts anew for all; a mode in
-    which a block slides at no acceleration is one of many that fit the same rest.
+    Elsewhere a sliding block stops after v/µg. The search for contact modes then restarts for all bodies; a mode in
+    which a resting block slides without acceleration is one of many that fit.
     """
     uphill, out = machines.face(22.0)
     builder = Builder()
@@ -60,7 +60,7 @@ def test_blocks_that_rest_do_not_slip_when_others_do(engine: Engine) -> None:
 
 @pytest.mark.parametrize("seed", [439, 526, 597, 615, 631, 667, 846, 1739, 2616])
 def test_composed_scenes_on_which_the_engines_once_parted(seed: int) -> None:
-    """Supports that leave forces open, ends that come at one instant, and many blocks that lift at once."""
+    """The scenes have undetermined forces, simultaneous ends or many blocks that lift at once."""
     mechanism = load(write(composed(np.random.default_rng([seed, 99])))).mechanism
     trace, certificate = certify(mechanism, TIMES)
     assert certificate.reason == trace.cut

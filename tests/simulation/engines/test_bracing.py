@@ -1,4 +1,4 @@
-"""Rough bodies at rest that are tied together: how the load is shared is open, but not when they give way."""
+"""Tests of tied rough bodies at rest: their forces are undetermined, but not the time at which they slip."""
 
 from math import asin, inf, sqrt
 
@@ -14,7 +14,7 @@ G, STIFFNESS, CART, SPEED = 9.8, 40.0, 6.0, 2.0
 
 
 def train(masses: tuple[float, ...], frictions: tuple[float, ...]) -> Mechanism:
-    """Rough blocks in a row on a floor, tied to each other, the first to a spring that a smooth cart draws out."""
+    """Build tied rough blocks in a row, the first on a spring that a smooth cart stretches."""
     builder = Builder()
     room = builder.room()
     for number, (mass, friction) in enumerate(zip(masses, frictions, strict=True)):
@@ -35,7 +35,7 @@ def train(masses: tuple[float, ...], frictions: tuple[float, ...]) -> Mechanism:
 def test_a_train_gives_way_when_all_friction_is_used_up(
     engine: str, masses: tuple[float, ...], frictions: tuple[float, ...]
 ) -> None:
-    """The cart swings as k x = −M ẍ, so that the spring pulls with k (v/ω) sin ωt, until that is Σ µ m g."""
+    """The spring pulls with k (v/ω) sin ωt, as k x = −M ẍ for the cart, until that reaches Σ µ m g."""
     omega = sqrt(STIFFNESS / CART)
     most = G * sum(mu * m for mu, m in zip(frictions, masses, strict=True))
     expected = asin(most * omega / (STIFFNESS * SPEED)) / omega

@@ -1,4 +1,4 @@
-"""Jerks and hits in quick succession, or against much friction: both engines make the same of them."""
+"""Tests that both engines agree on jerks and collisions in quick succession or against strong friction."""
 
 import numpy as np
 import pytest
@@ -16,10 +16,10 @@ ENGINES = pytest.mark.parametrize("engine", [exactly, witnessed])
 
 
 def knocked(delay: float) -> Mechanism:
-    """A tied cart of 1 kg, drawn by 400 N, jerks at √(2·0.02/400) = 10 ms, and is knocked back `delay` later.
+    """Build a tied cart of 1 kg, pulled by 400 N, jerked at √(2·0.02/400) = 10 ms and struck `delay` later.
 
-    The striker, 0.5 kg at −1.2 m/s and e = 1, gives it 2·0.5/1.5·(−1.2) = −0.8 m/s and flies off at 0.4 m/s. So the
-    cart is back at full length, and jerks again, 2·0.8/400 = 4 ms after it was knocked.
+    The striker, 0.5 kg at −1.2 m/s and e = 1, gives it 2·0.5/1.5·(−1.2) = −0.8 m/s and rebounds at 0.4 m/s. So the
+    string is taut again 2·0.8/400 = 4 ms later.
     """
     builder = Builder()
     room = builder.room()
@@ -50,10 +50,10 @@ def test_a_later_jerk_is_one_of_two(engine: Engine) -> None:
 
 
 def test_two_strings_that_jerk_by_turns_without_end() -> None:
-    """A jerk of one string slackens the other, which gravity soon straightens, and so on, ever smaller and sooner.
+    """A jerk of one string slackens the other, which gravity soon straightens, ever smaller and sooner.
 
-    The jerks come together at an instant that neither engine can pass: each loses count of them where they are as
-    small as its own rounding. Both can tell the jerk before the first that follows within 5 ms.
+    The jerks accumulate at an instant that neither engine can pass, as they get as small as rounding errors. Both
+    end at the jerk before the first that follows within 5 ms.
     """
     mechanism = machines.train(np.random.default_rng(666))
     trace, certificate = certify(mechanism, np.linspace(0.0, 2.0, 201))
@@ -65,10 +65,9 @@ def test_two_strings_that_jerk_by_turns_without_end() -> None:
 
 @ENGINES
 def test_carts_that_meet_part_whatever_friction_could_hold(engine: Engine) -> None:
-    """Two rough carts, the first with a slope and cargo, meet at u: they part at −e·u whatever floors and strings do.
+    """Two rough carts that collide at u, the first with a slope and cargo, separate at −e·u.
 
-    Both at rest is no solution, as 0 is not −e·u, though there are friction impulses, and many, that hold both:
-    an equation that can't be met stays so however the others are.
+    Both at rest is no solution, as 0 is not −e·u, although there are friction impulses that would hold both.
     """
     mechanism = machines.train(np.random.default_rng(13098))
     trace = engine(mechanism, np.linspace(0.0, 0.2, 21))

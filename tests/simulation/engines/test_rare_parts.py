@@ -1,4 +1,4 @@
-"""What few scenes have, by closed forms, through both engines: struts, winches, what sticks, what is held twice."""
+"""Tests of rare parts in both engines, against closed forms: struts, winches, sticking, redundant rods."""
 
 from math import pi, sqrt
 
@@ -18,14 +18,14 @@ CLOSE = {"exact": 1e-9, "mujoco": 1e-6}
 
 
 def when(trace: Trace, kind: str, number: int = 0) -> float:
-    """The time of an event."""
+    """Return the time of an event."""
     return [event.time for event in trace.events if event.kind == kind][number]
 
 
 def dots(
     places: dict[str, tuple[float, float]], velocities: dict[str, tuple[float, float]], gravity: float = G
 ) -> Builder:
-    """Particles of 1 kg, free in the plane, each with a hook of its own name."""
+    """Build particles of 1 kg, free in the plane, each with a hook named after it."""
     builder = Builder((0.0, 0.0, -gravity))
     for name, (x, z) in places.items():
         vx, vz = velocities.get(name, (0.0, 0.0))
@@ -39,7 +39,7 @@ def dots(
 
 @ENGINE
 def test_a_rocket_waits_on_its_pad_until_it_is_light_enough(engine: str) -> None:
-    """It leaves when uṁ = (m₀ − ṁt)g; then v = u ln(m₁/m) − gτ, m₁ its mass as it leaves (Tsiolkovsky)."""
+    """The rocket leaves when uṁ = (m₀ − ṁt)g; then v = u ln(m₁/m) − gτ, m₁ its mass as it leaves (Tsiolkovsky)."""
     mass, rate, exhaust = 2.0, 0.5, 30.0
     builder = Builder()
     room = builder.room().site("pad", (0.0, 0.0, -1.0))
@@ -57,7 +57,7 @@ def test_a_rocket_waits_on_its_pad_until_it_is_light_enough(engine: str) -> None
 
 @ENGINE
 def test_a_body_that_is_pulled_ever_harder_leaves_its_strut(engine: str) -> None:
-    """F = kt: it rises from t = mg/k on, by k τ³/6m."""
+    """With F = kt, the body rises from t = mg/k on, by k τ³/6m."""
     builder = Builder()
     room = builder.room().site("floor", (0.0, 0.0, -1.0))
     body = room.body("block", 2.0).slide(Z).site("foot")
@@ -71,7 +71,7 @@ def test_a_body_that_is_pulled_ever_harder_leaves_its_strut(engine: str) -> None
 
 @ENGINE
 def test_a_winch_draws_its_slack_in_and_then_the_load(engine: str) -> None:
-    """Slack s at speed r: taut at s/r with a jerk to r, then it rises steadily under tension mg, off its strut."""
+    """The rope with slack s and speed r is taut at s/r; then the load rises with r under tension mg."""
     builder = Builder()
     room = builder.room().site("floor", (0.0, 0.0, -1.0)).site("drum", (0.0, 0.0, 4.0))
     room.body("load", 3.0).slide(Z).site("eye")
@@ -89,7 +89,7 @@ def test_a_winch_draws_its_slack_in_and_then_the_load(engine: str) -> None:
 
 @ENGINE
 def test_what_sticks_to_a_block_on_a_spring_swings_with_it(engine: str) -> None:
-    """Momentum is shared, then ω = √(k/(m + M)): the spring is longest a quarter of a period after the hit."""
+    """Momentum is shared, then ω = √(k/(m + M)): the spring is longest a quarter of a period later."""
     builder = Builder()
     room = builder.room().site("wall", (3.0, 0.0, 0.0))
     clay = room.body("clay", 0.5, at=(-1.0, 0.0, 0.0)).rest(X, Z, 0.0, 2.0)
@@ -106,7 +106,7 @@ def test_what_sticks_to_a_block_on_a_spring_swings_with_it(engine: str) -> None:
 
 @ENGINE
 def test_two_events_at_one_instant_are_both_seen(engine: str) -> None:
-    """Two balls dropped from one height, in air, land as one; and bounce as one."""
+    """Two balls of equal acceleration, dropped from the same height, bounce at the same times."""
     builder = Builder()
     room = builder.room()
     for number in range(2):
@@ -126,7 +126,7 @@ def test_two_events_at_one_instant_are_both_seen(engine: str) -> None:
 
 
 def pendulum(second: str, **law: float) -> Mechanism:
-    """A bob on a rod, and on something else between the same points."""
+    """Build a bob on a rod, and on another line between the same points."""
     builder = dots({"bob": (0.6, 0.2)}, {})
     room = builder.room().site("nail", (0.0, 0.0, 1.0))
     room.rod("rod", "nail", "bob")
@@ -171,7 +171,7 @@ def test_two_winches_against_each_other_are_refused(engine: str) -> None:
 
 @ENGINE
 def test_a_square_with_both_diagonals_turns_as_one(engine: str) -> None:
-    """Six rods hold what five would: q turns at ω about a centre that falls freely."""
+    """Six rods, one more than needed, hold a square that turns at ω about a freely falling centre."""
     places = {"a": (0.0, 0.0), "b": (1.0, 0.0), "c": (1.0, 1.0), "d": (0.0, 1.0)}
     builder = dots(places, {name: (2.0 * (z - 0.5), -2.0 * (x - 0.5)) for name, (x, z) in places.items()})
     for one, other in ("ab", "bc", "cd", "da", "ac", "bd"):
@@ -189,7 +189,7 @@ def test_a_square_with_both_diagonals_turns_as_one(engine: str) -> None:
 
 @ENGINE
 def test_a_truss_bears_its_load_at_rest(engine: str) -> None:
-    """T = mg/(2 sin 45°) in both rods; a third one leaves the forces open and the rest as it is."""
+    """Both rods carry T = mg/(2 sin 45°); with a third, forces are undetermined and the rest unchanged."""
     builder = dots({"p": (0.0, 0.0)}, {})
     room = builder.room().site("left", (-1.0, 0.0, 1.0)).site("right", (1.0, 0.0, 1.0)).site("top", (0.0, 0.0, 1.0))
     room.rod("one", "left", "p")
@@ -204,7 +204,7 @@ def test_a_truss_bears_its_load_at_rest(engine: str) -> None:
 @ENGINE
 @pytest.mark.parametrize("verb", ["rod", "string"])
 def test_a_ball_on_a_straight_line_between_two_nails_can_not_fall(engine: str, verb: str) -> None:
-    """It can't move at all, and no finite force holds it; it used to fall on one of the two, whose end slid along."""
+    """The ball has no freedom to move, and no finite force can hold it."""
     builder = dots({"p": (0.0, 0.0)}, {})
     room = builder.room().site("left", (-1.0, 0.0, 0.0)).site("right", (1.0, 0.0, 0.0))
     getattr(room, verb)("one", "left", "p")
@@ -218,7 +218,7 @@ def test_a_ball_on_a_straight_line_between_two_nails_can_not_fall(engine: str, v
 
 @ENGINE
 def test_a_block_leaves_a_dome_where_its_cosine_is_two_thirds(engine: str) -> None:
-    """From rest near the top: mg cos θ = mv²/R and v² = 2gR(cos θ₀ − cos θ), so cos θ = ⅔ cos θ₀."""
+    """With mg cos θ = mv²/R and v² = 2gR(cos θ₀ − cos θ) from rest near the top, cos θ = ⅔ cos θ₀."""
     builder = Builder()
     start, radius = 0.1, 1.0
     way = (np.sin(start), 0.0, np.cos(start))
@@ -232,7 +232,7 @@ def test_a_block_leaves_a_dome_where_its_cosine_is_two_thirds(engine: str) -> No
 
 @ENGINE
 def test_a_block_comes_to_rest_in_a_rough_bowl(engine: str) -> None:
-    """Without gravity N = mRω²: ω falls as ω₀/(1 + µω₀t), the angle grows as ln(1 + µω₀t)/µ."""
+    """Without gravity N = mRω², so ω decreases as ω₀/(1 + µω₀t) and the angle grows as ln(1 + µω₀t)/µ."""
     builder = Builder(ZERO)
     bowl = builder.room().body("block", 0.7, center=(0.0, 0.0, -0.5))
     bowl.swing((0.0, 1.0, 0.0), Z, 0.5, friction=0.4, speed=3.0, guided=False)

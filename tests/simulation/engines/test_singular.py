@@ -1,4 +1,4 @@
-"""What has no motion from the start, or soon: both engines say so by an error of theirs, never by one of arithmetic."""
+"""Tests that both engines raise their own error, not an arithmetic one, for singular motions."""
 
 from collections.abc import Callable
 

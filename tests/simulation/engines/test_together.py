@@ -1,4 +1,4 @@
-"""Two points of a line that come together: the end, for there the line has no direction, and nothing passes through."""
+"""Tests that a motion ends where two points of a line meet, as the line has no direction there."""
 
 from math import acos, sqrt
 
@@ -15,7 +15,7 @@ ENDS = ("exact", "mujoco")
 
 
 def drawn_through_a_hole(drag: float) -> Mechanism:
-    """A block on a table, and a weight on its string that hangs through a hole ahead; both begin at rest."""
+    """Build a block at rest on a table, its string through a hole ahead to a hanging weight."""
     builder = Builder()
     room = builder.room().site("hole", (1.0, 0.0, 0.0))
     room.body("block", 2.0).rest(X, Z).site("hook").force("drag", Resistance(drag))
@@ -34,7 +34,7 @@ def drawn_by_a_spring() -> Mechanism:
 
 @pytest.mark.parametrize("engine", ENDS)
 def test_a_string_is_used_up_where_its_block_reaches_the_hole(engine: str) -> None:
-    """It was stepped over: the block went on beyond, drawn the other way, on a string that had grown longer."""
+    """The block must not pass the hole."""
     trace = ENGINES[engine](drawn_through_a_hole(1e-3), TIMES)
     assert trace.cut == "reach"
     assert trace.events[-1].subjects == ("hook", "hole")
@@ -45,7 +45,7 @@ def test_a_string_is_used_up_where_its_block_reaches_the_hole(engine: str) -> No
 
 @pytest.mark.parametrize(("engine", "close"), [("exact", 1e-7), ("mujoco", 1e-6)])
 def test_a_spring_ends_where_its_block_reaches_the_nail(engine: str, close: float) -> None:
-    """x = L + (x₀ − L) cos ωt is zero at cos ωt = −L/(x₀ − L), ω = √(k/m)."""
+    """The length x = L + (x₀ − L) cos ωt is zero at cos ωt = −L/(x₀ − L), ω = √(k/m)."""
     trace = ENGINES[engine](drawn_by_a_spring(), TIMES)
     assert trace.cut == "reach"
     assert trace.stable_until == pytest.approx(acos(-0.3 / 0.7) / 5.0, abs=close)
@@ -53,7 +53,7 @@ def test_a_spring_ends_where_its_block_reaches_the_nail(engine: str, close: floa
 
 @pytest.mark.parametrize("engine", ENDS)
 def test_a_weight_that_is_drawn_past_its_hole_aside_goes_on(engine: str) -> None:
-    """Where it is nearest the string does not move it at all, and its block turns round: no end, and energy is kept."""
+    """The string does not accelerate the weight at its nearest point; the motion goes on, and energy is constant."""
     builder = Builder()
     room = builder.room().site("hole", (0.0, 0.0, 0.0))
     block = room.body("block", 2.0, at=(-4.0, 0.0, 0.0)).rest(X, Z, 0.0, -0.5).site("hook")

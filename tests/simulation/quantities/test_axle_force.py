@@ -1,4 +1,4 @@
-"""The force of a fixed axle, against textbook results for rods and a sum over the pieces of an arm."""
+"""Tests of the force of a fixed axle, against textbook results for rods and a sum over an arm's pieces."""
 
 from collections.abc import Sequence
 from math import cos, hypot, radians, sin, sqrt
@@ -39,7 +39,10 @@ def found(scene: Scene, when: str, along: str = "", find: str = "axle force") ->
 
 
 def test_a_rod_on_an_axle_at_its_end_let_go_from_level_weighs_a_quarter_at_first() -> None:
-    """mg/4 (Halliday, Resnick and Walker, *Fundamentals of Physics*, chapter 10: α = 3g/2L)."""
+    """The initial force is mg/4.
+
+    Halliday, Resnick and Walker, *Fundamentals of Physics*, chapter 10: α = 3g/2L.
+    """
     scene = armed([ROD], 90.0)
     assert found(scene, "at start") == pytest.approx(0.25 * MASS * G, rel=1e-9)
     assert found(scene, "at start", "vertical") == pytest.approx(0.25 * MASS * G, rel=1e-9)
@@ -47,7 +50,10 @@ def test_a_rod_on_an_axle_at_its_end_let_go_from_level_weighs_a_quarter_at_first
 
 
 def test_it_pulls_with_five_halves_of_its_weight_at_the_lowest_point() -> None:
-    """mg + m ω² L/2 with ω² = 3g/L (Kleppner and Kolenkow, *An Introduction to Mechanics*, chapter 7)."""
+    """The force is mg + m ω² L/2 with ω² = 3g/L.
+
+    Kleppner and Kolenkow, *An Introduction to Mechanics*, chapter 7.
+    """
     scene = armed([ROD], 90.0)
     assert found(scene, "the rod lowest point") == pytest.approx(2.5 * MASS * G, rel=1e-8)
     assert found(scene, "the rod lowest point", "vertical") == pytest.approx(2.5 * MASS * G, rel=1e-8)
@@ -55,7 +61,7 @@ def test_it_pulls_with_five_halves_of_its_weight_at_the_lowest_point() -> None:
 
 
 def test_a_rod_from_rest_at_some_angle_obeys_the_formulas_of_the_falling_rod() -> None:
-    """F_r = mg (5 cos θ − 3 cos θ₀)/2 and F_t = mg (sin θ)/4, with ω² = 3g (cos θ − cos θ₀)/L."""
+    """With ω² = 3g (cos θ − cos θ₀)/L, F_r = mg (5 cos θ − 3 cos θ₀)/2 and F_t = mg (sin θ)/4."""
     scene, now = armed([ROD], 80.0), radians(80.0 - 50.0)
     inward, aside = 0.5 * (5.0 * cos(now) - 3.0 * cos(radians(80.0))), 0.25 * sin(now)
     weight, when = MASS * G, "the arm turned through 50"
@@ -66,7 +72,10 @@ def test_a_rod_from_rest_at_some_angle_obeys_the_formulas_of_the_falling_rod() -
 
 
 def test_it_is_the_sum_over_the_pieces_on_both_sides_of_the_axle() -> None:
-    """Σ m (a − g) with a = α × r − ω² r of each piece, the heavier one beyond the axle, just after a push."""
+    """The force on a turning arm is Σ m (a − g) with a = α × r − ω² r of each piece.
+
+    The heavier piece is beyond the axle.
+    """
     inertia = 2.3 * (0.4 * 0.12**2 + 0.2**2) + 3.1 * 0.35**2
     moment, angle, rate = 2.3 * 0.2 - 3.1 * 0.35, radians(70.0), 3.0
     growth = -moment * G * sin(angle) / inertia
@@ -89,7 +98,7 @@ def test_of_a_swing_that_goes_round_it_is_greatest_below() -> None:
 
 
 def test_a_light_rod_with_a_ball_at_its_end_has_a_rod_force_instead() -> None:
-    """Both are one force, of which a problem should ask once."""
+    """The two forces are the same, so a problem should offer only one."""
     swing = Pendulum(bob=Ball(mass=0.3), hanger=LightRod(length=0.9), angle=30.0, speed=1.0)
     mechanism = Scene(entities=(Named(name="swing", entity=swing),)).mechanism
     assert not QUANTITIES["axle force"].subjects(mechanism)

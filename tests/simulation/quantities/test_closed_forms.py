@@ -1,4 +1,4 @@
-"""Every quantity of bodies that swing, roll, orbit and burn against a formula from a textbook, to 1e-8."""
+"""Tests of all quantities of bodies that swing, roll, orbit and burn, against textbook formulas, to 1e-8."""
 
 from collections.abc import Callable, Mapping
 from math import cos, pi, radians, sqrt
@@ -25,12 +25,12 @@ def value(state: State, quantity: str, subject: str) -> Array:
 
 
 def size(state: State, quantity: str, subject: str) -> Array:
-    """The magnitude of a vector."""
+    """Return the magnitude of a vector."""
     return np.linalg.norm(value(state, quantity, subject), axis=1)
 
 
 def theta(state: State, subject: str) -> Array:
-    """The angle of what swings with the downward vertical, rad, with sign."""
+    """Return the signed angle between a swinging body and the downward vertical in rad."""
     found = np.radians(value(state, "deflection", subject))
     turned = value(state, "angle turned", subject)
     return np.where(np.abs(radians(60.0) - np.radians(np.abs(turned)) - found) < 1e-6, found, -found)
@@ -102,12 +102,12 @@ def bounded(state: State, before: float) -> np.ndarray:
 
 
 def sliding(state: State) -> np.ndarray:
-    """A ball of 2 kg set sliding at 3 m/s, µ = 0.2, rolls from 2v₀/(7µg) on."""
+    """Return expected values for a sphere of 2 kg set sliding at 3 m/s, µ = 0.2, which rolls from 2v₀/(7µg) on."""
     return bounded(state, 2.0 * 3.0 / (7.0 * 0.2 * G))
 
 
 def radius(state: State) -> Array:
-    """From the star to the planet; a = 1, e = 1/2, GM = 4π², at perihelion at first."""
+    """Return the distance between star and planet; a = 1, e = 1/2, GM = 4π², starting at perihelion."""
     return value(state, "distance", "sky.planet & sky.star")
 
 
@@ -309,7 +309,7 @@ CHECKS: list[tuple[str, Callable[[], motions.Motion], Check]] = [
 
 @pytest.mark.parametrize(("motion", "check"), [each[1:] for each in CHECKS], ids=[each[0] for each in CHECKS])
 def test_closed_form(motion: Callable[[], motions.Motion], check: Check) -> None:
-    """Relative to the largest value."""
+    """The error is relative to the largest value."""
     study, _ = motion().told()
     found, expected = check(study.trace.state)
     scale = float(np.abs(np.broadcast_to(expected, found.shape)).max())
@@ -327,7 +327,7 @@ def test_the_potential_energy_of_a_planet_is_not_the_force_times_the_way() -> No
 
 @pytest.fixture(scope="module")
 def crane() -> State:
-    """A carriage on a rail, a uniform rod of 1 m and 0.6 kg on it, and a second of 0.8 m and 0.9 kg on that."""
+    """Return states of a cart with a uniform rod of 1 m, 0.6 kg hinged to it, and one of 0.8 m, 0.9 kg to that."""
     builder = Builder()
     cart = builder.room().body("cart", 2.0).slide(X, 0.7)
     upper = cart.body("upper", 0.6, center=(0.0, 0.0, -0.5), inertia=_thin(0.6, 1.0)).hinge(Y, 2.0)
@@ -342,7 +342,7 @@ def _thin(mass: float, length: float) -> tuple[float, ...]:
 
 
 class Points:
-    """The lower rod as three points, m/6 at its ends and 2m/3 in the middle (Simpson), from the coordinates alone."""
+    """Lower rod as three points, m/6 at its ends and 2m/3 in the middle (Simpson), from coordinates alone."""
 
     def __init__(self, state: State) -> None:
         x, one, two = state.q.T
@@ -365,18 +365,21 @@ class Points:
                 kept.append(np.stack(new, axis=1))
 
     def total(self, of: list[Array]) -> Array:
-        """Σ m·of, (n, 2): x and z."""
+        """Return Σ m·of, with x and z in columns."""
         return np.einsum("k,kni->ni", self.masses, np.array(of))
 
     def moment(self, of: list[Array]) -> Array:
-        """Σ m (r − r_c) × of about y, (n,)."""
+        """Return Σ m (r − r_c) × of about y."""
         arms = np.array(self.places) - self.total(self.places) / 0.9
         turned = arms[:, :, 1] * np.array(of)[:, :, 0] - arms[:, :, 0] * np.array(of)[:, :, 1]
         return self.masses @ turned
 
 
 def test_a_body_of_an_articulated_system_by_its_points(crane: State) -> None:
-    """P = Σ m v, F = Σ m a, L = Σ m (r − r_c) × v, τ = Σ m (r − r_c) × a, K = Σ ½ m v²: no rule of König, no tensor."""
+    """Sums over the points give P = Σ m v, F = Σ m a, L = Σ m (r − r_c) × v and the like.
+
+    τ = Σ m (r − r_c) × a, K = Σ ½ m v²; neither König's theorem nor an inertia tensor is used.
+    """
     points = Points(crane)
     flat = (0, 2)
     for found, expected in (
@@ -405,7 +408,7 @@ def test_energy_of_an_articulated_system_is_kept(crane: State) -> None:
 
 
 def test_a_sum_over_the_whole_equals_what_acts_on_it_from_without(crane: State) -> None:
-    """Along the smooth rail nothing acts: total momentum along x is kept, net forces along x cancel."""
+    """Without horizontal forces, total momentum along x is constant and the net forces along x cancel."""
     bodies = ("cart", "upper", "lower")
     along = sum(value(crane, "momentum", body)[:, 0] for body in bodies)
     assert np.abs(along - along[0]).max() <= 1e-9 * abs(along[0])

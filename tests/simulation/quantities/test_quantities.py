@@ -1,4 +1,4 @@
-"""Every quantity against a direct calculation, on a machine where all kinds of parts move."""
+"""Tests of all quantities against a direct calculation, for a machine in which all kinds of parts move."""
 
 from math import cos, radians, sin
 
@@ -35,7 +35,7 @@ NAMES = (
 
 @pytest.fixture(scope="module")
 def state() -> State:
-    """A rough block on a movable wedge, tied over a heavy pulley at its top to a load in a guide; a hand draws it."""
+    """Return states of a block on a rough movable wedge, tied over its massive pulley to a load, pulled by a hand."""
     builder = Builder()
     room = builder.room()
     wedge = room.body("W", 5.0).rest(X, Z)
@@ -87,7 +87,7 @@ def test_symbols_are_one_letter_and_units_are_si() -> None:
 
 
 def test_net_force_is_the_sum_of_forces(state: State) -> None:
-    """Newton's second law for every body, from weights, tensions and contact forces as recorded."""
+    """Newton's second law holds for every body, with the recorded weights, tensions and contact forces."""
     weight = np.array([0.0, 0.0, -G])
     part1, part2 = (value(state, "tension", name)[:, None] for name in ("s/1", "s/2"))
     pull = value(state, "tension", "F")[:, None]
@@ -107,7 +107,7 @@ def test_net_force_is_the_sum_of_forces(state: State) -> None:
 
 
 def test_momentum_and_velocity_are_derivatives(state: State) -> None:
-    """Constant accelerations: s = a t²/2, v = a t, p = m v, u = dl/dt."""
+    """With constant accelerations, s = a t²/2, v = a t, p = m v, u = dl/dt."""
     t = state.times[:, None]
     for body, mass in (("W", 5.0), ("P", 0.8), ("A", 2.0), ("B", 4.0)):
         a = value(state, "acceleration", body)
@@ -121,7 +121,7 @@ def test_momentum_and_velocity_are_derivatives(state: State) -> None:
 
 
 def test_the_wheel_turns_as_the_string_runs(state: State) -> None:
-    """What leaves one free part enters the other; K of the wheel is ½ m v² + ½ (m R²/2) ω² with ω = u/R."""
+    """One free part grows as the other shrinks, and K of the wheel is ½ m v² + ½ (m R²/2) ω² with ω = u/R."""
     u = value(state, "rate of change of length", "s/2")
     assert value(state, "length", "s/1") == pytest.approx(-value(state, "length", "s/2"), abs=1e-12)
     speed = value(state, "velocity", "P")
@@ -130,7 +130,7 @@ def test_the_wheel_turns_as_the_string_runs(state: State) -> None:
 
 
 def test_work_and_energy(state: State) -> None:
-    """ΔK + ΔU = work of the hand + work of friction along the face."""
+    """The sum ΔK + ΔU is the work of the hand and of friction along the face."""
     bodies = state.mechanism.body
     energy = sum(value(state, "kinetic energy", body) + value(state, "potential energy", body) for body in bodies)
     hand = 3.0 * value(state, "displacement", "W")[:, 0]
@@ -153,7 +153,7 @@ def test_tension_of_a_slack_string_is_zero() -> None:
 
 
 def test_a_light_arm_has_no_centre_of_mass() -> None:
-    """It turns, but no text speaks of its speed, even where a carriage moves its axle."""
+    """The arm turns, but has no velocity to ask about, even if a carriage moves its axle."""
     builder = Builder()
     carriage = builder.room().body("carriage", 2.0).slide(X)
     arm = carriage.body("arm").hinge(Y)

@@ -1,4 +1,4 @@
-"""Quantities of structured questions alone, against closed forms."""
+"""Tests of the quantities that only structured questions use, against closed forms."""
 
 from functools import cache
 from math import atan2, cos, degrees, pi, radians, sin, sqrt
@@ -23,7 +23,7 @@ ROLLED = (2.3 * 0.01 - 0.5 * 5.0 / 7.0 * G * sin(radians(42.0)) * 0.01**2) / (2.
 
 @cache
 def found(name: str, find: str, of: str, when: str) -> float:
-    """Return the answer to a question in parts, in the units of the scene."""
+    """Return the answer to a structured question, in the units of the scene."""
     scene = load(SCENES / f"{name}.yaml")
     motion, words = simulate_scene(scene), words_of(describe(scene))
     answer = pose_question(StructuredQuestion(find, of, when), motion, words).followed(motion).answer
@@ -63,7 +63,10 @@ TUMBLED = sqrt(5.3**2 + 2.0 * G * 0.2 * sin(FACE / 2.0) * sin(radians(12.0)) / E
 
 
 def second_time(height: float) -> float:
-    """Return when a ball that is thrown at 4.5 m/s, 69° upwards, is at a height above its start on its way down."""
+    """Return the time at which a ball thrown at 4.5 m/s, 69° upwards, passes a height on its way down.
+
+    The height is above the start.
+    """
     up = 4.5 * sin(radians(69.0))
     return (up + sqrt(up**2 - 2.0 * G * height)) / G
 
@@ -136,13 +139,13 @@ def test_quantities_have_their_closed_forms(name: str, find: str, of: str, when:
 
 
 def test_bodies_that_do_not_attract_have_a_distance_where_both_move_freely_in_a_plane() -> None:
-    """Two such bodies have a distance, as two planets do."""
+    """Two planets without mutual attraction have a distance."""
     at_start = found("two_planets", "distance", "system.planets.0 & system.planets.1", "at start")
     assert at_start == pytest.approx(sqrt(0.37**2 + 0.58**2), rel=1e-9)
 
 
 def test_an_energy_has_no_direction() -> None:
-    """The force and the extension of a spring have a sign, *along stretched*; its energy has none."""
+    """The force and extension of a spring have a sign, *along stretched*; its energy has none."""
     scene = load(SCENES / "compressed_trolley.yaml")
     motion, words = simulate_scene(scene), words_of(describe(scene))
     with pytest.raises(TextError, match="no components"):
@@ -154,7 +157,7 @@ def test_an_energy_has_no_direction() -> None:
 
 
 def test_a_subject_stands_after_of() -> None:
-    """Otherwise it would be taken for a part of the quantity's name."""
+    """Without *of* the subject would be read as a part of the quantity's name."""
     scene = load(SCENES / "lob.yaml")
     motion, words = simulate_scene(scene), words_of(describe(scene))
     with pytest.raises(TextError, match="height above the start the ball"):
@@ -162,7 +165,7 @@ def test_a_subject_stands_after_of() -> None:
 
 
 def test_the_force_on_a_pulley_needs_the_directions_of_the_strings_parts() -> None:
-    """Of two separate planes nothing is said of the sides to which they rise."""
+    """The text does not state on which sides two separate planes rise."""
     scene = load(SCENES / "two_facing_planes.yaml")
     motion, words = simulate_scene(scene), words_of(describe(scene))
     with pytest.raises(TextError, match="directions of the string's parts"):
@@ -179,7 +182,7 @@ def test_only_stated_axes_have_coordinates() -> None:
 
 
 def test_coordinates_go_on_where_a_motion_is_begun_again() -> None:
-    """Displaced bodies keep counting from the origin of the text."""
+    """Coordinates of displaced bodies still refer to the origin of the text."""
     mechanism = load(SCENES / "dull_carts.yaml").mechanism
     later = displaced(mechanism, [0.1, -0.2], [0.0, 0.0])
     assert [place[1] for each in later.coordinates if (place := each.stated)] == pytest.approx([-1.34, -1.18])
@@ -190,7 +193,7 @@ def test_coordinates_go_on_where_a_motion_is_begun_again() -> None:
     [(0.0, 1.602e-19 * 2000.0), (1e-9, 1.602e-19 * 2000.0), (2.4e-9, 1.602e-19 * 2000.0), (2.6e-9, 0.0)],
 )
 def test_a_field_in_a_region_acts_there_and_on_its_border_alone(time: float, force: float) -> None:
-    """An electron crosses the field between two plates of 5 cm in 2.5 ns, beginning at their edge."""
+    """An electron that starts at the edge of plates of 5 cm crosses their field in 2.5 ns."""
     scene = load(SCENES / "crt.yaml")
     motion, words = simulate_scene(scene), words_of(describe(scene))
     asked = pose_question(StructuredQuestion("electric force", when=f"at {time} s"), motion, words)

@@ -1,4 +1,4 @@
-"""How numbers stand in formulas."""
+"""Tests of how numbers are written in formulas."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Elliptic integrals as formulas: against their definition, tables, and each other."""
+"""Tests of elliptic integrals as formulas, against their definition, tables and each other."""
 
 from math import gamma, pi, sin, sqrt
 
@@ -14,14 +14,14 @@ POINTS = 4001  # of Simpson's rule
 
 
 def integrated(angle: float, modulus: float) -> float:
-    """∫ dθ/√(1 − k² sin² θ) by Simpson's rule."""
+    """Return ∫ dθ/√(1 − k² sin² θ) by Simpson's rule."""
     width = angle / (POINTS - 1)
     values = [1.0 / sqrt(1.0 - (modulus * sin(n * width)) ** 2) for n in range(POINTS)]
     return width / 3.0 * (values[0] + values[-1] + 4.0 * sum(values[1:-1:2]) + 2.0 * sum(values[2:-1:2]))
 
 
 def test_the_lemniscate() -> None:
-    """K(1/√2) = Γ(1/4)²/(4 √π) (Abramowitz and Stegun, 17.3.9)."""
+    """The value is K(1/√2) = Γ(1/4)²/(4 √π) (Abramowitz and Stegun, 17.3.9)."""
     found = CompleteElliptic(K).value({"k": sqrt(0.5)})
     assert found == pytest.approx(gamma(0.25) ** 2 / (4.0 * sqrt(pi)), rel=1e-14)
 

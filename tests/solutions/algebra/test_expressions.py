@@ -1,4 +1,4 @@
-"""Formulas: their values, their derivatives, how they are written, and that what is written means the same."""
+"""Tests of expressions: values, derivatives, LaTeX, and agreement of the LaTeX with the values."""
 
 from math import cos, pi, sin, sqrt
 

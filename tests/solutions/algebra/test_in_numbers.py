@@ -1,4 +1,4 @@
-"""Equations with one unknown in numbers: closed forms are found where there are some, and nowhere else."""
+"""Tests of closed forms for the roots of equations in which all but the unknown are numbers."""
 
 from math import cos, isclose, sin, sqrt
 
@@ -18,7 +18,7 @@ SIZES = st.floats(0.2, 8.0)
 
 @given(SIZES, SIZES)
 def test_a_tension_in_which_a_mass_stands_twice_is_a_linear_equation(x: float, m: float) -> None:
-    """T = 2 m x g/(m + x) of two blocks on one string."""
+    """The tension of two blocks on one string is T = 2 m x g/(m + x)."""
     chain = Chain((("a", G * (X - M) / (X + M)), ("T", M * (G + Symbol("a")))))
     values = {"x": x, "m": m, "g": 9.8, "T": 2.0 * m * x * 9.8 / (m + x)}
     found = closed_root(chain, Symbol("T"), "x", values)
@@ -32,7 +32,7 @@ def test_a_tension_in_which_a_mass_stands_twice_is_a_linear_equation(x: float, m
 
 @given(SIZES, SIZES)
 def test_a_speed_at_which_energy_is_lost_is_a_quadratic_equation(x: float, m: float) -> None:
-    """The square of v = √(x² g + m) − x², that is of a sum of two, is none of the forms; that of √(…) alone is."""
+    """The square of v = √(x² g + m x) is quadratic in x; that of √(x² g + m) − x² is of no known form."""
     chain = Chain((("v", Root(Power(X, 2) * G + M * X)),))
     values = {"x": x, "m": m, "g": 9.8, "v": sqrt(9.8 * x**2 + m * x)}
     found = closed_root(chain, Symbol("v"), "x", values)

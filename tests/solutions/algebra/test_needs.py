@@ -1,4 +1,4 @@
-"""What it takes to work out an expression: every class says so."""
+"""Tests that every class of expressions has an entry in the table of required operations."""
 
 import inspect
 import pkgutil
@@ -33,7 +33,7 @@ def subclasses(cls: type[Expression]) -> Iterator[type[Expression]]:
 
 
 def test_every_class_of_expressions_has_a_need() -> None:
-    """Also those in modules that nothing imports yet; KeyError for one that the table does not know."""
+    """Modules that are not imported elsewhere are included."""
     for module in pkgutil.walk_packages(sim2reason.solutions.__path__, "sim2reason.solutions."):
         import_module(module.name)
     modules = (module for name, module in sys.modules.items() if name.startswith("sim2reason."))

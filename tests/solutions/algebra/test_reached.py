@@ -1,4 +1,4 @@
-"""Values of an unknown for which formulas have a given value."""
+"""Tests of the search for values of an unknown at which a formula has a given value."""
 
 from math import pi, radians, sin
 
@@ -21,7 +21,7 @@ def book(value: float, name: str = "x", unit: str = "") -> SolutionBuilder:
 
 
 def test_both_values_with_which_a_sum_of_two_powers_is_zero_are_found() -> None:
-    """Of 1/x + x = 5/2 they are ½ and 2; for −5/2 there is no positive one."""
+    """The equation 1/x + x = 5/2 has the roots ½ and 2; for −5/2 there is no positive root."""
     chain = Chain((("y", Number(1.0) / X), ("z", Symbol("y") + X)))
     assert values_with(chain, 2.5, "x", book(2.0)) == pytest.approx([0.5, 2.0])
     assert values_with(chain, -2.5, "x", book(2.0)) == []
@@ -29,12 +29,12 @@ def test_both_values_with_which_a_sum_of_two_powers_is_zero_are_found() -> None:
 
 
 def test_a_pole_is_no_value() -> None:
-    """1/(x − 1) changes its sign at 1, but is never zero."""
+    """The function 1/(x − 1) changes sign at 1, but is never zero."""
     assert values_with(Chain((("y", Number(1.0) / (X - Number(1.0))),)), 0.0, "x", book(2.0)) == []
 
 
 def test_angles_and_coefficients_of_restitution_have_bounds() -> None:
-    """2 sin x is 1 at 30° alone, as 150° is no angle of a slope; e² = 2.25 takes an e of 1.5."""
+    """A slope has 2 sin x = 1 at 30°, and not at 150°, which is no angle of a slope; e² = 2.25 needs e = 1.5."""
     found = values_with(Chain((("y", Number(2.0) * Call("sin", X)),)), 1.0, "x", book(0.3, unit=DEGREES))
     assert found == pytest.approx([radians(30.0)])
     assert sin(found[0]) < sin(0.5 * pi)

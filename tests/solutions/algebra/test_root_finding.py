@@ -1,4 +1,4 @@
-"""Equations solved for one symbol: a closed form wherever there is one, else a number that is found."""
+"""Tests of solving equations for one symbol, in closed form if possible and else numerically."""
 
 from collections.abc import Mapping
 
@@ -34,7 +34,7 @@ CLOSED: Mapping[str, Expression] = {
 @settings(max_examples=15)
 @given(st.lists(st.floats(0.3, 3.0), min_size=3, max_size=3), st.floats(0.1, 1.4))
 def test_what_has_a_closed_inverse_gets_it(formula: Expression, numbers: list[float], x: float) -> None:
-    """The symbol comes back, at any numbers at which the branch is not at its turning point."""
+    """Solving y = f(x) for x recovers x, in closed form except near turning points of f."""
     at = dict(zip("abc", numbers, strict=True)) | {"x": x}
     at["y"] = float(formula.value(at).real)
     slope = (formula.value(at | {"x": x * 1.0001}).real - at["y"]) / (1e-4 * x)
@@ -62,7 +62,7 @@ def test_a_long_formula_is_settled_to_numbers_of_what_is_known() -> None:
 
 
 def test_a_fraction_has_no_whole_factor_left() -> None:
-    """4 a x = 4 b + 2 c x gives x = 2 b/(2 a − c)."""
+    """The solution of 4 a x = 4 b + 2 c x is x = 2 b/(2 a − c)."""
     a, b, c, x = (Symbol(name) for name in "abcx")
     at = {"a": 3.0, "b": 1.0, "c": 2.0, "x": 0.5}
     assert solved_for("x", 4.0 * a * x - 2.0 * c * x, 4.0 * b, at).latex() == r"\frac{2\,b}{2\,a - c}"

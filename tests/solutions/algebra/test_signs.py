@@ -1,4 +1,4 @@
-"""Signs of formulas: none that cancel each other, none before a difference that can be reversed, and equal values."""
+"""Tests of signs in formulas: none cancel, none precede a reversible difference, and values are equal."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Equations that are stated before their roots, and why a root is the only one."""
+"""Tests of the equations that are stated before their roots, and of reasons why a root is unique."""
 
 import pytest
 
@@ -13,7 +13,7 @@ AT = {"a": 1.5, "t": 0.8, "x": 0.6, "w": 2.0}
 
 
 def test_a_quadratic_equation_is_stated_with_its_unknown_on_the_left() -> None:
-    """From w = ½ a x² + t x."""
+    """The equation w = ½ a x² + t x is written with its sides swapped."""
     sides = stated_equation("x", Number(0.5) * A * Power(X, 2) + T * X, W, Polynomial.factored)
     assert sides is not None
     assert [side.latex() for side in sides] == [r"\tfrac{1}{2} a x^{2} + t x", "w"]
@@ -28,7 +28,7 @@ def test_an_equation_in_the_sine_and_cosine_of_an_angle_is_stated() -> None:
 
 
 def test_a_factor_that_all_terms_share_is_cancelled() -> None:
-    """Of a w x² + a t x = a² w."""
+    """The equation a w x² + a t x = a² w is divided by a."""
     held = A * W * Power(X, 2) + A * T * X
     sides = stated_equation("x", held, Power(A, 2) * W, Polynomial.factored)
     assert sides is not None
@@ -51,7 +51,7 @@ def test_nothing_is_stated_that_undoing_steps_solves(formula: Symbol) -> None:
 
 
 def test_an_equation_with_a_root_is_stated_without_it() -> None:
-    """From t √x + x = w follows t² x = (w − x)²."""
+    """The equation t √x + x = w becomes t² x = (w − x)²."""
     sides = stated_equation("x", T * Root(X) + X, W, Polynomial.factored)
     assert sides is not None
     root = 0.5 * (-0.8 + (0.64 + 8.0) ** 0.5)
@@ -60,7 +60,7 @@ def test_an_equation_with_a_root_is_stated_without_it() -> None:
 
 
 def test_where_a_formula_falls_or_grows_all_along_it_is_said() -> None:
-    """The period of an orbit falls with the mass of the star where it is bound, and no further is looked."""
+    """The period of a bound orbit decreases with the mass of the star."""
     period = Root(Power(X / (A * X - T), 3) / X)
     assert trend(period, "x", AT) == "decreases"
     assert trend(A * X, "x", AT) == "increases"

@@ -1,4 +1,4 @@
-"""Formulas of one storey: the same values, no fraction in a fraction, nothing left to cancel."""
+"""Tests that formulas have no nested fractions and nothing left to cancel, and keep their values."""
 
 from math import isclose
 
@@ -98,7 +98,7 @@ def test_no_fraction_stands_in_a_fraction_but_for_roots_in_a_sum_below(held: Exp
 
 
 def _has_sum_of_roots(held: Expression) -> bool:
-    """Return whether a root or modulus of a fraction is a term of a sum, which has no common denominator then."""
+    """Return whether a root or modulus of a fraction is a term of a sum, which has no common denominator."""
     if isinstance(held, Sum):
         bases = [base for term in held.terms for base in factors_of(term).powers]
         if any(isinstance(base, Root | Absolute | Sum) and has_fraction(base) for base in bases):

@@ -1,4 +1,4 @@
-"""Formulas that were put into each other, as they are written anew."""
+"""Tests of the simplification of formulas that were inserted into each other."""
 
 import pytest
 

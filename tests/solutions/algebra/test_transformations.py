@@ -1,4 +1,4 @@
-"""Derivatives and limits of formulas, compared with differences of their values and with values far away."""
+"""Tests of derivatives and limits of formulas, against difference quotients and distant values."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Phases integrated from stated equations, against closed forms; what a phase leaves open is refused."""
+"""Tests of phases integrated from stated equations: closed forms, and refusal of incomplete phases."""
 
 from collections.abc import Callable
 from copy import deepcopy
@@ -25,7 +25,7 @@ def answer(data: Data) -> float:
 
 
 def pendulum(start: float) -> Data:
-    """A quarter of the period, four times."""
+    """Return a solution for a pendulum's period, as four times the time of a quarter."""
     swinging = relation("\\alpha", ["*", -1.0, ["/", "g", "\\ell"], ["sin", "\\theta"]])
     quarter = phase(
         [coordinate("\\theta", "\\omega", "\\alpha", "\\theta_0", 0.0)],
@@ -41,7 +41,7 @@ def pendulum(start: float) -> Data:
 @given(st.floats(0.01, 3.1))
 @settings(max_examples=15)
 def test_a_pendulum_has_the_period_of_the_elliptic_integral(start: float) -> None:
-    """T = 2π √(ℓ/g)/M(1, cos ½θ), by the arithmetic-geometric mean."""
+    """The period is T = 2π √(ℓ/g)/M(1, cos ½θ), by the arithmetic-geometric mean."""
     mean, other = 1.0, cos(0.5 * start)
     for _ in range(8):
         mean, other = 0.5 * (mean + other), sqrt(mean * other)
@@ -51,7 +51,7 @@ def test_a_pendulum_has_the_period_of_the_elliptic_integral(start: float) -> Non
 @given(st.floats(0.0, 0.95), st.integers(1, 4))
 @settings(max_examples=10)
 def test_an_orbit_comes_back_after_the_period_of_kepler(eccentricity: float, turns: int) -> None:
-    """The distance is defined by the coordinates; the beginning lies on the line that is crossed at the end."""
+    """The distance is defined by the coordinates; the orbit starts on the line at which the phase ends."""
     fall = [
         relation("r", ["sqrt", ["+", ["^", "x", 2.0], ["^", "y", 2.0]]]),
         relation("a_x", ["/", ["*", -1.0, "\\mu", "x"], ["^", "r", 3.0]]),
@@ -72,7 +72,7 @@ def test_an_orbit_comes_back_after_the_period_of_kepler(eccentricity: float, tur
 @given(st.floats(1e-6, 0.9))
 @settings(max_examples=15)
 def test_two_zeros_that_are_close_are_not_passed_over(part: float) -> None:
-    """A ball thrown up at speed v is twice at a height just below v²/(2 g), then at t = (v + √(v² − 2 g h))/g."""
+    """A ball thrown up at v passes a height just below v²/(2 g) again at t = (v + √(v² − 2 g h))/g."""
     height = (1.0 - part) * 25.0 / (2.0 * G)
     flight = phase(
         [coordinate("y", "w", "a", 0.0, "v")],
@@ -86,7 +86,7 @@ def test_two_zeros_that_are_close_are_not_passed_over(part: float) -> None:
 
 
 def wedge(unknowns: tuple[str, ...] = ("N",)) -> Data:
-    """A block on a movable wedge: accelerations and the normal force from three equations, the work of that force."""
+    """Return a solution for a block on a movable wedge, with accelerations and normal force from three equations."""
     equations = [
         relation(["*", "M", "A"], ["*", "N", ["sin", "\\theta"]]),
         relation(["*", "m", ["+", "a", ["*", -1.0, "A", ["cos", "\\theta"]]]], ["*", "m", "g", ["sin", "\\theta"]]),
@@ -144,7 +144,7 @@ def test_a_bouncing_ball_sums_a_geometric_series(bounces: int, restitution: floa
 
 
 def rubbing(swings: int) -> Data:
-    """A mass on a spring with friction: each half swing turns 2 µ m g/k closer to the middle."""
+    """Return a solution for a mass on a spring with friction, each half swing 2 µ m g/k closer to the middle."""
     steps: list[Data] = []
     place, time, way = "x_0", 0.0, 0.0
     for n in range(swings):
@@ -201,7 +201,7 @@ def in_the_air() -> Data:
 
 
 def slack(speed: float) -> Data:
-    """A ball on a string: a circle until the string goes slack, a parabola until it is taut, the jerk."""
+    """Return a solution for a ball on a string: a circle until it is slack, a parabola, a jerk."""
     handed_on = step(
         relation("x_1", ["*", "\\ell", ["sin", "\\theta_1"]]),
         relation("y_1", ["*", -1.0, "\\ell", ["cos", "\\theta_1"]]),
@@ -215,7 +215,7 @@ def slack(speed: float) -> Data:
 
 @pytest.mark.parametrize("height", [0.1, 0.3, 0.5])
 def test_a_string_that_goes_slack_is_taut_three_times_as_far_below(height: float) -> None:
-    """It goes slack at an angle φ above the level of the nail, where v² = g ℓ sin φ, and is taut at 3 φ below it.
+    """The string goes slack at φ above the level of the nail, where v² = g ℓ sin φ, and is taut at 3 φ below it.
 
     On x = ℓ cos φ − v t sin φ, y = ℓ sin φ + v t cos φ − ½ g t² the square of the distance is ℓ² at t = 4 v cos φ/g.
     """
@@ -230,7 +230,7 @@ def test_a_string_that_goes_slack_is_taut_three_times_as_far_below(height: float
 
 
 def test_the_same_circle_by_a_constraint() -> None:
-    """Coordinates x and y, the tension, and the second derivative of x² + y² = ℓ²."""
+    """The unknowns are x, y and the tension, with the second derivative of x² + y² = ℓ² as an equation."""
     start = sqrt(G * 0.9 * (2.0 + 3.0 * sin(0.3)))
     pull = ["/", "F", "\\ell"]
     circle = phase(
@@ -284,7 +284,7 @@ def test_what_a_phase_leaves_open(change: Callable[[Data], object], fault: str) 
 
 
 def test_equations_that_leave_a_force_open() -> None:
-    """Two equations that say the same are of no full rank."""
+    """Two equivalent equations do not have full rank."""
     data = wedge(("N", "R"))
     data["steps"].pop()
     equations = data["steps"][0]["integration"]["equations"]
@@ -296,7 +296,7 @@ def test_equations_that_leave_a_force_open() -> None:
 
 
 def dropped(height: float, stated: float | None = None) -> Data:
-    """A ball that falls from an unknown height and rises to 1 m after a rebound: h = 1 m/e²."""
+    """Return a solution for a ball from unknown height that rises to 1 m after a rebound: h = 1 m/e²."""
     data = bouncing(1, 0.8)
     rise = phase(
         [coordinate("y", "v", "a", 0.0, "w_0")],

@@ -1,4 +1,4 @@
-"""Answers recomputed from data written by hand, against closed forms; what leaves something unstated is refused."""
+"""Tests of answers recomputed from solutions' data: closed forms, and refusal of incomplete data."""
 
 import json
 from math import cos, isclose, pi, sin, sqrt
@@ -23,7 +23,7 @@ def atwood(*relations: Data, goal: str = "T") -> Data:
 
 
 def test_an_elimination() -> None:
-    """T = 2 m_A m_B g/(m_A + m_B), though no relation says what T is."""
+    """The answer is T = 2 m_A m_B g/(m_A + m_B), although no relation is solved for T."""
     found = recompute(atwood(HANGING, RISING, COMBINED, RESULT))
     assert not found.faults
     assert found.answer == pytest.approx(2.0 * 3.0 * 2.0 * 9.8 / 5.0, rel=1e-14)
@@ -58,7 +58,7 @@ def test_a_given_left_out(name: str) -> None:
 
 
 def test_a_given_that_cancels_where_forces_balance() -> None:
-    """With m_A = m_B every g fits a = 0; what rounding leaves of its coefficient gives it no value."""
+    """With m_A = m_B, a = 0 for any g; a coefficient of the size of rounding errors does not determine g."""
     balanced = relation("m_A", ["/", ["*", "m_B", ["sin", "\\beta"]], ["sin", "\\theta"]], "result")
     slope = relation(
         ["+", ["*", "m_A", "g", ["sin", "\\theta"]], ["*", -1.0, "m_B", "g", ["sin", "\\beta"]]],
@@ -73,7 +73,7 @@ def test_a_given_that_cancels_where_forces_balance() -> None:
 
 
 def test_products_of_two_unknowns_are_not_linear() -> None:
-    """Either law leaves both open, whatever values are tried; the results choose one of two solutions."""
+    """Neither law determines x or y alone; the results select one of the two solutions."""
     laws = relation(["*", "x", "y"], 6.0), relation(["+", "x", "y"], 5.0)
     results = relation("x", ["+", 1.0, "z"], "derived"), relation("y", ["*", 2.0, "z"], "derived")
     assert {"x has no value", "y has no value"} <= {*recompute(solution({"z": 1.0}, "x", step(*laws))).faults}
@@ -110,7 +110,7 @@ def test_a_result_for_which_no_law_is_stated() -> None:
 
 
 def thrown_down(height: float) -> Data:
-    """From the speed at the ground to the height: v² = u² + 2 g h with h unknown."""
+    """Return a solution for the height from the speed at the ground, v² = u² + 2 g h with h unknown."""
     return solution(
         {"u": 3.0, "v": sqrt(9.0 + 2.0 * 9.8 * height), "g": 9.8},
         "h",
@@ -136,7 +136,7 @@ def test_a_number_that_follows_from_no_given_result() -> None:
 
 
 def falling_with_friction(near: float, residual: Data | None = None) -> Data:
-    """The root of t − 1 + e^(−t) = ½."""
+    """Return a solution for the root of t − 1 + e^(−t) = ½."""
     equation = relation(["+", "t", -1.0, ["exp", ["*", -1.0, "t"]]], "c")
     stated = residual or ["+", "t", -1.0, ["exp", ["*", -1.0, "t"]], ["*", -1.0, "c"]]
     return solution({"c": 0.5}, "t", step(equation), step(relation("t", ["root", "t", stated, near], "result")))
@@ -155,7 +155,7 @@ def test_a_root_that_is_elsewhere_or_of_another_equation() -> None:
 
 
 def test_two_roots_where_one_is_stated() -> None:
-    """Both 1 and 1.00005 are zeros, and five digits do not say which is meant."""
+    """Both 1 and 1.00005 are zeros, which five digits do not distinguish."""
     quadratic = ["*", ["+", "x", -1.0], ["+", "x", ["*", -1.0, "b"]]]
     data = solution(
         {"b": 1.00005},
@@ -187,7 +187,7 @@ def test_degrees_and_counts() -> None:
 
 
 def test_what_is_assumed_is_verified() -> None:
-    """µN − F is told as a number, and nothing rests on it."""
+    """The stated value of µN − F is checked, although no other relation uses it."""
     spare = ["+", ["*", "\\mu", "N"], ["*", -1.0, "F"]]
     data = solution({"\\mu": 0.5, "N": 10.0, "F": 3.0}, "F", step(relation("S", spare, "verified")))
     assert not recompute(data).faults

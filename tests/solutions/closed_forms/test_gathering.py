@@ -1,4 +1,4 @@
-"""What terms share stands before them, where that is shorter, or always; values stay."""
+"""Tests of factoring out common terms, without a change of values."""
 
 from math import isclose
 

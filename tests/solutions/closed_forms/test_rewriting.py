@@ -1,4 +1,4 @@
-"""Formulas made shorter keep their value, and numbers found on the way are no formulas."""
+"""Tests that shortened formulas keep their value, and that intermediate numbers are not taken for formulas."""
 
 from dataclasses import replace
 from math import acos, asin, atan, cos, isclose, pi, sin, tan
@@ -86,7 +86,7 @@ def test_signs_and_fractions_stand_where_one_would_write_them(held: Expression, 
 
 
 def test_names_are_put_in_until_only_what_is_given_stays() -> None:
-    """x = p q, y = x s: y = p q d, the question's own number c being called d."""
+    """With x = p q, y = x s, the result is y = p q d, where s is a number of the question called d."""
     found = closed_form(solution(("x", a * b), ("y", Symbol("x") * c)), ["d"])
     assert found.latex == "d p q"
     assert found.symbols == ("d", "p", "q")
@@ -117,7 +117,7 @@ def test_a_formula_that_nobody_would_write_is_none() -> None:
 
 
 def test_what_has_many_roots_is_given_up_before_it_is_made_shorter() -> None:
-    """Three roots, each of its own, do not cancel; two may, unless what they stand in is very long."""
+    """Three independent roots do not cancel; two may, unless their formula is very long."""
     three = Sum(tuple(Quotient(Root(Power(a, n) + b), b + Power(c, n) + Power(t, n)) for n in range(2, 5)))
     assert not hopeless(three)
     assert hopeless(three * (three + c))
@@ -138,7 +138,7 @@ INVERSES: list[Function] = ["arcsin", "arccos", "arctan"]
 @pytest.mark.parametrize("inverse", INVERSES)
 @pytest.mark.parametrize("function", ["sin", "cos", "tan"])
 def test_a_function_of_an_inverse_one_has_neither(function: Function, inverse: Function) -> None:
-    """sin arccos x = √(1 − x²), and the like."""
+    """One of the identities is sin arccos x = √(1 − x²)."""
     found = closed_form(solution(("x", Call(function, Call(inverse, Quotient(b, c))))))
     assert "arc" not in found.latex
     ratio = AT["q"] / AT["s"]
@@ -147,14 +147,14 @@ def test_a_function_of_an_inverse_one_has_neither(function: Function, inverse: F
 
 
 def test_factors_are_found_without_a_general_method() -> None:
-    """(p + q)² (s + θ), multiplied out, is linear in s."""
+    """The expanded form of (p + q)² (s + θ) is linear in s."""
     whole = (a * a + 2.0 * a * b + b * b) * Number(1.0)
     held = Sum(tuple(term * other for term in whole.parts for other in (c, t)))
     assert shortest_form(held).latex() == r"\left(p + q\right)^{2} \left(\theta + s\right)"
 
 
 def test_sizes_stand_where_something_is_negative_elsewhere() -> None:
-    """√(p − q) s where p < q, and −p where p > 0."""
+    """Magnitudes are taken of √(p − q) s with p < q, and of −p with p > 0."""
     points = [{"p": 1.0, "q": 2.0, "s": 3.0}, {"p": 2.0, "q": 1.0, "s": 3.0}]
     found = closed_form(solution(("x", Root(a - b) * c))).of_sizes(points)
     assert found.latex == r"s \sqrt{\left|p - q\right|}"
@@ -164,7 +164,7 @@ def test_sizes_stand_where_something_is_negative_elsewhere() -> None:
 
 
 def test_only_factors_of_both_signs_stand_between_bars() -> None:
-    """p (q − p)/(s − q), where q < p throughout, and s − q has either sign."""
+    """In p (q − p)/(s − q), q < p throughout, and s − q has either sign."""
     points = [{"p": 3.0, "q": 2.0, "s": 5.0}, {"p": 3.0, "q": 2.0, "s": 1.0}]
     found = closed_form(solution(("x", a * (b - a) / (c - b)))).of_sizes(points)
     assert found.latex == r"\frac{p \left(p - q\right)}{\left|q - s\right|}"

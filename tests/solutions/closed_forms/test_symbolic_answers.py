@@ -1,4 +1,4 @@
-"""The last algebra of an answer in symbols: what the quantities in its formula come to, in terms of what is given."""
+"""Tests of the final algebra of symbolic answers, which expresses quantities by the given ones."""
 
 from dataclasses import replace
 
@@ -14,7 +14,7 @@ M, V, G, H = map(Symbol, ("m", "v", "g", "h"))
 
 
 def solution(goal: str, **formulas: Expression) -> Solution:
-    """A solution with a law for each name, in order, all of whose other symbols are given."""
+    """Return a solution with a law for each name in order; all other symbols are given."""
     given = tuple(Relation(held, Number(2.0), "given") for held in (M, V, G, H))
     steps = [Step(0, "givens", "", given, (), ())]
     for number, (name, formula) in enumerate(formulas.items(), start=1):
@@ -26,7 +26,7 @@ def solution(goal: str, **formulas: Expression) -> Solution:
 
 
 def test_what_an_answer_is_made_of_is_told() -> None:
-    """Of Q = Q1 + Q2 each, with the speed put in, where it cancels."""
+    """For Q = Q1 + Q2 both terms are stated, with the speed inserted, which cancels."""
     square = Power(V, 2) + 2.0 * G * H
     found = with_final_algebra(
         solution("Q", w=square, one=M * Symbol("w"), two=0.5 * M * Symbol("w"), Q=Symbol("one") + Symbol("two"))
@@ -39,7 +39,7 @@ def test_what_an_answer_is_made_of_is_told() -> None:
 
 
 def test_one_quantity_alone_is_looked_through() -> None:
-    """Of U = |s| what s is made of."""
+    """For U = |s| the terms of s are stated."""
     found = with_final_algebra(
         solution(
             "U", a=G * H, b=V * Symbol("a"), c=M * Symbol("a"), s=Symbol("b") + Symbol("c"), U=Absolute(Symbol("s"))
@@ -63,7 +63,7 @@ def test_nothing_is_repeated_that_one_formula_gives() -> None:
 
 
 def test_what_the_text_has_is_not_repeated() -> None:
-    """A comparison puts all steps together itself before it changes a number."""
+    """A formula that an earlier step already states is omitted."""
     w, p = Symbol("w"), Symbol("p")
     held = solution("Q", w=Power(V, 2) + 2.0 * G * H, p=M * w, Q=Quotient(p, H * w))
     told = with_final_algebra(held).steps[-1]
@@ -75,7 +75,7 @@ def test_what_the_text_has_is_not_repeated() -> None:
 
 
 def test_it_is_said_what_is_inserted_into_what_and_what_that_gives() -> None:
-    """E = m g x + h (v² − (v + x)²) with x = (m g − v h) / h, which simplifies."""
+    """The example E = m g x + h (v² − (v + x)²) with x = (m g − v h) / h simplifies."""
     x = Symbol("x")
     energy = M * G * x + H * (Power(V, 2) - Power(V + x, 2))
     held = solution("E", x=Quotient(M * G - V * H, H), E=energy)
@@ -89,7 +89,7 @@ def test_it_is_said_what_is_inserted_into_what_and_what_that_gives() -> None:
 
 
 def test_a_quantity_between_the_start_and_the_last_formula_is_told() -> None:
-    """Of K = m u² with u = h w and w = v s, s = √(v² + g h), also w."""
+    """For K = m u² with u = h w and w = v s, s = √(v² + g h), w is stated too."""
     s, w, u = map(Symbol, ("s", "w", "u"))
     root = Power(V, 2) + G * H
     held = solution("K", s=Root(root), w=V * s, u=H * w, K=M * Power(u, 2) + M * root)

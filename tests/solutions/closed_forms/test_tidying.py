@@ -7,14 +7,14 @@ from sim2reason.solutions.closed_forms.tidying import tidy
 
 
 def test_no_square_of_a_number_is_left_of_that_of_a_product_with_a_root() -> None:
-    """(-ℓ √(k/m))² = ℓ² k/m."""
+    """The square is (-ℓ √(k/m))² = ℓ² k/m."""
     length, stiffness, mass = map(Symbol, ("l", "k", "m"))
     found = tidy(Power(Number(-1.0) * length * Root(stiffness / mass), 2))
     assert found.latex() == (Power(length, 2) * (stiffness / mass)).latex()
 
 
 def test_what_stands_above_and_below_goes() -> None:
-    """½ m a² k/m = ½ a² k, and m (k/(m b)) = k/b."""
+    """Common factors cancel: ½ m a² k/m = ½ a² k, and m (k/(m b)) = k/b."""
     mass, stiffness, way, other = map(Symbol, ("m", "k", "a", "b"))
     half = Number(0.5)
     assert tidy(half * mass * Power(way, 2) * (stiffness / mass)).latex() == (half * Power(way, 2) * stiffness).latex()
@@ -23,7 +23,7 @@ def test_what_stands_above_and_below_goes() -> None:
 
 
 def test_a_power_of_an_exponential_is_one_of_a_multiple() -> None:
-    """(exp(−b t/m))² = exp(−2 b t/m), which nobody writes exp²(−b t/m)."""
+    """The square (exp(−b t/m))² is written exp(−2 b t/m), not exp²(−b t/m)."""
     drag, time, mass = map(Symbol, ("b", "t", "m"))
     squared = Power(Call("exp", -(drag * time) / mass), 2)
     assert "exp^" not in squared.latex()
@@ -60,7 +60,7 @@ def test_no_number_stands_before_a_root_nor_a_sign_before_a_difference_that_take
 
 
 def test_two_sums_that_are_negative_are_reversed_together() -> None:
-    """As in (5 µ cos θ − 2 sin θ)/(µ cos θ − sin θ), which is positive where both are negative."""
+    """For example (5 µ cos θ − 2 sin θ)/(µ cos θ − sin θ) is positive if both sums are negative."""
     points = [{"a": 0.2, "b": 0.4, "c": 1.3, "M": 2.1}, {"a": 0.1, "b": 0.5, "c": 1.9, "M": 2.1}]
     held = Quotient(M * (A - B), A - C)
     found = ClosedForm(held, held.latex(), ("M", "a", "b", "c")).with_positive_factors(points)

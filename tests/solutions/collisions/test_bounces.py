@@ -1,4 +1,4 @@
-"""Texts about balls that bounce and pucks on a tilted table: what an impact keeps, and why nothing comes earlier."""
+"""Tests of solutions about bouncing balls and about pucks on a tilted table."""
 
 from math import cos, radians, sin, sqrt
 
@@ -50,5 +50,5 @@ def test_the_first_time_at_a_distance_is_not_before_the_bounce(angle: float) -> 
 
 
 def test_a_bounce_that_a_motion_does_not_reach_is_no_error() -> None:
-    """One draw of this problem asks for the restitution of a motion that ends before its second bounce."""
+    """One draw asks for the restitution of a motion that ends before its second bounce."""
     assert make(Request("projectile", "easy", "reverse", 3232, 0)).item is not None

@@ -1,4 +1,4 @@
-"""The order of collisions: each pair that might meet before the next collision is shown not to."""
+"""Tests of the order of collisions: every pair that might collide earlier is excluded by an argument."""
 
 import re
 from math import cos, hypot, radians, sin
@@ -31,7 +31,7 @@ PUCKS = [f"table.pucks.{n}" for n in range(4)]
 
 
 def scene(*pucks: tuple[float, float, float, float], restitution: float = 0.5, mass: float = 1.0) -> Scene:
-    """Pucks A, B, ... by place and velocity."""
+    """Build pucks A, B, ... on a table, each given by position and velocity."""
     held = tuple(Puck(mass=mass, x=x, y=y, vx=vx, vy=vy) for x, y, vx, vy in pucks)
     entity = TwoDCollisionPlane(table=Table(), radius=RADIUS, pucks=held, restitution=restitution)
     return Scene(entities=(Named(name="table", entity=entity),))
@@ -55,7 +55,7 @@ SLOW, AHEAD = (1.0, 0.05, -0.02, 0.03), (1.6, 0.15, 0.02, 0.01)
 
 
 def test_a_bystander_that_passes_is_named_with_its_distance() -> None:
-    """C crosses the line of A and B, far off at that time; the distance is |r × u|/|u|."""
+    """Puck C crosses the line of A and B at a distance |r × u|/|u|."""
     C = (0.3, -2.0, 0.01, 1.0)
     found = after(scene(A, B, C), 0, 1.0)
     x, y, u, v = (c - a for a, c in zip(A, C, strict=True))
@@ -69,7 +69,7 @@ def test_a_bystander_that_passes_is_named_with_its_distance() -> None:
 
 
 def test_a_pair_that_would_meet_later_has_its_time() -> None:
-    """A alone would reach C after a time in which |r + u t| falls to twice the radius; B comes first."""
+    """Puck A would meet C when |r + u t| is twice the radius, after its collision with B."""
     found = after(scene(A, B, (2.0, 0.0, 0.0, 0.0)), 1, 0.6)
     x, y, u, v = 2.0 - A[0], -A[1], -A[2], -A[3]
     time = found.values["t_{AC}"]
@@ -80,7 +80,7 @@ def test_a_pair_that_would_meet_later_has_its_time() -> None:
 
 
 def test_pucks_that_move_apart_are_named() -> None:
-    """C flies off to the right of both."""
+    """Puck C moves away from both others."""
     found = after(scene(A, B, (0.5, 3.0, 0.0, 1.0)), 0, 1.0)
     assert "move apart, since $q_" in found.text
 
@@ -91,7 +91,7 @@ def test_two_pucks_alone_need_no_argument() -> None:
 
 
 def test_all_collisions_before_the_moment_are_told_in_order() -> None:
-    """A has its last velocity from B alone, but B's collision with C might send B back to it."""
+    """Puck A collides only with B, but B's collision with C might send B back to A."""
     chain = scene(A, SLOW, AHEAD)
     found = after(chain, 0, 2.0)
     assert found.text.index("Pucks A and B meet when") < found.text.index("Pucks B and C meet when")
@@ -141,13 +141,13 @@ def test_the_law_that_gives_an_impulse_is_named(restitution: float) -> None:
 
 
 def test_a_collision_without_influence_is_named() -> None:
-    """C has left B and hits the wall before A, which meets B, could change that."""
+    """Ball C hits the wall before A, which collides with B, could affect it."""
     text = solution_text("collision-hard-symbolic-301913-0")
     assert "The collision of balls A and B does not affect ball C before the moment in question." in text
 
 
 def tilted() -> Scene:
-    """Pucks A, B and C on a slope, of which A and B meet on their way up."""
+    """Build pucks A, B and C on a slope, A and B colliding on their way up."""
     places = (A, B, (0.3, -2.0, 0.01, 1.0))
     held = tuple(Puck(mass=1.0, x=x, y=y, vx=vx, vy=vy + 3.0) for x, y, vx, vy in places)
     entity = TwoDCollisionPlane(table=Table(angle=20.0), radius=RADIUS, pucks=held, restitution=0.5)
@@ -155,7 +155,7 @@ def tilted() -> Scene:
 
 
 def test_no_collision_is_excluded_before_a_time_that_is_not_said_yet() -> None:
-    """The time since the start is told only after the argument."""
+    """The time since the start is only stated after the argument."""
     text = solved(asked(tilted(), Query("time_to_event", None, HighestPoint(PUCKS[0])))).text
     assert "so there is no further collision before the moment in question" in text
 
@@ -169,7 +169,7 @@ def test_on_a_slope_the_velocity_up_the_slope_vanishes_at_the_top() -> None:
 
 
 def test_discs_that_touch_after_an_inelastic_collision_move_apart_unless_it_is_head_on() -> None:
-    """Each keeps its velocity perpendicular to the line of centres; head-on there is none."""
+    """Both keep their velocity perpendicular to the line of centres, which is zero in a head-on collision."""
     found = after(scene(A, B, restitution=0.0), 0, 2.0)
     assert "keep only a relative velocity perpendicular to their line of centres, which takes them apart" in found.text
     place = scene((0.02, 0.03, 0.6, 0.35), (0.92, 0.48, -0.4, -0.15), restitution=0.0)
@@ -179,7 +179,7 @@ def test_discs_that_touch_after_an_inelastic_collision_move_apart_unless_it_is_h
 
 
 def test_two_walls_are_told_apart() -> None:
-    """Of a wall on the left and one on the right, neither is *the wall*."""
+    """With walls on the left and on the right, *the wall* would be ambiguous."""
     text = solution_text("collision-hard-multipart-301915-0")
     assert "moves away from the right wall" in text
     assert " hits the left wall" in text
@@ -187,7 +187,7 @@ def test_two_walls_are_told_apart() -> None:
 
 
 def test_relative_motion_is_numbered_by_the_collision_after_which_it_is_told() -> None:
-    """All pairs have no number at the start, 1 after the first collision, 2 after the second one."""
+    """Symbols have no number at the start, 1 after the first collision, 2 after the second one."""
     found = after(scene(A, SLOW, AHEAD), 0, 2.0)
     assert "Position and velocity of puck B relative to puck A at t = 0: $x_{AB} = x_B" in found.text
     met = (
@@ -206,7 +206,7 @@ def test_velocities_after_a_collision_are_told_before_the_next_one_is_looked_for
 
 
 def test_on_a_slope_relative_velocities_are_those_just_after_the_collision() -> None:
-    """No term is left that gravity adds since the start to one velocity alone."""
+    """Gravity since the start of the motion cancels in relative velocities."""
     held = tuple(Puck(mass=1.0, x=x, y=y, vx=vx, vy=vy) for x, y, vx, vy in (A, SLOW, AHEAD))
     entity = TwoDCollisionPlane(table=Table(angle=20.0), radius=RADIUS, pucks=held, restitution=0.5)
     place = Scene(entities=(Named(name="table", entity=entity),))
@@ -217,14 +217,14 @@ def test_on_a_slope_relative_velocities_are_those_just_after_the_collision() -> 
 
 
 def carts(*held: tuple[float, float, float], left: float | None = None, restitution: float = 1.0) -> Scene:
-    """Carts on a track by mass, place and velocity; a wall stands at `left`."""
+    """Build carts on a track by mass, position and velocity, optionally with a wall at `left`."""
     gliders = tuple(Glider(mass=m, x=x, v=v) for m, x, v in held)
     entity = ComplexCollisionPlane(track=Track(), gliders=gliders, left=left, restitution=restitution)
     return Scene(entities=(Named(name="track", entity=entity),))
 
 
 def test_on_which_side_a_distance_is_reached_is_said() -> None:
-    """B first moves to the left, but not as far as asked for; the collision sends it to the right."""
+    """Cart B first moves to the left, by less than the asked distance; the collision sends it to the right."""
     place = carts((9.9, -1.43, 2.48), (6.9, -0.85, -0.78))
     found = solved(asked(place, Query("time_to_event", None, Moved("track.gliders.1", 1.5))))
     assert "never as far as $d$ from its start; then it moves to the right. The two do not meet again" in found.text
@@ -251,7 +251,7 @@ def test_an_elastic_collision_is_the_reason_for_its_coefficient() -> None:
 
 
 def test_times_at_which_bodies_would_meet_all_count_from_the_start() -> None:
-    """A and B would meet 0.725 s after the first collision, at 0.934 s, later than A hits the wall at 0.919 s."""
+    """A and B would meet 0.725 s after the first collision, at 0.934 s; A hits the wall before, at 0.919 s."""
     text = solution_text("collision-hard-multipart-301927-0")
     assert "would meet only at $t_{AB,1} = t + \\frac{d_{AB,1}}{u_{AB,1}} = 0.93420" in text
     assert "= 0.91935\\ \\text{s}$, counted from t = 0." in text
@@ -260,7 +260,7 @@ def test_times_at_which_bodies_would_meet_all_count_from_the_start() -> None:
 
 
 def test_what_collides_later_undisturbed_does_not_come_first() -> None:
-    """Ball A runs towards the left wall from the start, but does not reach it before B and C have met."""
+    """Ball A moves towards the left wall, but B and C meet before A reaches it."""
     text = solution_text("collision-hard-multipart-301927-0")
     first = next(part for part in text.split("\n\n") if part.startswith("Undisturbed"))
     assert "ball A, $d_A = x_A - X_1 = 1.1400" in first
@@ -269,7 +269,7 @@ def test_what_collides_later_undisturbed_does_not_come_first() -> None:
 
 
 def test_what_collides_later_is_told_where_no_times_of_collisions_are() -> None:
-    """In the part about an impulse, B and C approach each other already when A meets the wall again."""
+    """The later collision of B and C is stated: they approach each other already when A meets the wall again."""
     text = solution_text("collision-hard-multipart-301927-0").partition("\n\n(b) ")[2].partition("\n\n(c) ")[0]
     assert "would meet only at $t_{BC,3} = t_3 + " in text
     assert "move apart" not in text, "part (a) has told that"

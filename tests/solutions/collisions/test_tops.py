@@ -1,4 +1,4 @@
-"""Extreme values of free flight, against those of a parabola."""
+"""Tests of extreme values in free flight against those of a parabola."""
 
 from math import cos, radians, sin
 
@@ -31,7 +31,7 @@ def extreme(functional: str, restitution: float | None) -> Solution:
 
 @pytest.mark.parametrize("restitution", [None, 0.5])
 def test_the_greatest_height_is_that_of_the_vertical_motion(restitution: float | None) -> None:
-    """It was taken for the distance from the starting point, which the horizontal motion makes larger."""
+    """The greatest height follows from the vertical motion alone; it is not the distance from the starting point."""
     found = extreme("greatest height", restitution)
     assert found.answer == pytest.approx((SPEED * sin(ANGLE)) ** 2 / (2.0 * G), rel=1e-9)
     assert "vertical velocity of the ball is zero" in found.text

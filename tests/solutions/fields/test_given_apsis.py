@@ -1,4 +1,4 @@
-"""A central mass from a least distance that is given: energy and angular momentum, no eccentricity."""
+"""Tests of orbits about a central mass with a given least distance: no eccentricity is needed."""
 
 from sim2reason.solutions import solve_prompt
 from sim2reason.testing.solution_text import read
@@ -18,7 +18,7 @@ and $v_y$ = −1.23 au/yr. Give your answer in au/yr², to three significant fig
 
 
 def text_of(prompt: str) -> str:
-    """Return the worked solution of a problem, of which every number is right."""
+    """Return the worked solution of a problem after checking all of its numbers."""
     found = solve_prompt(prompt)[0]
     assert found.answer is not None, found.reason
     assert not read(found.text).broken

@@ -1,4 +1,4 @@
-"""Where a force has no component in a field, and the displacement by which a velocity follows."""
+"""Tests of charges on which a force component is zero, and of velocities that follow from a displacement."""
 
 from sim2reason.solutions import solve_prompt
 from sim2reason.testing.solution_text import read
@@ -20,7 +20,7 @@ its starting point at t = 1.8 s is 0.54 m. State the answer in N/C to three sign
 
 
 def text_of(prompt: str) -> str:
-    """Return the worked solution of a problem, of which every number is right."""
+    """Return the worked solution of a problem after checking all of its numbers."""
     found = solve_prompt(prompt)[0]
     assert found.answer is not None, found.reason
     assert not read(found.text).broken

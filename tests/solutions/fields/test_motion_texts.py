@@ -1,4 +1,4 @@
-"""Solutions for charges in fields: the equations of motion come first, and each part of the velocity follows."""
+"""Tests of the texts of solutions for charges in fields: the equations of motion come first."""
 
 import pytest
 
@@ -120,7 +120,7 @@ def test_the_velocity_is_said_before_a_distance_that_is_its_integral() -> None:
 
 
 def test_two_cases_name_their_velocities_apart() -> None:
-    """With the start doubled the motion is written once more, and its components have other values."""
+    """With the initial speed doubled, the motion is written again and its velocity components have new names."""
     particle = ChargedBead(mass=2.0, charge=3.0, sign="positive")
     entity = EmEntity(particle=particle, start=Launched(speed=2.0, angle=30.0), magnetic=MAGNETIC, electric=OSCILLATING)
     scene = Scene(entities=(Named(name="fields", entity=entity),))
@@ -137,7 +137,7 @@ def test_two_cases_name_their_velocities_apart() -> None:
 
 @pytest.mark.parametrize(("quantity", "expected"), [("displacement", 1.3 * 3**0.5), ("velocity", 3**0.5)])
 def test_no_law_is_written_where_no_force_acts(quantity: str, expected: float) -> None:
-    """The x component of 2 m/s at 30 degrees stays 2 cos 30° m/s, and 1.3 s later it is 1.3 s as far."""
+    """The x component of 2 m/s at 30 degrees stays 2 cos 30° m/s, which also gives the displacement after 1.3 s."""
     solution = solved(quantity, AtTime(1.3), strategy="constant acceleration", electric=UNIFORM)
     assert solution.answer is not None, solution.reason
     assert abs(solution.answer / expected - 1.0) < 1e-9

@@ -1,4 +1,4 @@
-"""Solutions for orbits: anomalies are introduced, the quadrant has a reason, and Kepler's equation is derived."""
+"""Tests of the texts of solutions for orbits: anomalies, the choice of the quadrant, and Kepler's equation."""
 
 import pytest
 
@@ -101,7 +101,7 @@ def test_how_far_the_anomaly_grows_in_a_right_angle_is_derived(velocity: tuple[f
 
 
 def test_half_a_turn_ends_where_the_velocity_has_no_part_in_the_place() -> None:
-    """No relation about focal chords is quoted; between the ends of the axis it is half a period."""
+    """No theorem about focal chords is quoted; between the ends of the major axis the time is half a period."""
     text = solved(Query("time_to_event", None, Orbited(PAIR, 180))).text
     assert "when the initial velocity has no part in it" in text
     assert "chord" not in text

@@ -1,4 +1,4 @@
-"""What fields and a medium do to a charge up to a moment, by closed forms; and roots that hang on what is unknown."""
+"""Tests of work, impulse and drag up to an instant in fields against closed forms, and of inverse problems."""
 
 from dataclasses import replace
 from math import acos, cos, exp, pi, sin, sqrt
@@ -44,14 +44,14 @@ def summed(functional: str, moment: Moment, **acting: object) -> float:
 
 
 def test_a_uniform_field_gains_kinetic_energy() -> None:
-    """W = q E y with y = a t²/2."""
+    """The work of the field is W = q E y with y = a t²/2."""
     fallen = 0.5 * CHARGE * FIELD / MASS * TIME**2
     found = summed("work of an electric field", AtTime(TIME), electric=ELECTRIC)
     assert found == pytest.approx(CHARGE * FIELD * fallen)
 
 
 def test_with_a_magnetic_field_the_work_is_that_along_the_drift() -> None:
-    """With the drift u = E/B against x: y = −(v + u)(1 − cos Ωt)/Ω, along the field."""
+    """With the drift u = E/B against x, the displacement along the field is y = −(v + u)(1 − cos Ωt)/Ω."""
     turns, drift = CHARGE * B / MASS, -FIELD / B
     electric = UniformElectric(strength=FIELD, way="negative y")
     rise = -(SPEED - drift) * (1.0 - cos(turns * TIME)) / turns
@@ -60,7 +60,7 @@ def test_with_a_magnetic_field_the_work_is_that_along_the_drift() -> None:
 
 
 def test_a_field_that_grows_does_the_work_that_is_gained() -> None:
-    """v_y = q (E t + j t²/2)/m."""
+    """The work of the growing field is the kinetic energy gained, with v_y = q (E t + j t²/2)/m."""
     field = GrowingElectric(strength=FIELD, way="positive y", trend="increases", growth=0.4)
     speed = CHARGE / MASS * (FIELD * TIME + 0.2 * TIME**2)
     found = summed("work of an electric field", AtTime(TIME), electric=field)
@@ -68,13 +68,13 @@ def test_a_field_that_grows_does_the_work_that_is_gained() -> None:
 
 
 def test_a_medium_takes_energy_from_what_goes_round() -> None:
-    """v = v₀ exp(−bt/m), whatever turns it."""
+    """The speed is v = v₀ exp(−bt/m) with any magnetic field, which does no work."""
     found = summed("energy lost to drag", AtTime(TIME), magnetic=MAGNETIC, medium=LinearDrag(coefficient=0.5))
     assert found == pytest.approx(0.5 * MASS * SPEED**2 * (1.0 - exp(-2.0 * DRAG / MASS * TIME)))
 
 
 def test_the_impulse_is_the_chord_of_the_velocities() -> None:
-    """A magnetic field turns them by Ωt."""
+    """A magnetic field turns the velocity by Ωt, so the impulse is m times the chord between the two velocities."""
     found = summed("impulse of the net force", AtTime(TIME), magnetic=MAGNETIC)
     assert found == pytest.approx(2.0 * MASS * SPEED * abs(sin(0.5 * CHARGE * B / MASS * TIME)))
 
@@ -92,7 +92,7 @@ def found_back(setting: ProblemContext) -> Solution:
 
 
 def test_a_speed_from_an_impulse_up_to_a_distance() -> None:
-    """J = q E t, with (v t)² + (q E t²/2m)² = d²: v = √((d/t)² − (q E t/2m)²)."""
+    """J = q E t and (v t)² + (q E t²/2m)² = d² give v = √((d/t)² − (q E t/2m)²)."""
     impulse, distance = 4.0, 3.0
     time = impulse / (CHARGE * FIELD)
     speed = sqrt((distance / time) ** 2 - (0.5 * impulse / MASS) ** 2)
@@ -104,7 +104,7 @@ def test_a_speed_from_an_impulse_up_to_a_distance() -> None:
 
 
 def test_the_time_at_which_a_planet_is_accelerated_so_far() -> None:
-    """On a circle of 1 au about the mass of the sun: x″ = −4π² cos 2πt, of 20 au/yr² first at arccos(−20/4π²)/2π."""
+    """A circular orbit of 1 au about one solar mass has x″ = −4π² cos 2πt, first 20 au/yr² at arccos(−20/4π²)/2π."""
     planet = Planet(x=1.0, y=0.0, vx=0.0, vy=2.0 * pi)
     scene = Scene(entities=(Named(name="system", entity=SolarSystem(star=Star(mass=1.0), planets=(planet,))),))
     target = Target("acceleration", "system.planets.0", Sense("to the right", (1.0, 0.0, 0.0), axis="x"))

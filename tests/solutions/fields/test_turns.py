@@ -1,4 +1,4 @@
-"""Worked solutions about where the velocity of a charge has turned, how far and how fast it gets, by closed forms."""
+"""Tests of worked solutions about charges whose velocity has turned, against closed forms."""
 
 from math import cos, hypot, pi, radians, sin, sqrt, tan
 
@@ -34,12 +34,12 @@ def fields(**acting: object) -> EmEntity:
 
 
 def at(moment: Moment, quantity: str, **acting: object) -> float:
-    """Return the size of a quantity then, by a solution that passes every check."""
+    """Return the magnitude of a quantity at the given moment from a solution that passes every check."""
     return answer("fields", fields(**acting), Query("event", Target(quantity, BEAD), moment))
 
 
 def whole(functional: str, **acting: object) -> float:
-    """Return an extreme of the whole motion, by a solution that passes every check."""
+    """Return an extreme value over the whole motion from a solution that passes every check."""
     return answer("fields", fields(**acting), StretchQuery("extremum", None, WholeMotion(True), functional, BEAD))
 
 
@@ -49,13 +49,13 @@ def text(moment: Moment, quantity: str, **acting: object) -> str:
 
 
 def test_an_arc_has_its_chord() -> None:
-    """2R sin(α/2) with R = m v/(q B)."""
+    """The displacement is the chord 2R sin(α/2) with R = m v/(q B)."""
     far = at(VelocityTurned(BEAD, 60.0), "displacement", magnetic=MAGNETIC)
     assert far == pytest.approx(2.0 * SPEED / TURNS * sin(radians(30.0)))
 
 
 def test_across_an_electric_field_a_charge_goes_round_a_parabola() -> None:
-    """tan α = a t/v, x = v t, y = a t²/2; the component across the field is kept, so the speed is v/cos α."""
+    """tan α = a t/v, x = v t, y = a t²/2; the component across the field is constant, so the speed is v/cos α."""
     time = SPEED * tan(radians(30.0)) / PULL
     turned = VelocityTurned(BEAD, 30.0)
     far = at(turned, "displacement", electric=ELECTRIC, start=ALONG_X)
@@ -66,7 +66,7 @@ def test_across_an_electric_field_a_charge_goes_round_a_parabola() -> None:
 
 
 def test_half_a_cycloid_is_as_wide_as_half_a_turn_of_its_wheel() -> None:
-    """From rest π u/Ω along the drift, 2u/Ω along the field, and 2u fast at the top (Griffiths, example 5.2)."""
+    """From rest: π u/Ω along the drift, 2u/Ω along the field, speed 2u at the top (Griffiths, example 5.2)."""
     crossed = {"electric": ELECTRIC, "magnetic": MAGNETIC, "start": REST}
     assert at(AcrossField(BEAD), "displacement", **crossed) == pytest.approx(DRIFT / TURNS * hypot(pi, 2.0))
     assert at(AcrossField(BEAD), "velocity", **crossed) == pytest.approx(2.0 * DRIFT)
@@ -76,7 +76,7 @@ def test_half_a_cycloid_is_as_wide_as_half_a_turn_of_its_wheel() -> None:
 
 
 def test_over_a_period_of_the_velocity_only_the_drift_moves_it() -> None:
-    """2π m u/(q B)."""
+    """The period of the velocity is 2π m u/(q B)."""
     crossed = {"electric": ELECTRIC, "magnetic": MAGNETIC}
     far = at(VelocityReturned(BEAD), "displacement", **crossed)
     assert far == pytest.approx(2.0 * pi * DRIFT / TURNS)
@@ -84,7 +84,10 @@ def test_over_a_period_of_the_velocity_only_the_drift_moves_it() -> None:
 
 
 def test_distances_from_an_axis_are_told_by_centre_and_radius() -> None:
-    """R (1 + |cos θ|); in crossed fields the same of what turns; 2y_c from rest where a field drives it back."""
+    """The greatest distance from the axis is R (1 + |cos θ|) in a magnetic field.
+
+    In crossed fields the same holds for the circular part of the motion; from rest in a restoring field it is 2y_c.
+    """
     axis = "greatest distance from the x axis"
     turned = hypot(VX - DRIFT, VY)
     assert whole(axis, magnetic=MAGNETIC) == pytest.approx(SPEED / TURNS * (1.0 + cos(ANGLE)))
@@ -97,14 +100,17 @@ def test_distances_from_an_axis_are_told_by_centre_and_radius() -> None:
 
 @pytest.mark.parametrize("magnetic", [None, MAGNETIC])
 def test_a_field_that_drives_it_back_makes_it_fastest_where_it_is_zero(magnetic: UniformMagnetic | None) -> None:
-    """v² = v₀² + a E/k by energy, as the magnetic force does no work; at y = E/k, which it reaches here."""
+    """v² = v₀² + a E/k by energy, as the magnetic force does no work; the maximum is at y = E/k, which is reached."""
     start = Launched(speed=SPEED, angle=140.0)
     fastest = whole("greatest speed", electric=LINEAR, magnetic=magnetic, start=start)
     assert fastest == pytest.approx(sqrt(SPEED**2 + PULL * FIELD / SLOPE))
 
 
 def test_half_an_oscillation_ends_at_its_other_end() -> None:
-    """From an end: 2y_c along the field, v + 2Ω y_c across it, and (v + Ω y_c) π/ω as far, with Ω² + kq/m = ω²."""
+    """The displacement is 2y_c along the field and (v + Ω y_c) π/ω across it, with Ω² + kq/m = ω².
+
+    The speed at the other end is v + 2Ω y_c.
+    """
     square = CHARGE * SLOPE / MASS + TURNS**2
     center = (PULL - TURNS * SPEED) / square
     both = {"electric": LINEAR, "magnetic": MAGNETIC, "start": ALONG_X}

@@ -1,10 +1,10 @@
-"""Components of vectors: each is positive in the direction that its name was introduced for."""
+"""Tests of vector components: each is positive in the direction that was stated when its name was introduced."""
 
 from worked import solution_text
 
 
 def test_a_velocity_is_told_in_the_direction_in_which_it_counts_as_positive() -> None:
-    """The box moves to the left and B down, but both are counted the other way."""
+    """The box moves to the left and B down, but the text states components to the right and upward."""
     text = solution_text("box-medium-reverse-301919-4")
     assert "displacement of the box to the right and $x_B$ be the displacement of block B upward" in text
     assert "relative to the ground has the components $v_M$ to the right and $v_B$ upward." in text
@@ -34,7 +34,7 @@ def test_the_energy_that_friction_on_a_rolling_body_dissipates_takes_the_slip_of
 
 
 def test_the_tension_whose_impulse_is_asked_for_is_named() -> None:
-    """The sentence before it verifies the tension of another string."""
+    """The tension is named again, since the preceding sentence verifies the tension of another string."""
     text = solution_text("pulley-medium-numeric-301928-0")
     assert r"The impulse of the tension in the string between crate A and crate B is $J = T_1\,t" in text
 
@@ -45,7 +45,7 @@ def test_the_motion_that_a_bounce_slows_down_is_perpendicular_to_the_ground() ->
 
 
 def test_components_are_told_again_in_a_later_part() -> None:
-    """In part (b) the subscript of $a_A$, a component of the acceleration of crate B, is that of another crate."""
+    """In part (b) the components are stated again, since the subscript of $a_A$ refers to another crate."""
     part = solution_text("box-medium-multipart-301932-1").partition("\n\n(b) ")[2].partition("\n\n(c) ")[0]
     told = "The acceleration of crate B relative to the ground has the components $a_M$ to the left and $a_A$ downward."
     assert told in part

@@ -1,4 +1,4 @@
-"""How a path there and back adds up."""
+"""Tests of path lengths that have a forward and a backward part."""
 
 import pytest
 
@@ -13,7 +13,7 @@ from worked import derived, solution_text
 
 
 def test_the_parts_of_a_path_are_told_before_they_are_added() -> None:
-    """A light glider at 1.2 m/s rebounds from a heavy one at rest, 0.9 m off: v' = −(M − m) v/(M + m)."""
+    """A light glider at 1.2 m/s rebounds from a heavy one at rest, 0.9 m away, with v' = −(M − m) v/(M + m)."""
     held = (Glider(mass=1.0, x=0.0, v=1.2), Glider(mass=3.0, x=0.9, v=0.0))
     entity = ComplexCollisionPlane(track=Track(), gliders=held, restitution=1.0)
     scene = Scene(entities=(Named(name="track", entity=entity),))
@@ -23,6 +23,6 @@ def test_the_parts_of_a_path_are_told_before_they_are_added() -> None:
 
 
 def test_a_part_of_no_length_is_no_part_of_a_path() -> None:
-    """A flight that begins at the end of the path contributes nothing to it."""
+    """A free flight that begins at the end of the path contributes no part."""
     text = solution_text("collision-hard-multipart-301928-0")
     assert "the path of block B is $s_B$, $s_B - s_{B,1}$ and $s_{B,2} - s_{B,1}$ long, so" in text

@@ -1,4 +1,4 @@
-"""What goals call what they find: moduli, compressions, and positions relative to another body."""
+"""Tests of the signs of the quantities asked for: magnitudes, compressions, and relative positions."""
 
 from dataclasses import replace
 
@@ -52,7 +52,7 @@ def test_what_hangs_on_an_unknown_changes_its_sign_instead() -> None:
 
 @pytest.mark.parametrize("speed", [None, 4.0])
 def test_the_magnitude_of_a_change_in_potential_energy_has_no_sign(speed: float | None) -> None:
-    """In symbols the block may be above or below its start, whichever it is with these numbers."""
+    """The symbolic result has an absolute value, as the block may be above or below its starting point."""
     scene = ramp(speed=speed)
     block = next(body.name for body in scene.mechanism.bodies if body.mass)
     setting = asked(scene, Query("state", Target("potential energy", block), AtTime(0.5)))

@@ -1,4 +1,4 @@
-"""Results of eliminations name all equations that they come from: those that were put into others, too."""
+"""Tests of the equations that results of eliminations are attributed to, substituted ones included."""
 
 import re
 from collections.abc import Iterator
@@ -20,14 +20,14 @@ B? Give your answer in N, to three significant figures, inside \\boxed{}."""
 
 
 def results(text: str) -> Iterator[tuple[str, str, list[str]]]:
-    """Each result with its symbol and the equations that it is said to come from."""
+    """Yield each result as its text, its symbol and the equations that the text attributes it to."""
     equations = dict(LABELLED.findall(text))
     for labels, symbol in FROM.findall(text):
         yield text, symbol, [equations[label] for label in re.findall(r"\(\d+\)", labels)]
 
 
 def test_a_result_stands_in_an_equation_that_it_is_attributed_to() -> None:
-    """From (3), which holds T1, no T2 follows alone."""
+    """A result for T2 isn't attributed to equation (3) alone, which has only T1."""
     found = solve_prompt(HUNG)[0].text
     held = [result for text in (found, *_drawn()) for result in results(text)]
     assert len(held) > 2
@@ -36,7 +36,7 @@ def test_a_result_stands_in_an_equation_that_it_is_attributed_to() -> None:
 
 
 def test_equations_that_are_put_into_others_are_named() -> None:
-    """Twice the first and the third have no tension left only by the balance at the pulley, (2)."""
+    """The tensions cancel in twice (1) plus (3) only by the balance at the pulley, (2), so the text names (2)."""
     assert "(1) + (3), with (2)" in solve_prompt(HUNG)[0].text
 
 

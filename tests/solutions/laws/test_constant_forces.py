@@ -1,4 +1,4 @@
-"""A constant force that an entity puts on a body stands in Newton's laws, with all its components."""
+"""Tests of Newton's laws with a constant force that an entity exerts on a body."""
 
 import subprocess
 import sys
@@ -51,7 +51,10 @@ print("fine")
 
 
 def test_a_slanted_pull_draws_and_lifts() -> None:
-    """In a process of its own, since it enters the registry: N = mg - F sin α, ma = F cos α - µN."""
+    """N = mg - F sin α and ma = F cos α - µN.
+
+    The test runs in a separate process, since it adds an entity to the registry.
+    """
     script = f"import sys; sys.path.insert(0, {str(SUPPORT)!r})\n{PULLED}"
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120, check=False)
     assert done.stdout.strip() == "fine", done.stderr

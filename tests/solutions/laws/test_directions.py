@@ -1,4 +1,4 @@
-"""Directions that are assumed: what starts to slide does so against friction, and strings between such bodies pull."""
+"""Tests of assumed directions: bodies that start to slide against friction, and strings between them."""
 
 from dataclasses import replace
 from math import cos, radians, sin
@@ -50,7 +50,7 @@ def test_a_block_slides_as_friction_can_not_hold_it() -> None:
 
 
 def test_a_hoop_slips_as_rolling_would_need_more_friction() -> None:
-    """Rolling takes half of m g sin θ, see Kleppner and Kolenkow, example 6.16."""
+    """Rolling without slipping needs friction of half of m g sin θ; see Kleppner and Kolenkow, example 6.16."""
     slope = Incline(angle=31.0)
     hoop = scene(RollingEntity(body=Hoop(mass=4.1, radius=0.11), plane=slope, grip=Rough(friction=0.18)))
     found = solved(speed(hoop, 0, 1.3))
@@ -77,7 +77,7 @@ def test_a_launched_block_needs_no_argument() -> None:
 
 
 def test_a_slab_that_is_dragged_down_slides_as_its_acceleration_shows() -> None:
-    """Slab B is launched up slab A, which slides down; then B slides down on A, for A is accelerated less."""
+    """Slab B is launched up slab A, which slides down; B then slides down on A, as A is accelerated less."""
     stack = StackedMassPlane(
         plane=Plane(angle=48.0, friction=0.2), lower=Slab(mass=6.5), upper=Slab(mass=7.6), friction=0.15, speed=3.6
     )
@@ -99,14 +99,14 @@ def test_an_unknown_coefficient_is_compared_when_it_is_known() -> None:
 
 
 def test_a_false_assumption_is_refused() -> None:
-    """The comparison stands in the data."""
+    """The relations of the solution include the comparison that excludes the false assumption."""
     found = solved(speed(ramp(angle=40.0, friction=0.3), 0, 1.0))
     (held,) = (relation for relation in found.relations if relation.role == "exceeds")
     assert float(held.left.value(found.values).real) > float(held.right.value(found.values).real)
 
 
 def test_bodies_on_two_faces_slide_one_up_and_one_down() -> None:
-    """They share an acceleration, not a direction."""
+    """The blocks on the two faces have the same acceleration along the string but move in different directions."""
     entity = MassPrismPlane(
         prism=Prism(mass=4.7, left=39.0, right=63.0, friction=0.2),
         left_blocks=(Block(mass=8.0),),
@@ -118,7 +118,7 @@ def test_bodies_on_two_faces_slide_one_up_and_one_down() -> None:
 
 
 def test_friction_in_a_stack_is_that_of_the_surface_beneath() -> None:
-    """A board that carries another one rubs on both faces; of these only one changes its direction."""
+    """A board that carries another one has friction on both faces; only one of these forces is reversed."""
     text = solution_text("incline-hard-reverse-301915-0")
     assert "From the surface beneath, friction acts on boards A and C up the slope." in text
     said = "relative to board B from then on, and the friction between them is reversed."
@@ -126,7 +126,7 @@ def test_friction_in_a_stack_is_that_of_the_surface_beneath() -> None:
 
 
 def test_what_slides_on_a_body_still_does_when_that_stops_sliding() -> None:
-    """The relative speed of C and B has fallen from v to v + (a_B + a_C) t by then."""
+    """The relative speed of C and B has changed from v to v + (a_B + a_C) t by then, so C still slides on B."""
     prompt = (
         r"Slab A of mass 8.6 kg lies on a smooth, fixed plane inclined at 62° to the horizontal and "
         r"carries slab B (12 kg). On B lies slab C (3.7 kg). Between A and B the coefficient of friction, "
@@ -145,7 +145,7 @@ def test_what_slides_on_a_body_still_does_when_that_stops_sliding() -> None:
 
 
 def test_a_direction_is_not_shown_by_an_acceleration_that_a_given_speed_fixes() -> None:
-    """Without friction (7.1 + 2.8) · 9.8 sin 60° − 24 = 60.02 N pull down the slope, by 9.9 kg 6.063 m/s²."""
+    """Without friction, (7.1 + 2.8) · 9.8 sin 60° − 24 = 60.02 N accelerates 9.9 kg down the slope by 6.063 m/s²."""
     text = solution_text("pulley-hard-reverse-301926-1")
     assert "Without friction the acceleration would be $a_" in text
     assert r"6.0628\ \text{m/s}^2$, which is positive; friction can only reduce it, so crates A and B slide" in text
@@ -158,7 +158,7 @@ def test_the_direction_of_bodies_is_shown_whose_acceleration_a_string_gives() ->
 
 
 def test_what_rolls_without_a_limit_of_friction_is_no_surface_that_could_be_smooth() -> None:
-    """Beside a block that slides, a ring rolls whose friction has no coefficient."""
+    """A ring whose contact has no coefficient of friction rolls beside a block that slides."""
     text = solution_text("mixed-hard-reverse-77-21")
     assert "friction can only reduce it" not in text
     assert r"\boxed{" in text

@@ -1,4 +1,4 @@
-"""Problems in symbols in which the numbers decide which way something moves."""
+"""Tests of symbolic problems in which the numbers decide the direction of motion."""
 
 import pytest
 

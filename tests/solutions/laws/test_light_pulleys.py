@@ -1,4 +1,4 @@
-"""Strings round a pulley that moves, and numerical eliminations that can be followed."""
+"""Tests of strings round a movable pulley, and of numerical eliminations that are written out."""
 
 import re
 

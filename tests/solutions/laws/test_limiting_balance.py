@@ -1,4 +1,4 @@
-"""Limiting cases in which accelerations are zero: closed forms of statics, and of a carrier that is accelerated."""
+"""Tests of limiting cases without acceleration and of accelerated carriers, against closed forms."""
 
 from math import cos, radians, sin
 
@@ -41,7 +41,7 @@ def limit(prompt: str, *, rests: bool) -> float:
 
 
 def test_blocks_on_a_box_that_still_rests() -> None:
-    """The weights that hang on both sides differ by the friction on both blocks."""
+    """The weights that hang on the two sides differ by the friction forces on both blocks."""
     assert limit(BOX, rests=True) == pytest.approx((8.6 - 3.2) / (6.2 + 8.3), rel=1e-9)
 
 

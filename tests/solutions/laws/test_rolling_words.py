@@ -1,4 +1,4 @@
-"""What a solution says of a rolling body: its rim does not have its acceleration, and friction has a direction."""
+"""Tests of statements about rolling bodies: the acceleration of the rim, and the direction of friction."""
 
 from dataclasses import replace
 from math import cos, radians, sin
@@ -47,7 +47,7 @@ def test_a_rolling_body_turns_with_the_acceleration_of_its_centre() -> None:
 
 
 def test_what_hangs_on_an_unknown_coefficient_is_verified_in_the_end() -> None:
-    """A pipe that is set spinning up a slope begins to roll, within the limit of friction, before the moment asked."""
+    """A pipe spinning up a slope begins to roll before the given time; the limit of friction is compared last."""
     scene = pipe(12.0, 0.21, Spinning(spin=16.0, way="up the slope"))
     setting = asked(scene, Query("state", Target("displacement", body(scene)), AtTime(1.8)))
     assert setting.answer is not None
@@ -66,7 +66,7 @@ def test_what_hangs_on_an_unknown_coefficient_is_verified_in_the_end() -> None:
 
 
 def test_what_slips_on_a_slope_is_shown_to() -> None:
-    """Rolling takes half of m g sin θ of a thin pipe; what is left of the torque is µ m g cos θ R."""
+    """Rolling without slipping needs half of m g sin θ for a thin pipe; the actual torque is µ m g cos θ R."""
     angle, friction, time = 31.0, 0.18, 1.3
     found = turned(pipe(angle, friction), "angular velocity", time)
     slope = radians(angle)
@@ -81,7 +81,7 @@ def test_what_slips_on_a_slope_is_shown_to() -> None:
 
 
 def test_the_speed_of_a_rim_at_first_is_told() -> None:
-    """Set rolling up a slope that is too steep, the point of contact slips down at once."""
+    """On a slope that is too steep for rolling, the point of contact slips down at once."""
     scene = pipe(45.0, 0.1, Rolling(speed=3.0, way="up the slope"))
     found = turned(scene, "angular velocity", 0.2)
     assert found.answer == pytest.approx((3.0 - 0.1 * G * cos(radians(45.0)) * 0.2) / RADIUS)
@@ -89,7 +89,7 @@ def test_the_speed_of_a_rim_at_first_is_told() -> None:
 
 
 def test_slipping_ends_when_the_speed_of_the_centre_is_that_of_the_rim() -> None:
-    """A t = R ω₀ − µ g t of a thin pipe; from then on no friction is needed."""
+    """Slipping of a thin pipe ends when a t = R ω₀ − µ g t; from then on no friction is needed."""
     spin, friction = 8.0, 0.4
     scene = pipe(0.0, friction, Spinning(spin=spin, way="to the right"))
     found = turned(scene, "displacement", 0.8)
@@ -100,7 +100,7 @@ def test_slipping_ends_when_the_speed_of_the_centre_is_that_of_the_rim() -> None
 
 
 def test_instants_have_their_names() -> None:
-    """The rim begins with R ω₀ and loses µ g t until it has the speed of the centre."""
+    """The speed of the rim relative to the centre is R ω₀ − µ g t until it equals the speed of the centre."""
     scene = pipe(0.0, 0.4, Spinning(spin=8.0, way="to the right"))
     found = turned(scene, "angle rolled", 0.8)
     assert "The magnitude of the net angle of rotation of the" in found.text
@@ -109,7 +109,7 @@ def test_instants_have_their_names() -> None:
 
 
 def test_in_a_later_phase_no_pronoun_stands_for_the_accelerations_of_the_one_before() -> None:
-    """What has begun to roll on level ground has no acceleration any more."""
+    """On level ground the body has no acceleration once it rolls without slipping."""
     scene = pipe(0.0, 0.4, Spinning(spin=8.0, way="to the right"))
     setting = asked(scene, Query("state", Target("angle rolled", body(scene)), AtTime(0.8)))
     found = solve_with(STRATEGIES["phase by phase"], setting)
@@ -120,7 +120,7 @@ def test_in_a_later_phase_no_pronoun_stands_for_the_accelerations_of_the_one_bef
 
 
 def test_senses_of_turning_are_stated_and_what_is_turned_back() -> None:
-    """Set spinning as if it rolled up a slope on which it is too steep to stay, a roller turns back in the end."""
+    """A roller set spinning up a slope that is too steep to stay on finally turns back, and the text says so."""
     angle, friction, time = 12.0, 0.21, 1.8
     scene = pipe(angle, friction, Spinning(spin=16.0, way="up the slope"))
     found = turned(scene, "angle rolled", time)
@@ -153,7 +153,7 @@ def test_a_distance_is_reached_only_after_slipping_has_ended() -> None:
 
 
 def test_the_acceleration_without_slip_has_a_direction() -> None:
-    """The acceleration of the shell itself counts as positive up the slope, so this one needs its own direction."""
+    """The acceleration of the shell is positive up the slope, but that of rolling without slipping is down it."""
     assert r"2.8507\ \text{m/s}^2$ down the slope. This takes the friction" in solution_text(
         "rolling-hard-choice-301929-0"
     )

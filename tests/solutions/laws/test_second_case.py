@@ -1,4 +1,4 @@
-"""Comparisons of two cases: the second one does not set up the laws of the first again."""
+"""Tests of comparisons of two cases: the second case doesn't derive the laws of the first again."""
 
 import re
 
@@ -27,7 +27,7 @@ def test_the_second_case_names_what_is_new_and_sets_up_no_law_again(recipe: str,
 
 
 def test_what_the_changed_number_does_not_affect_is_not_computed_again() -> None:
-    """The acceleration is independent of the speed, and the time is the same; whether the body turns back is shown."""
+    """The acceleration is independent of the speed and the time is the same; only the turning is checked again."""
     text = solution_text("rolling-easy-numeric-77-2-comparison")
     assert "t_1" not in text
     assert "a_1" not in text

@@ -1,4 +1,4 @@
-"""What a solution says where a body stops slipping: it rolls on, or friction is too weak for that."""
+"""Tests of what follows when a body stops slipping: it rolls, or friction is too weak for that."""
 
 from math import cos, radians, sin
 
@@ -20,7 +20,7 @@ LIMIT = 0.45020  # tan 42°/2: with less friction no pipe rolls down this slope
 
 
 def pipe_that_spins(friction: float) -> Solution:
-    """Of its speed after a distance; it is set down spinning as if it rolled down the slope."""
+    """Return the solution for the speed after a distance of a pipe set spinning as if rolling down the slope."""
     pipe = RollingEntity(
         body=Pipe(mass=MASS, radius=RADIUS),
         plane=Incline(angle=ANGLE),
@@ -38,7 +38,7 @@ def pipe_that_spins(friction: float) -> Solution:
 
 
 def test_what_cannot_roll_has_a_point_of_contact_at_rest_for_an_instant() -> None:
-    """Rolling would take the friction ½ m g sin θ, and there is µ m g cos θ; it slips on with that reversed."""
+    """Rolling needs the friction ½ m g sin θ, more than µ m g cos θ, so slipping goes on with friction reversed."""
     friction, slope = 0.39, radians(ANGLE)
     found = pipe_that_spins(friction)
     assert "begins to roll" not in found.text

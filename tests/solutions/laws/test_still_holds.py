@@ -1,4 +1,4 @@
-"""Comparisons that are made again for another value: also where their formulas would become too long to be written."""
+"""Tests of comparisons repeated for another value, including formulas too long to be written out."""
 
 import pytest
 
@@ -10,7 +10,7 @@ STEPS = 60  # names, each of which has the one before it twice: 2⁶⁰ symbols 
 
 
 def doubled(limit: float) -> SolutionBuilder:
-    """A book in which the last of many names, each equal to half of twice the one before, exceeds a limit."""
+    """Return a builder with a chain of results, each half of twice the previous one, whose last exceeds a limit."""
     book = SolutionBuilder()
     book.state_given("x", 1.0, "")
     last: Expression = Symbol("x")

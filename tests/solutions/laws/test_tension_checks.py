@@ -1,4 +1,4 @@
-"""Strings are shown to stay taut in phases of constant accelerations: their tensions are stated to be positive."""
+"""Tests of the check that strings stay taut under constant accelerations: their tensions are positive."""
 
 import re
 
@@ -34,7 +34,7 @@ PARTS = ATWOOD.partition("Calculate")[0].replace("\\\n", "") + (
 
 
 def solved(prompt: str) -> str:
-    """Return the text of a solution that is checked; all of its numbers are right."""
+    """Return the text of a solution after checking its numbers and its tension checks."""
     found = solve_prompt(prompt.replace("\\\n", ""))[0]
     assert found.answer is not None, found.reason
     assert not faults(found, found.answer)
@@ -56,7 +56,7 @@ def test_the_tensions_that_cancel_are_stated_after_the_accelerations() -> None:
 
 
 def test_a_string_within_a_row_of_blocks_has_a_tension_of_its_own() -> None:
-    """It cancels at once; of an unknown angle that follows in the end."""
+    """The tension of the inner string cancels, and is computed once the unknown angle has been found."""
     text = solved(ROW)
     assert "The strings stay taut, as the tension $T_{AB} = m_A" in text
     assert "in the string between block A and block B, $T_1 = " in text
@@ -64,7 +64,7 @@ def test_a_string_within_a_row_of_blocks_has_a_tension_of_its_own() -> None:
 
 
 def test_a_later_part_does_not_say_again_that_strings_stay_taut() -> None:
-    """The same motion is asked about in all parts; whoever reads one part alone is told."""
+    """The combined solution has the tension check in its first part only; each part solved alone has its own."""
     settings = [*map(setting_of, parse_parts(PARTS))]
     alone = [solve(setting) for setting in settings]
     whole = sequential_solutions(settings, alone, whole=True)

@@ -1,4 +1,4 @@
-"""Pulleys, slopes and prisms: each equation is written once, and other roots are excluded."""
+"""Tests of pulleys, slopes and prisms: each equation is written once, and other roots are excluded."""
 
 import pytest
 
@@ -58,13 +58,13 @@ def test_what_leads_to_a_formula_that_the_text_has_is_not_told_after_the_answer(
 
 
 def test_numbers_put_in_for_known_quantities_are_called_so() -> None:
-    """The two equations have their unknowns in different orders."""
+    """Equations with numbers as coefficients are announced as such, and have one order of the unknowns."""
     text = solution_text("pulley-medium-reverse-301928-0")
     assert r"With numbers for the coefficients: (5) $17.0\,a_A - 7.4\,a_B = 2\,m_C g - m_A g \sin\theta$." in text
 
 
 def test_a_string_on_a_pulley_with_mass_does_not_slip_and_the_sense_of_turning_is_told() -> None:
-    """The sign of a_P in a_C = a_P + a_A has a meaning only if the text says which sense of turning is positive."""
+    """The sign of a_P in a_C = a_P + a_A has a meaning only if the text states the positive sense of rotation."""
     text = solution_text("hybrid-hard-reverse-301931-0")
     assert "does not stretch, nor does it slip on pulley P: $a_C = a_P + a_A$." in text
     assert "positive when the part of the string between crate A and pulley P runs onto pulley P;" in text

@@ -1,4 +1,4 @@
-"""Names exchanged in texts and in formulas."""
+"""Tests of renamed symbols in texts and formulas."""
 
 import pytest
 
@@ -28,7 +28,7 @@ def test_only_whole_names_in_formulas_are_exchanged(text: str, names: dict[str, 
 
 
 def test_equations_are_written_as_they_are_with_the_new_names() -> None:
-    """A number below a name is set apart from what follows."""
+    """A thin space follows a name that ends in a subscript with a number."""
     relation = Relation(Symbol("s"), Symbol("p") * Symbol("t"), "law")
     assert rename_in_text("So $s = p t$.", {"p": "p_1"}, [relation]) == r"So $s = p_1\,t$."
 

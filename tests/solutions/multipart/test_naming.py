@@ -1,4 +1,4 @@
-"""One name for each quantity in all parts, and the check of that."""
+"""Tests of the use of one name per quantity in all parts of a problem, and of the check for that."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -20,7 +20,7 @@ def part(
     words: str = "",
     stated: tuple[str, ...] = (),
 ) -> Solution:
-    """A solution in which each name is a formula of those before it, with its unit."""
+    """Return a solution in which each name has a unit and a formula in terms of the names before it."""
     values: dict[str, float] = {**given}
     steps = [
         Step(
@@ -46,7 +46,7 @@ def part(
 
 
 def told(*parts: Solution, whole: bool = True) -> list[Solution]:
-    """The parts with names of their own, each from the results of those before it."""
+    """Return the parts with unified names, each of which recalls the results of earlier parts."""
     earlier: list[tuple[str, Solution]] = []
     for label, held in zip("abcd", unify_names(parts, {"m"}), strict=False):
         earlier.append((label, recall_results(held, earlier, whole=whole)))
@@ -85,7 +85,7 @@ def test_the_sum_keeps_the_letter_and_a_term_the_number_that_it_has_there() -> N
 
 
 def test_what_is_called_by_another_letter_is_not_taken_for_the_same() -> None:
-    """A compression as large as a displacement, and equal values of two bodies."""
+    """Equal values don't identify a compression with a displacement, nor quantities of two different bodies."""
     first = part({"m": 4.0}, {"a_A": (MASS * 0.5, S)})
     second = part({"m": 4.0}, {"a_B": (MASS / 2.0, S), "e": (MASS * 0.5, S), "v": (Symbol("a_B") + Symbol("e"), S)})
     assert "From part" not in told(first, second)[1].text

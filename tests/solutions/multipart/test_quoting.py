@@ -1,4 +1,4 @@
-"""Equation numbers that are unique over all parts of a problem."""
+"""Tests of equation numbers that are unique over all parts of a problem."""
 
 import re
 from collections import Counter
@@ -12,7 +12,7 @@ INERTIA = r"whose moment of inertia is $\tfrac{1}{2} m R^{2}$, divided by its ra
 
 
 def test_equations_about_one_moment_of_inertia_have_numbers_of_their_own() -> None:
-    """Two phases have laws of one form; in both the text before the law has a formula."""
+    """Laws of the same form in two phases keep separate numbers, although a formula stands before each of them."""
     texts = [
         f"(1) The disc, down the slope: $F = m a$. (2) Torque on the disc, {INERTIA} $-f = m a_1$.",
         f"(3) The disc, down the slope: $F - f = m a_2$. (4) Torque on the disc, {INERTIA} $f = m a_2$.",

@@ -1,4 +1,4 @@
-"""Later parts neither verify again what an earlier part has verified of the motion, nor introduce a symbol again."""
+"""Tests that later parts neither verify the same motion again nor introduce a symbol again."""
 
 from plain_scenes import row
 from sim2reason.questions import Query, Target
@@ -10,7 +10,7 @@ from worked import derived, solution_text
 
 
 def test_a_time_refers_to_the_turning_points_of_an_earlier_part() -> None:
-    """All half oscillations take π/ω: where the cart turns back is not worked out again, nor is x introduced again."""
+    """All half oscillations take π/ω: neither the turning points nor the introduction of x are repeated."""
     scene = row((1.8,), (132.0,), "right", friction=0.32, strain=0.2)
     trolley = next(body.name for body in scene.mechanism.bodies if body.mass)
     place = derived(scene, Query("event", Target("displacement", trolley), Halted(trolley)))
@@ -25,7 +25,7 @@ def test_a_time_refers_to_the_turning_points_of_an_earlier_part() -> None:
 
 
 def test_a_symbol_is_introduced_only_for_what_a_part_uses() -> None:
-    """The acceleration a of slab B is that of part (a), while part (c) is about a_1, which it introduces itself."""
+    """The acceleration a of slab B is introduced in part (a); part (c) only uses a_1 and introduces it itself."""
     text = solution_text("incline-hard-multipart-301921-3")
     last = text[text.index("(c) Given") :]
     assert "Let $a_1$ be the acceleration of slab A" in last

@@ -1,4 +1,4 @@
-"""A later part takes a result from one equation if what earlier parts found is enough for it."""
+"""Tests of later parts that need one equation only, thanks to results of earlier parts."""
 
 from worked import solution_text
 

@@ -1,4 +1,4 @@
-"""Later parts alone, which start from a result of an earlier part."""
+"""Tests of later parts that start from a result of an earlier part and are read alone."""
 
 from plain_scenes import nested_atwood
 from sim2reason.solutions import Solution, solve
@@ -32,7 +32,7 @@ def test_equations_that_the_text_does_not_use_are_left_out() -> None:
 
 
 def test_a_tension_from_an_acceleration_needs_two_equations_alone() -> None:
-    """Part (a) solves four equations for the acceleration of a block."""
+    """Part (a) solves four equations for the acceleration of a block; the tension in part (b) takes two."""
     questions = (
         "What is the magnitude of the acceleration of block C after release?",
         "What is the tension in the string between block A and block B after release?",

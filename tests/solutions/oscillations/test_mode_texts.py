@@ -1,4 +1,4 @@
-"""What solutions by normal modes say: equations of motion first, then coordinates of modes, then what is asked."""
+"""Tests of the texts of solutions by normal modes: equations of motion first, then the mode coordinates."""
 
 import re
 
@@ -17,7 +17,7 @@ TIME, STEP = 0.3, 1e-4  # s
 
 
 def by_modes(scene: Scene, quantity: str) -> tuple[Solution, ProblemContext]:
-    """The solution by normal modes of the state of the last cart at a time."""
+    """Return the solution by normal modes for a quantity of the last cart at a given time, and its problem."""
     cart = [body.name for body in scene.mechanism.bodies if body.mass][-1]
     setting = asked(scene, Query("state", Target(quantity, cart), AtTime(TIME)))
     solution = solve_with(STRATEGIES["normal modes"], setting)
@@ -31,7 +31,7 @@ def pair(**start: float) -> Scene:
 
 @pytest.mark.parametrize(("masses", "wall"), [((2.3, 2.2), "right"), ((1.0, 1.4, 0.8), "both"), ((1.0, 1.5), "free")])
 def test_the_equations_of_motion_are_those_of_the_engine(masses: tuple[float, ...], wall: str) -> None:
-    """With places and accelerations of the engine at another instant both sides agree."""
+    """Both sides of each equation agree for positions and accelerations of the engine at another instant."""
     springs = (79.0, 93.0, 60.0, 85.0)[: len(masses) + {"both": 1, "free": -1}.get(wall, 0)]
     scene = row(masses, springs, wall, speed=1.4)
     solution, setting = by_modes(scene, "displacement")
@@ -52,7 +52,7 @@ def test_the_equations_of_motion_are_those_of_the_engine(masses: tuple[float, ..
 
 @pytest.mark.parametrize("quantity", ["velocity", "acceleration"])
 def test_a_rate_is_derived_from_a_displacement_that_is_written(quantity: str) -> None:
-    """No derivative of a function that the text does not have, and no coefficient that is called an amplitude."""
+    """Only functions that stand in the text are differentiated, and no coefficient is called an amplitude."""
     text = by_modes(pair(speed=1.4), quantity)[0].text
     assert "amplitude" not in text
     assert text.index("The displacement of") < text.index("differentiating")

@@ -1,4 +1,4 @@
-"""Which momentum a solution calls conserved, what reduced and effective masses are, and powers at any velocity."""
+"""Tests of the conservation of momentum, of reduced and effective masses, and of power at any velocity."""
 
 import re
 from math import cos, radians
@@ -32,7 +32,7 @@ def lone(entity: Entity) -> Scene:
 
 
 def prism() -> Solution:
-    """The solution by momentum of the energy of a block on a prism that is free to slide."""
+    """Return the solution by momentum for the kinetic energy of a block on a freely sliding prism."""
     blocks = (Block(mass=ONE),), (Block(mass=TWO),)
     solid = Prism(mass=M, left=LEFT, right=RIGHT)
     scene = lone(MassPrismPlane(prism=solid, left_blocks=blocks[0], right_blocks=blocks[1]))
@@ -52,7 +52,7 @@ def test_of_a_prism_only_the_horizontal_momentum_is_conserved() -> None:
 
 
 def test_the_effective_mass_of_blocks_on_a_prism_follows_from_the_recoil() -> None:
-    """T = ½ (m + m′) u² − ½ (Σ m cos)² u²/M: not called reduced, which is of two bodies along one line."""
+    """T = ½ (m + m′) u² − ½ (Σ m cos)² u²/M; the mass isn't called reduced, a term for two bodies on one line."""
     found = prism()
     part = ONE * cos(radians(LEFT)) + TWO * cos(radians(RIGHT))
     assert found.values[r"\mu"] == pytest.approx(ONE + TWO - part**2 / (M + ONE + TWO), rel=1e-9)
@@ -69,7 +69,7 @@ def test_along_a_level_track_momentum_and_the_reduced_mass_are_those_of_every_te
 
 
 def test_an_acceleration_at_a_place_follows_from_the_power_at_any_velocity() -> None:
-    """The text divides nothing by a speed that may be zero, and gives the extension of the spring."""
+    """The text doesn't divide by a speed that may be zero, and states the extension of the spring."""
     scene = row((1.2, 3.0), (60.0,), "free", strain=0.1)
     one, other = (body.name for body in scene.mechanism.bodies if body.mass)
     found = solved(scene, Query("event", Target("acceleration", one), Moved(other, 0.02)), "momentum")
@@ -89,7 +89,7 @@ def test_beads_on_a_ring_keep_their_angular_momentum() -> None:
 
 
 def test_the_kinetic_energy_of_the_only_body_is_the_work_itself() -> None:
-    """No velocity is worked out on the way."""
+    """No velocity is computed on the way."""
     scene = row((1.2,), (60.0,), "right", strain=0.1)
     cart = next(body.name for body in scene.mechanism.bodies if body.mass)
     found = solved(scene, Query("event", Target("kinetic energy", cart), Moved(cart, 0.04)), "energy")

@@ -1,4 +1,4 @@
-"""Of two normal modes a solution says which has the frequency, also where a number is sought for which it has."""
+"""Tests of the statement which of two normal modes has a given frequency, including inverse problems."""
 
 from dataclasses import replace
 
@@ -39,7 +39,7 @@ def test_the_mode_is_named_with_its_root(rank: int, which: str, size: str) -> No
 
 @pytest.mark.parametrize(("rank", "which"), [(0, "slower"), (1, "faster")])
 def test_a_mass_is_found_from_the_linear_equation_and_the_other_root_is_told(rank: int, which: str) -> None:
-    """No root formula is inverted, no common factor is left, and the other frequency shows which mode it is."""
+    """The equation is linear in the mass; the other frequency shows which mode has the given one."""
     found = solved(rank, "carts.0.mass")
     assert found.answer == pytest.approx(MASSES[0], rel=1e-6)
     assert r"\sqrt{\left(" not in found.text

@@ -1,4 +1,4 @@
-"""Why a body that is launched across a spring passes the place at which that has its natural length."""
+"""Tests of the reason why a launched body passes the natural length of a spring."""
 
 from sim2reason.solutions.solve import solve_prompt
 from worked import solution_text
@@ -29,7 +29,7 @@ def test_an_unknown_natural_length_is_assumed_to_be_passed() -> None:
 
 
 def test_what_shortens_at_first_does_not_turn_back_before_the_natural_length() -> None:
-    """E = 0.61 + 0.8 = 1.41 J exceeds ½ m (h/ℓ_0)² = (0.35/0.5)² = 0.49 J."""
+    """E = 0.61 + 0.8 = 1.41 J exceeds ½ m (h/ℓ_0)² = (0.35/0.5)² = 0.49 J, so the body doesn't turn back."""
     text = solve_prompt(STRETCHED)[0].text
     assert "it shortens at first, $" in text
     assert r"where it is $K_0 = " in text

@@ -1,4 +1,4 @@
-"""Why the common motion of a row has no part in what is asked, and where ratios of displacements come from."""
+"""Tests of rows of carts: when the common motion doesn't contribute, and the source of displacement ratios."""
 
 from worked import solution_text
 

@@ -1,4 +1,4 @@
-"""Springs along lines: harmonic oscillation, normal modes, energy, momentum and statics, each by a closed form."""
+"""Tests of springs on a line against closed forms: oscillation, normal modes, energy, momentum and statics."""
 
 from math import acos, asin, cos, pi, radians, sin, sqrt
 
@@ -35,7 +35,7 @@ G, STIFFNESS, MASS = 9.8, 50.0, 2.0
 
 
 def lone(**start: float) -> Scene:
-    """One cart on a spring to a wall on its left."""
+    """Return a scene with one cart on a spring to a wall on its left."""
     return row((MASS,), (STIFFNESS,), "left", **start)  # type: ignore[arg-type]
 
 
@@ -48,7 +48,7 @@ def spring(scene: Scene, number: int = 0) -> str:
 
 
 def found(scene: Scene, query: Query, *names: str) -> float:
-    """The answer, on which all strategies that are named agree, and which none of them leaves without a reason."""
+    """Return the answer after asserting that all named strategies find it and agree."""
     setting, answers = forward(asked(scene, query)), list[float]()
     for name in names:
         solution = solve_with(STRATEGIES[name], setting)
@@ -66,14 +66,14 @@ def sound(solution: Solution, setting: ProblemContext) -> float:
 
 
 def test_the_period_of_a_cart_on_a_spring() -> None:
-    """T = 2π √(m/k); Kleppner and Kolenkow, § 3.7."""
+    """The period is T = 2π √(m/k); see Kleppner and Kolenkow, § 3.7."""
     query = PeriodQuery("period", None, None, "period", small=False, of=(cart(lone(strain=0.1)),))
     answer = found(lone(strain=0.1), query, "oscillation", "normal modes")
     assert answer == pytest.approx(2.0 * pi * sqrt(MASS / STIFFNESS), rel=1e-9)
 
 
 def test_a_struck_cart_turns_back_when_its_energy_is_all_in_the_spring() -> None:
-    """A = v √(m/k)."""
+    """The amplitude is A = v √(m/k)."""
     scene = lone(speed=1.5)
     query = Query("event", Target("displacement", cart(scene)), Stopped(cart(scene)))
     answer = found(scene, query, "oscillation", "normal modes", "energy")
@@ -81,7 +81,7 @@ def test_a_struck_cart_turns_back_when_its_energy_is_all_in_the_spring() -> None
 
 
 def test_its_speed_after_a_distance_is_that_of_energy() -> None:
-    """v² = k (2 A d − d²)/m of what is let go at A."""
+    """A cart released at A has v² = k (2 A d − d²)/m after a distance d."""
     scene = lone(strain=0.2)
     query = Query("event", Target("velocity", cart(scene)), Moved(cart(scene), 0.05))
     answer = found(scene, query, "oscillation", "normal modes", "energy")
@@ -89,7 +89,7 @@ def test_its_speed_after_a_distance_is_that_of_energy() -> None:
 
 
 def test_the_time_for_a_distance() -> None:
-    """A (1 − cos ωt) = d; of a struck cart A sin ωt = d."""
+    """A (1 − cos ωt) = d from rest at A; A sin ωt = d for a struck cart."""
     omega, held = sqrt(STIFFNESS / MASS), lone(strain=0.2)
     query = Query("time_to_event", None, Moved(cart(held), 0.05))
     assert found(held, query, "oscillation", "normal modes") == pytest.approx(acos(0.75) / omega, rel=1e-9)
@@ -98,7 +98,7 @@ def test_the_time_for_a_distance() -> None:
 
 
 def test_on_a_slope_it_oscillates_about_where_weight_and_spring_balance() -> None:
-    """It sinks by 2 m g sin θ/k."""
+    """The cart released from the natural length moves down by 2 m g sin θ/k at most."""
     scene = lone(tilt=30.0)
     query = StretchQuery("extremum", None, AtTime(1.5), "greatest displacement", cart(scene))
     answer = found(scene, query, "oscillation", "energy")
@@ -108,21 +108,21 @@ def test_on_a_slope_it_oscillates_about_where_weight_and_spring_balance() -> Non
 
 
 def test_a_path_to_and_fro() -> None:
-    """Half a period and a third of the next half: 2 A + A (1 − cos 60°)."""
+    """The path in half a period and a third of the next half is 2 A + A (1 − cos 60°)."""
     scene, omega = lone(strain=0.2), sqrt(STIFFNESS / MASS)
     query = StretchQuery("sum", None, AtTime(round(4.0 * pi / 3.0 / omega, 12)), "distance travelled", cart(scene))
     assert found(scene, query, "oscillation", "normal modes") == pytest.approx(0.5, rel=1e-9)
 
 
 def test_two_free_carts_vibrate_with_their_reduced_mass() -> None:
-    """ω² = k (1/m + 1/M); Kleppner and Kolenkow, problem 3.27."""
+    """ω² = k (1/m + 1/M); see Kleppner and Kolenkow, problem 3.27."""
     scene = row((1.0, 3.0), (60.0,), "free", strain=0.1)
     query = PeriodQuery("period", None, None, "angular frequency", small=True, of=())
     assert found(scene, query, "oscillation", "normal modes") == pytest.approx(sqrt(60.0 * 4.0 / 3.0), rel=1e-9)
 
 
 def test_the_greatest_compression_of_two_free_carts_leaves_the_energy_of_their_centre_of_mass() -> None:
-    """½ k x² = ½ µ v², µ the reduced mass."""
+    """½ k x² = ½ µ v² with the reduced mass µ."""
     scene = row((1.0, 3.0), (60.0,), "free", speed=2.0)
     query = Query("event", Target("extension", spring(scene)), MostCompressed(spring(scene)))
     answer = found(scene, query, "momentum", "oscillation", "normal modes")
@@ -130,7 +130,7 @@ def test_the_greatest_compression_of_two_free_carts_leaves_the_energy_of_their_c
 
 
 def test_equal_carts_between_walls_have_the_modes_of_every_textbook() -> None:
-    """ω² = k/m and 3 k/m; Goldstein, Poole and Safko, § 6.2. Let go with one spring strained, both modes show."""
+    """ω² = k/m and 3 k/m; Goldstein, Poole and Safko, § 6.2. One strained spring at release excites both modes."""
     scene = row((2.0, 2.0), (50.0, 50.0, 50.0), "both", strain=0.1, at=1)
     for rank, share in ((0, 1.0), (1, 3.0)):
         query = PeriodQuery("period", None, None, "angular frequency", small=True, of=(), rank=rank, modes=2)
@@ -140,7 +140,7 @@ def test_equal_carts_between_walls_have_the_modes_of_every_textbook() -> None:
 
 
 def test_three_carts_by_numeric_roots() -> None:
-    """Equal carts between walls: ω² = (2 − √2) k/m for the slowest mode; French, Vibrations and Waves, chapter 5."""
+    """Equal carts between walls have ω² = (2 − √2) k/m in the slowest mode; French, Vibrations and Waves, ch. 5."""
     scene = row((1.0, 1.0, 1.0), (40.0,) * 4, "both", speed=1.0)
     query = PeriodQuery("period", None, None, "angular frequency", small=True, of=(), rank=0, modes=3)
     assert found(scene, query, "normal modes") == pytest.approx(sqrt(40.0 * (2.0 - sqrt(2.0))), rel=1e-9)
@@ -149,7 +149,7 @@ def test_three_carts_by_numeric_roots() -> None:
 
 
 def test_a_stiffness_is_found_from_a_time() -> None:
-    """T/4 until a relaxed spring turns the cart back, from k = m (π/2t)²."""
+    """A relaxed spring turns the cart back after t = T/4, so k = m (π/2t)²."""
     scene = lone(speed=1.0)
     plain = asked(scene, Query("time_to_event", None, Stopped(cart(scene))))
     path = next(p.path for p in scene.parameters if p.path.endswith("stiffness"))
@@ -163,7 +163,7 @@ def test_a_stiffness_is_found_from_a_time() -> None:
 
 
 def test_two_slabs_end_with_the_velocity_of_their_centre_of_mass() -> None:
-    """Momentum: (m + M) v = m u, on a smooth floor; how rough they are does not matter, so accelerations do not."""
+    """On a smooth floor (m + M) v = m u, whatever the friction between the slabs, so no acceleration is needed."""
     slabs = StackedMassPlane(
         plane=Plane(angle=0.0, friction=0.0), lower=Slab(mass=3.0), upper=Slab(mass=1.0), friction=0.4, speed=2.0
     )
@@ -178,14 +178,17 @@ def test_two_slabs_end_with_the_velocity_of_their_centre_of_mass() -> None:
 
 
 def test_friction_holds_what_the_spring_pulls() -> None:
-    """F = k x, as long as that is less than µ m g."""
+    """The friction force is F = k x as long as that is less than µ m g."""
     scene = lone(strain=0.05, friction=0.3)
     query = Query("start", Target("friction force", cart(scene)), AtStart())
     assert found(scene, query, "statics") == pytest.approx(STIFFNESS * 0.05, rel=1e-9)
 
 
 def test_friction_takes_as_much_of_every_half_swing() -> None:
-    """2 µ m g/k of the amplitude; Lapidus, American Journal of Physics 38 (1970) 1360. The times stay T/2."""
+    """The amplitude decreases by 2 µ m g/k per half oscillation, which always takes T/2.
+
+    Source: Lapidus, American Journal of Physics 38 (1970) 1360.
+    """
     friction, strain = 0.1, 0.3
     scene = lone(strain=strain, friction=friction)
     lost, half = 2.0 * friction * MASS * G / STIFFNESS, pi * sqrt(MASS / STIFFNESS)
@@ -197,7 +200,7 @@ def test_friction_takes_as_much_of_every_half_swing() -> None:
 
 
 def test_what_is_assumed_to_stick_is_verified() -> None:
-    """Both slide down as one: the upper slab takes m (g sin θ − a) = µ m g cos θ, less than its own µ′ m g cos θ."""
+    """Both slabs slide down together: the upper one needs m (g sin θ − a) = µ m g cos θ, less than µ′ m g cos θ."""
     slabs = StackedMassPlane(
         plane=Plane(angle=40.0, friction=0.2), lower=Slab(mass=3.0), upper=Slab(mass=1.0), friction=0.5
     )
@@ -213,7 +216,7 @@ def test_what_is_assumed_to_stick_is_verified() -> None:
 
 
 def test_where_all_is_at_rest_for_good_no_half_swing_is_written() -> None:
-    """One cart has stopped and the other never moved: friction holds both, and only numbers tell where."""
+    """One cart has stopped and the other never moved; their final positions are found only numerically."""
     scene = row((4.4, 3.9), (82.0, 155.0, 113.0), "both", speed=0.98, friction=0.49)
     setting = asked(scene, Query("state", Target("displacement", "row.carts.1"), AtTime(0.5)))
     assert not solve(setting, derived=True).strategy
@@ -221,7 +224,7 @@ def test_where_all_is_at_rest_for_good_no_half_swing_is_written() -> None:
 
 
 def test_the_impulse_of_a_string_that_a_spring_pulls_is_the_momentum_of_what_hangs_on_it() -> None:
-    """J = m (g t − v): with M x″ = −k (x − m g/k), M = m + m′, it falls at v = g m/(M ω) sin ωt, ω² = k/M."""
+    """J = m (g t − v), where M x″ = −k (x − m g/k), M = m + m′, gives v = g m/(M ω) sin ωt with ω² = k/M."""
     time, hung, rate = 0.2, 0.8, sqrt(STIFFNESS / (MASS + 0.8))
     table = SpringMassIncline(
         plane=Plane(angle=0.0, friction=0.0),
@@ -238,7 +241,7 @@ def test_the_impulse_of_a_string_that_a_spring_pulls_is_the_momentum_of_what_han
 
 @pytest.mark.parametrize("quantity", ["net force", "acceleration"])
 def test_what_nothing_drives_back_has_no_share_in_an_acceleration(quantity: str) -> None:
-    """Three free carts: how fast their centre of mass goes on need not be told."""
+    """For three free carts the solution doesn't need the velocity of their centre of mass."""
     scene = row((1.5, 4.8, 4.3), (122.0, 41.0), "free", speed=0.9)
     for moment in (MostStretched(spring(scene)), AtTime(0.4)):
         setting = asked(scene, Query("event", Target(quantity, cart(scene)), moment))
@@ -246,7 +249,7 @@ def test_what_nothing_drives_back_has_no_share_in_an_acceleration(quantity: str)
 
 
 def test_a_time_follows_from_the_law_of_motion_that_is_stated() -> None:
-    """With friction x = x₀ (1 − cos ωt), and a displacement is not that of the turning point and of the moment."""
+    """With friction x = x₀ (1 − cos ωt), so no separate displacement is named at the moment in question."""
     scene = lone(strain=0.2, friction=0.1)
     found = solve(asked(scene, Query("time_to_event", None, NaturalLength(spring(scene)))))
     assert found.strategy == "half swings"
@@ -258,7 +261,7 @@ def test_a_time_follows_from_the_law_of_motion_that_is_stated() -> None:
 
 
 def test_an_acceleration_beyond_the_place_of_balance_has_the_sense_of_the_displacement() -> None:
-    """a = ω² (x₀ − x) is negative where x > x₀, and so no acceleration towards the equilibrium position."""
+    """a = ω² (x₀ − x) is negative where x > x₀, so the text doesn't direct it towards the equilibrium."""
     scene = lone(tilt=30.0)
     found = solve(asked(scene, Query("state", Target("net force", cart(scene)), AtTime(0.5))))
     assert found.answer == pytest.approx(abs(MASS * G * 0.5 * cos(0.5 * sqrt(STIFFNESS / MASS))), rel=1e-8)

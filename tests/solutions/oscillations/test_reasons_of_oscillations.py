@@ -1,4 +1,4 @@
-"""Oscillations: why they take half a period, which way they begin, and that the place in question is on the way."""
+"""Tests of the reasons in solutions for oscillations: half periods, initial directions, and points on the way."""
 
 import re
 from dataclasses import replace
@@ -77,7 +77,7 @@ def test_modes_are_told_to_be_orthogonal_before_they_are_used() -> None:
 
 @pytest.mark.parametrize("number", [1, 2])
 def test_each_mode_has_an_equation_of_motion_that_its_displayed_solution_fulfils(number: int) -> None:
-    """Insert the solution of the text into the equation of the text, by differences over time."""
+    """Finite differences show that the stated solution of each mode fulfils its stated equation of motion."""
     scene = row((2.3, 2.2), (79.0, 93.0), "right", speed=1.4, strain=0.2)
     cart = [body.name for body in scene.mechanism.bodies if body.mass][-1]
     found = derived(scene, Query("state", Target("velocity", cart), AtTime(0.3)))
@@ -154,20 +154,20 @@ def test_the_half_oscillations_that_take_the_same_time_are_those_before_the_last
 
 
 def test_in_equilibrium_the_net_force_is_zero_whatever_acts() -> None:
-    """On a smooth horizontal track there are only springs, one of which was strained at first."""
+    """Only springs act on a smooth horizontal track, and one of them was strained at first."""
     text = solution_text("chain-medium-choice-301930-0")
     assert "In equilibrium the net force on each body is zero: " in text
 
 
 def test_on_a_rough_track_displacements_count_from_where_the_net_force_is_zero() -> None:
-    """The text calls the place where friction and spring force cancel no equilibrium: at rest, friction is static."""
+    """The point where friction and spring force cancel isn't called an equilibrium, as friction at rest is static."""
     text = solution_text("chain-medium-multipart-301930-0")
     assert "The displacement from the point at which the net force is zero is $A \\cos(\\omega t - \\varphi)$" in text
     assert "equilibrium" not in text
 
 
 def test_a_displacement_without_the_common_motion_is_told_to_be_that() -> None:
-    """At 1.0 s cart A is 0.42 m from its start, but the modes make only 0.07 m of that."""
+    """At 1.0 s cart A is 0.42 m from its starting point, but the modes contribute only 0.07 m of that."""
     text = solution_text("chain-hard-choice-301926-1")
     assert "The displacement of cart A, apart from the common motion, is $c_2" in text
     assert "accelerations; in what follows, displacements are those apart from it." in text

@@ -1,4 +1,4 @@
-"""Springs and friction: each swing is timed as what it is, and rest at turning points is shown, not assumed."""
+"""Tests of springs with friction: times of swings, and rest at turning points."""
 
 import re
 from math import atan, pi, sqrt
@@ -32,20 +32,20 @@ def cart(scene: Scene, number: int = 0) -> str:
 
 
 def verified(found: Solution) -> dict[str, float]:
-    """What comes to what, of all that is verified by numbers."""
+    """Return the values of all relations that are verified numerically, by the LaTeX code of their left sides."""
     relations = (relation for relation in found.relations if relation.role == "verified")
     return {held.left.latex(): float(held.right.value(found.values).real) for held in relations}
 
 
 def turning_points() -> tuple[float, float]:
-    """Where what is struck from rest, on a relaxed spring, turns back: about ∓µmg/k each time."""
+    """Return the first two turning points of a cart struck from a relaxed spring, which swings about ∓µmg/k."""
     shift = LIMIT / STIFFNESS
     first = sqrt(shift**2 + (SPEED / RATE) ** 2) - shift
     return first, 2.0 * shift - first
 
 
 def test_only_the_time_between_turning_points_is_half_an_oscillation() -> None:
-    """The first stage begins with a speed: it takes arctan(v ω/µg)/ω, less than π/2ω."""
+    """The first swing starts with a speed and takes arctan(v ω/µg)/ω, less than π/2ω."""
     scene = struck(speed=SPEED)
     found = derived(scene, Query("state", Target("displacement", cart(scene)), AtTime(TIME)))
     early = r"so $\tan\left(\omega t_1\right)"
@@ -88,7 +88,7 @@ def test_what_comes_to_rest_for_good_is_held_by_friction() -> None:
 
 
 def test_a_body_that_never_moves_is_shown_to_stay() -> None:
-    """Spring 1 pulls cart A most where cart B is farthest away, and friction on A is stronger even then."""
+    """Spring 1 pulls cart A most when cart B is farthest away, and friction can hold A even then."""
     scene = row((4.7, 3.3), (156.0, 72.0), "right", speed=1.5, friction=0.53)
     moving = cart(scene, 1)
     found = derived(scene, Query("event", Target("displacement", moving), Halted(moving)))
@@ -100,7 +100,7 @@ def test_a_body_that_never_moves_is_shown_to_stay() -> None:
 
 
 def test_a_distance_is_moved_before_the_first_turning_point() -> None:
-    """From rest it goes on to 2 (s − µmg/k)."""
+    """Released from rest, the cart moves 2 (s − µmg/k) before it turns back."""
     scene = struck(strain=0.1)
     found = derived(scene, Query("time_to_event", None, Moved(cart(scene), 0.05)))
     assert verified(found)["x_1"] == pytest.approx(2.0 * (0.1 - LIMIT / STIFFNESS), rel=1e-9)
@@ -108,7 +108,7 @@ def test_a_distance_is_moved_before_the_first_turning_point() -> None:
 
 
 def test_a_later_part_says_what_it_counts_from() -> None:
-    """In the part after the first turning point a displacement from there is introduced before it is used."""
+    """The part after the first turning point introduces a displacement from there before using it."""
     scene = struck(speed=SPEED)
     first = derived(scene, Query("time_to_event", None, Stopped(cart(scene))))
     later = derived(scene, Query("state", Target("displacement", cart(scene)), AtTime(TIME)))
@@ -136,7 +136,7 @@ def test_forces_that_are_compared_with_friction_have_a_direction() -> None:
 
 
 def test_the_first_time_at_rest_is_derived_from_the_velocity() -> None:
-    """From v cos ωt + x₀ω sin ωt = 0 follows tan ωt = −v/(ωx₀); x₀ < 0 chooses the branch."""
+    """v cos ωt + x₀ω sin ωt = 0 gives tan ωt = −v/(ωx₀); x₀ < 0 selects the branch."""
     found = derived(
         struck(speed=SPEED), Query("state", Target("displacement", cart(struck(speed=SPEED))), AtTime(TIME))
     )
@@ -147,7 +147,7 @@ def test_the_first_time_at_rest_is_derived_from_the_velocity() -> None:
 
 
 def test_a_spring_has_its_natural_length_before_friction_changes() -> None:
-    """On the way back of a cart that was struck, it next comes to rest only beyond the natural length."""
+    """On the way back of a struck cart, its next turning point is beyond the natural length."""
     scene = row((MASS,), (STIFFNESS,), "left", friction=FRICTION, speed=SPEED, strain=0.05)
     spring = next(line.name for line in scene.mechanism.lines)
     found = derived(scene, StretchQuery("sum", None, NaturalLength(spring), "distance travelled", cart(scene)))
@@ -158,7 +158,7 @@ def test_a_spring_has_its_natural_length_before_friction_changes() -> None:
 
 
 def test_what_is_assumed_of_an_unknown_is_verified_in_the_end() -> None:
-    """Whether friction lets it start, move back and stay is compared once the unknown mass is known."""
+    """Starting, turning back and staying at rest are compared with friction once the unknown mass is known."""
     prompt = (
         "A rough, fixed plane inclined at 60° to the horizontal carries a block (mass $m$). The block is joined to a "
         "stop at the foot of the slope by a light spring with a stiffness of 365 N/m and a natural length of 0.54 m. "
@@ -175,7 +175,7 @@ def test_what_is_assumed_of_an_unknown_is_verified_in_the_end() -> None:
 
 
 def test_the_time_that_is_left_is_compared_with_half_an_oscillation_in_the_data_too() -> None:
-    """With t + 2 t₁ for the time t − 2 t₁ the cosine is the same: only the comparison tells them apart."""
+    """The time t + 2 t₁ has the same cosine as t − 2 t₁; only the comparison distinguishes them."""
     (setting,) = settings_of("springs-hard-choice-75-9")
     found = solve(setting)
     assert "As $t_2 < t_1$, it does not come to rest again within this time." in found.text

@@ -1,4 +1,4 @@
-"""Strings that stay taut while what hangs on them oscillates, and tensions that are greatest at an end."""
+"""Tests of strings that stay taut during oscillations, and of tensions whose maximum is at an end."""
 
 from sim2reason.solutions import solve_prompt
 from sim2reason.testing.solution_text import read
@@ -14,7 +14,7 @@ in N, to three significant figures, inside \\boxed{}."""
 
 
 def text_of(prompt: str) -> str:
-    """Return the worked solution of a problem, of which every number is right."""
+    """Return the worked solution of a problem after checking all of its numbers."""
     found = solve_prompt(prompt)[0]
     assert found.answer is not None, found.reason
     assert not read(found.text).broken
@@ -30,7 +30,7 @@ def test_a_string_is_shown_to_stay_taut_by_the_greatest_acceleration() -> None:
 
 
 def test_a_string_along_a_smooth_slope_is_shown_to_stay_taut() -> None:
-    """The other body lies on a second slope, so the string needs less than its weight along that."""
+    """The other body lies on a second slope, so the string carries less than its weight component along it."""
     prompt = HUNG.replace(
         "A light string tied",
         "Another fixed plane of inclination 36° with a smooth surface carries block B (2.1 kg). A light string tied",

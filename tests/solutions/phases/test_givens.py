@@ -1,4 +1,4 @@
-"""Numbers that the question of an integrated motion says."""
+"""Tests of the given numbers of integrated motions."""
 
 from worked import solution_text
 

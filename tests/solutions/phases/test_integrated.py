@@ -1,4 +1,4 @@
-"""Motions solved phase by phase, against closed forms; the answers are recomputed from what the solutions state."""
+"""Tests of motions solved phase by phase against closed forms, with answers recomputed from the solutions."""
 
 from dataclasses import replace
 from math import asin, cos, degrees, pi, radians, sin, sqrt
@@ -28,7 +28,7 @@ BOB = "swing.bob"
 
 
 def integrated(entity: Entity, query: Query, **changes: object) -> Solution:
-    """The solution by integration, whose data must lead to its answer without a fault."""
+    """Return the solution by integration after checking that its data and its text lead to its answer."""
     setting: ProblemContext = asked(scene(entity), query)
     setting = replace(setting, **changes)  # type: ignore[arg-type]
     found = solve_with(STRATEGIES["integration"], setting)
@@ -58,7 +58,7 @@ STRING = scene(on_string(7.5)).mechanism.strings[0].name
 
 
 def quarter(angle: float, length: float) -> float:
-    """A quarter of a swing, by the mean of the integrand of K over a quarter turn, which converges exponentially."""
+    """Return a quarter of the period of a pendulum, from the elliptic integral K by the midpoint rule."""
     modulus = sin(radians(angle) / 2.0)
     points = (np.arange(200) + 0.5) * pi / 400.0
     return sqrt(length / G) * pi / 2.0 * float(np.mean(1.0 / np.sqrt(1.0 - (modulus * np.sin(points)) ** 2)))
@@ -77,7 +77,7 @@ def test_the_speed_at_an_angle_is_that_of_energy() -> None:
 
 
 def asked_lines(entity: Entity) -> list[str]:
-    """The names of what swings, of which an angle may be asked."""
+    """Return the names of the swinging bodies whose angle may be asked for."""
     setting = asked(scene(entity), Query("time_to_event", None, LowestPoint(BOB)))
     return list(Deflected.candidates(setting.words))
 
@@ -97,7 +97,7 @@ def test_an_angle_that_is_asked_for_is_found_by_trial() -> None:
 
 
 def slack(speed: float, length: float) -> tuple[float, float]:
-    """The angle with the upward vertical at which a string goes slack, and the speed there: v² = gℓ cos β."""
+    """Return the angle from the upward vertical at which a string goes slack, and the speed: v² = gℓ cos β."""
     cosine = (speed**2 / (G * length) - 2.0) / 3.0
     return asin(sqrt(1.0 - cosine**2)), sqrt(G * length * cosine)
 
@@ -111,7 +111,7 @@ def test_a_string_that_goes_slack_lets_the_bob_fly_as_a_projectile() -> None:
 
 
 def test_the_string_becomes_taut_again_as_known_for_launches_from_rest_below() -> None:
-    """From the slack angle β above the horizontal the parabola meets the circle again after 4 (v/g) sin β."""
+    """The parabola that begins at the angle β above the horizontal meets the circle again after 4 (v/g) sin β."""
     beta, v = slack(7.5, 1.8)
     fly = 4.0 * v / G * sin(beta)
     found = integrated(on_string(7.5), Query("time_to_event", None, WentTaut(STRING)))
@@ -122,7 +122,7 @@ def test_the_string_becomes_taut_again_as_known_for_launches_from_rest_below() -
 
 
 def test_a_jerk_takes_the_velocity_along_the_string() -> None:
-    """After the flight of 4 (v/g) sin β the place and velocity of a parabola; what is along the string is lost."""
+    """After the free flight of 4 (v/g) sin β, the velocity component along the string is lost."""
     beta, v = slack(7.5, 1.8)
     fly = 4.0 * v / G * sin(beta)
     x, z = -1.8 * sin(beta), 1.8 * cos(beta)
@@ -135,7 +135,7 @@ def test_a_jerk_takes_the_velocity_along_the_string() -> None:
 
 
 def without(found: Solution, drop: type[object] | str) -> Solution:
-    """A solution from which the steps of a kind are cut."""
+    """Return a copy of a solution without its steps of a given kind."""
     steps: tuple[Step, ...] = tuple(step for step in found.steps if step.kind != drop)
     return replace(found, steps=steps)
 

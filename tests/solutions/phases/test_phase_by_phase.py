@@ -1,4 +1,4 @@
-"""Phases of constant acceleration without integration, against closed forms."""
+"""Tests of phases of constant acceleration without integration, against closed forms."""
 
 from math import cos, radians, sin
 
@@ -28,7 +28,7 @@ SLABS = (
 
 
 def test_a_slab_slips_when_the_one_on_it_has_come_to_rest() -> None:
-    """B is slowed down by g (sin θ + µ cos θ); its weight is one of the numbers that the equations add up."""
+    """B decelerates by g (sin θ + µ cos θ), and the elimination with numbers includes its weight."""
     found, setting = solve_prompt(SLABS)
     assert found.strategy == "phase by phase", found.reason
     slowed = 9.8 * (sin(radians(38)) + 0.31 * cos(radians(38)))
@@ -69,7 +69,7 @@ SPINNING, SLIDING = "{kind: spinning, way: to the right, spin: 12.0}", "{kind: s
 
 
 def rolling(start: str, angle: float = 0.0, friction: float = 0.3) -> Scene:
-    """A pipe that is set down on a plane."""
+    """Return a scene with a thick pipe on a plane."""
     return loads(f"""
 scene:
   entities:
@@ -96,7 +96,7 @@ def phases(scene: Scene, moment: Moment, quantity: str = "") -> Solution:
 
 
 def test_a_phase_says_which_way_friction_acts_and_solves_its_laws() -> None:
-    """As the point of contact slips to the left, µ m g acts to the right, and slows the rotation."""
+    """The point of contact slips to the left, so friction µ m g acts to the right and slows the rotation."""
     found = phases(rolling(SPINNING), StoppedSlipping("roller.body"))
     text = found.text
     assert "has turned clockwise" in text
@@ -123,7 +123,7 @@ def test_a_velocity_has_another_letter_than_a_given_one() -> None:
 
 
 def test_what_begins_to_roll_on_a_slope_is_held_by_static_friction() -> None:
-    """Rolling down, α R = −a, so a = g sin θ/(1 + I/(m R²))."""
+    """A body that rolls down the slope has α R = −a and a = g sin θ/(1 + I/(m R²))."""
     scene = rolling("{kind: sliding, way: down the slope, speed: 2.1}", 10.0, 0.4)
     found = phases(scene, AtTime(2.0), "displacement")
     assert "rolls without slipping; the static friction on it, counted positive up the slope, is $f_2$." in found.text

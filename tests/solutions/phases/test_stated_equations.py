@@ -1,4 +1,4 @@
-"""The equations of motion that integrations state, in the symbols of the text, and what they refuse to state."""
+"""Tests of the equations of motion that integrations state in the symbols of the text, and of refused cases."""
 
 from math import cos, radians, sqrt
 
@@ -35,7 +35,7 @@ def scene(name: str, entity: Entity) -> Scene:
 
 
 def text_of(setting: ProblemContext) -> str:
-    """Return the text of the integration, every check passed, its text alone included."""
+    """Return the text of the solution by integration after checking its answer, its data and the text itself."""
     found = solve_with(STRATEGIES["integration"], setting)
     assert found.answer is not None, found.reason
     assert setting.answer is not None
@@ -85,14 +85,14 @@ def tumbling() -> ProblemContext:
 
 
 def test_an_initial_rate_that_the_text_does_not_give_is_refused(tumbling: ProblemContext) -> None:
-    """The centre of the prism moves at ω R, in a direction that the text does not give."""
+    """The initial velocity of the prism's centre is ω R in a direction that the text doesn't give."""
     found = solve_with(STRATEGIES["integration"], tumbling)
     assert found.answer is None
     assert "initial rate 0.519615" in found.reason  # ω R cos 30°
 
 
 def test_a_prism_turns_about_its_edge_as_a_pendulum_upside_down(tumbling: ProblemContext) -> None:
-    """θ″ = (m g R/I) sin θ from the upright, I = (5/12 + 1) m R²: by energy at the angle that it has then."""
+    """From the upright position θ″ = (m g R/I) sin θ with I = (5/12 + 1) m R²; energy gives the angular velocity."""
     state = tumbling.study.trace.sample(np.array([0.1]))
     turned = abs(float(state.q[0, 2]))
     rise = 0.1 * (cos(radians(30.0) - turned) - cos(radians(30.0)))

@@ -1,4 +1,4 @@
-"""What a solution says of moments of inertia about an axle: where each number comes from, and what is a point mass."""
+"""Tests of moments of inertia about an axle: the source of each number, and the bodies taken as point masses."""
 
 from math import cos, pi, radians
 
@@ -20,7 +20,7 @@ G, DISTANCE, MASS, RADIUS, ANGLE = 9.8, 0.13, 7.6, 0.1, 74.0
 
 
 def released(*pieces: WeldedPiece) -> Solution:
-    """How fast the arm's rotation speeds up when it is let go."""
+    """Return the solution for the angular acceleration of an arm just after its release."""
     scene = Scene(entities=(Named(name="arm", entity=RotationEntity(pieces=pieces, angle=ANGLE)),))
     body = next(body.name for body in scene.mechanism.bodies if body.mass)
     return derived(scene, Query("start", Target("acceleration", body), AtStart()))

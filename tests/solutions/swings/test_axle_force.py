@@ -1,4 +1,4 @@
-"""Worked solutions for the force of a fixed axle: along and across the line to the centre of mass."""
+"""Tests of the force of a fixed axle along and across the line to the centre of mass."""
 
 from math import cos, hypot, radians, sin
 
@@ -41,7 +41,7 @@ def solved(*pieces: WeldedPiece, angle: float, when: Moment, rate: float | None 
 
 
 def test_a_level_rod_at_rest_is_held_upwards_alone() -> None:
-    """mg/4 for a uniform rod on an axle at its end (Halliday, Resnick and Walker, chapter 10)."""
+    """The force is mg/4 for a uniform rod on an axle at its end (Halliday, Resnick and Walker, chapter 10)."""
     found = solved(ROD, angle=90.0, when=AtStart())
     assert found.answer == pytest.approx(0.25 * WEIGHT, rel=1e-9)
     assert "the axle exerts no force along this line" in found.text
@@ -49,14 +49,14 @@ def test_a_level_rod_at_rest_is_held_upwards_alone() -> None:
 
 
 def test_straight_below_the_axle_the_force_is_vertical() -> None:
-    """5mg/2 for the same rod from level (Kleppner and Kolenkow, chapter 7)."""
+    """The force is 5mg/2 for the same rod released from level (Kleppner and Kolenkow, chapter 7)."""
     found = solved(ROD, angle=90.0, when=LowestPoint("arm.pieces.0.body"))
     assert found.answer == pytest.approx(2.5 * WEIGHT, rel=1e-8)
     assert r"exerts the vertical force $F = m \left(g + d \omega^{2}\right) = 49.000\ \text{N}$" in found.text
 
 
 def test_between_them_two_components_make_the_force() -> None:
-    """F_r = mg (5 cos θ − 3 cos θ₀)/2 and F_t = mg (sin θ)/4."""
+    """The components are F_r = mg (5 cos θ − 3 cos θ₀)/2 and F_t = mg (sin θ)/4."""
     now, began = radians(30.0), radians(80.0)
     inward, aside = 0.5 * WEIGHT * (5.0 * cos(now) - 3.0 * cos(began)), 0.25 * WEIGHT * sin(now)
     for when in (TurnedThrough(ARM, 50.0), Deflected(ARM, 30.0)):
@@ -69,7 +69,7 @@ def test_between_them_two_components_make_the_force() -> None:
 @pytest.mark.parametrize("turned", [50.0, 120.0])
 @pytest.mark.parametrize("pieces", [(SPHERE,), (SPHERE, BALL)], ids=["one side", "heavier beyond the axle"])
 def test_components_along_the_room_are_those_of_all_pieces(pieces: tuple[WeldedPiece, ...], turned: float) -> None:
-    """Σ m (a − g) with a = α × r − ω² r of each piece, ω by energy."""
+    """The force is Σ m (a − g) with a = α × r − ω² r of each piece and ω by energy."""
     both = len(pieces) == 2
     total = 2.3 + 3.1 * both
     moment = MOMENT if both else 2.3 * 0.2

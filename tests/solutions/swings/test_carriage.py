@@ -1,7 +1,8 @@
-"""What swings on a carriage that slides freely, against closed forms worked out by hand.
+"""Tests of a pendulum on a freely sliding carriage against closed forms derived by hand.
 
-A ball of mass m on a light rod of length ℓ, its hinge on a carriage of mass M, released at rest at θ: the sum of
-momenta along the rail stays zero, so with μ = M + m and u = ℓ φ′ the carriage moves at V = m u cos φ/μ, and by energy
+A ball of mass m hangs on a light rod of length ℓ, hinged to a carriage of mass M, and is released at rest at θ.
+The total momentum along the rail stays zero, so with μ = M + m and u = ℓ φ′ the carriage has the velocity
+V = m u cos φ/μ, and by energy
 ½ M V² + ½ m ((u cos φ − V)² + (u sin φ)²) = m g ℓ (cos φ − cos θ); hence u² = 2 g ℓ (cos φ − cos θ) μ/(M + m sin² φ).
 Along the rod in the frame of the carriage, which is accelerated by A = T sin φ/M: T + m A sin φ = m g cos φ + m u²/ℓ.
 See Morin, Introduction to Classical Mechanics, chapters 5 and 6.
@@ -44,7 +45,7 @@ CART, BOB = "cart.carriage", "it.bob"
 
 
 def swinging(*more: str, angle: float = degrees(THETA), **others: Entity) -> Scene:
-    """The ball on its carriage, which strings may pull: ``swinging("right", hand=...)``."""
+    """Return a scene with a pendulum on a carriage and optional strings, as in ``swinging("right", hand=...)``."""
     rod = LightRodPendulum(bob=Ball(mass=SMALL), rod=LightRod(length=LENGTH), angle=angle)
     entities = {"cart": SliderMass(carriage=Carriage(mass=M)), "it": rod, **others}
     strings = [string(f"cart.{side}", f"{name}.end") for side, name in zip(more, others, strict=True)]
@@ -66,12 +67,12 @@ def close(made: Scene, query: Query, expected: float) -> None:
 
 
 def relative(phi: float) -> float:
-    """The speed of the ball relative to the carriage."""
+    """Return the speed of the ball relative to the carriage."""
     return sqrt(2.0 * G * LENGTH * (cos(phi) - cos(THETA)) * ALL / (M + SMALL * sin(phi) ** 2))
 
 
 def test_at_release_the_rod_pulls_the_carriage() -> None:
-    """T = M m g cos θ/(M + m sin² θ); the carriage is accelerated by T sin θ/M."""
+    """The rod force is T = M m g cos θ/(M + m sin² θ), and the carriage has the acceleration T sin θ/M."""
     pull = M * SMALL * G * cos(THETA) / (M + SMALL * sin(THETA) ** 2)
     made = swinging()
     for quantity, subject, expected in (
@@ -84,7 +85,7 @@ def test_at_release_the_rod_pulls_the_carriage() -> None:
 
 
 def test_at_the_lowest_point_momenta_are_opposite() -> None:
-    """m v = M V and ½ m v² + ½ M V² = m g ℓ (1 − cos θ); about the carriage, T − m g = m (v + V)²/ℓ."""
+    """m v = M V and ½ m v² + ½ M V² = m g ℓ (1 − cos θ); relative to the carriage, T − m g = m (v + V)²/ℓ."""
     energy, lowest, made = SMALL * G * LENGTH * (1.0 - cos(THETA)), LowestPoint(BOB), swinging()
     ball = sqrt(2.0 * energy * M / (SMALL * ALL))
     cart = SMALL * ball / M
@@ -117,7 +118,7 @@ def test_at_a_stated_angle() -> None:
 
 
 def test_the_carriage_comes_to_rest_where_the_ball_is_as_high_as_at_first() -> None:
-    """Its common centre of mass stays where it is: X = 2 m ℓ sin θ/(M + m)."""
+    """The common centre of mass stays at rest, so X = 2 m ℓ sin θ/(M + m)."""
     far, made = 2.0 * SMALL * LENGTH * sin(THETA) / ALL, swinging()
     close(made, Query("event", Target("displacement", CART), Stopped(CART)), far)
     close(made, StretchQuery("extremum", None, WholeMotion(), "greatest displacement", CART), far)
@@ -126,7 +127,7 @@ def test_the_carriage_comes_to_rest_where_the_ball_is_as_high_as_at_first() -> N
 
 
 def test_how_far_the_carriage_has_moved_says_where_the_ball_is() -> None:
-    """M + m times the way is m ℓ (sin θ − sin φ)."""
+    """The displacement of the carriage times M + m is m ℓ (sin θ − sin φ)."""
     phi = np.arcsin(sin(THETA) - 0.3 * ALL / (SMALL * LENGTH))
     close(swinging(), Query("event", Target("deflection", BOB), Moved(CART, 0.3)), degrees(abs(phi)))
 
@@ -139,14 +140,14 @@ def test_the_carriage_is_fastest_where_the_rod_hangs_straight_down() -> None:
 
 @pytest.mark.parametrize("measure", ["period", "frequency", "angular frequency"])
 def test_small_oscillations_are_faster_than_on_a_fixed_hinge(measure: str) -> None:
-    """ω² = (1 + m/M) g/ℓ."""
+    """The angular frequency is given by ω² = (1 + m/M) g/ℓ."""
     rate = sqrt(ALL * G / (M * LENGTH))
     expected = {"period": 2.0 * pi / rate, "frequency": rate / (2.0 * pi), "angular frequency": rate}[measure]
     close(swinging(), PeriodQuery("period", None, None, measure, small=True, of=(CART, BOB)), expected)
 
 
 def arm(*, rod: bool) -> tuple[Scene, float, float, float]:
-    """A sphere, and perhaps a rod, on the arm of a carriage; its mass, Σ m r, and moment of inertia about the axle."""
+    """Return a scene with an arm on a carriage, and the arm's mass, Σ m r and moment of inertia about the axle."""
     mass, radius, place = 2.1, 0.2, 0.6
     pieces = [RoundPiece(distance=place, body=Sphere(mass=mass, radius=radius))]
     whole, moment, inertia = mass, mass * place, mass * (place**2 + 0.4 * radius**2)
@@ -174,7 +175,7 @@ def test_an_arm_with_a_moment_of_inertia(*, rod: bool) -> None:
 
 
 def test_a_hand_pulls_the_carriage() -> None:
-    """In the frame that is accelerated by F/(M + m), another force of inertia does work."""
+    """The inertial force in the frame accelerated by F/(M + m) does work, too."""
     force = 12.0
     made, drift = swinging("right", hand=ConstantForcePuller(force=force)), force / ALL
     rise = (force + SMALL * G * sin(THETA) * cos(THETA)) / (M + SMALL * sin(THETA) ** 2)
@@ -187,7 +188,7 @@ def test_a_hand_pulls_the_carriage() -> None:
 
 
 def test_about_a_tilted_vertical_the_ball_swings_as_far_to_both_sides() -> None:
-    """Gravity is tilted by β = arctan F/((M + m) g), so that it turns by 2 (β − θ)."""
+    """The effective gravity is tilted by β = arctan F/((M + m) g), so the rod turns by 2 (β − θ)."""
     force, angle = 30.0, 10.0
     made = swinging("left", angle=angle, hand=ConstantForcePuller(force=force))
     turned = 2.0 * (degrees(atan(force / (ALL * G))) - angle)
@@ -197,7 +198,7 @@ def test_about_a_tilted_vertical_the_ball_swings_as_far_to_both_sides() -> None:
 
 
 def test_a_block_pulls_the_carriage() -> None:
-    """M′ = M + m_B and F = −m_B g: A = (m g sin θ cos θ − m_B g)/(M + m_B + m sin² θ), and T = m_B (g + A)."""
+    """With M′ = M + m_B and F = −m_B g: A = (m g sin θ cos θ − m_B g)/(M + m_B + m sin² θ), T = m_B (g + A)."""
     heavy = 2.0
     made = swinging("left", load=HangingMass(system=Hanging(blocks=(Block(mass=heavy),))))
     rise = (SMALL * G * sin(THETA) * cos(THETA) - heavy * G) / (M + heavy + SMALL * sin(THETA) ** 2)
@@ -206,7 +207,7 @@ def test_a_block_pulls_the_carriage() -> None:
 
 
 def test_a_block_that_hangs_counts_as_part_of_the_carriage() -> None:
-    """It moves vertically, so that neither its weight nor its momentum is along the rail."""
+    """The block moves vertically, so neither its weight nor its momentum has a component along the rail."""
     text = solution_text("mixed-hard-multipart-301933-0")
     said = (
         "Block B moves vertically as fast as the carriage along the rail, so it acts as a mass $m_B$ fixed to the "
@@ -233,7 +234,7 @@ def test_what_takes_the_time_is_left_to_integration() -> None:
 
 
 def test_upward_it_moves_against_the_way_in_which_the_rod_turns() -> None:
-    """u sin φ, of either sign: down on the side on which it begins, up on the other; the height has the same sense."""
+    """The upward velocity is u sin φ, negative on the side of the start and positive on the other one."""
     phi, made, up = radians(20.0), swinging(), Sense("upward", (0.0, 0.0, 1.0))
     moment, fallen = Deflected(BOB, 20.0), LENGTH * (cos(THETA) - cos(phi))
     close(made, Query("event", Target("velocity", BOB, up), moment), -relative(phi) * sin(phi))
@@ -251,7 +252,7 @@ def test_upward_it_moves_against_the_way_in_which_the_rod_turns() -> None:
     ],
 )
 def test_there_are_formulas_of_carriages(query: Query) -> None:
-    """Short enough for a box."""
+    """The closed forms are short enough for an answer."""
     setting = asked(swinging(), query)
     assert carriage_system(setting.mechanism) is not None
     found = solve(setting, derived=True)

@@ -1,4 +1,4 @@
-"""Between which velocities a momentum changes, on which side a ball turns back, and where its speed is meant."""
+"""Tests of the velocities between which a momentum changes, and of the side on which a ball turns back."""
 
 from sim2reason.solutions import solve_prompt
 from sim2reason.testing.solution_text import read
@@ -28,7 +28,7 @@ of free fall is g = 9.8 m/s².) Write the answer in m/s, to three significant fi
 
 
 def text_of(prompt: str) -> str:
-    """Return the worked solution of a problem, of which every number is right."""
+    """Return the worked solution of a problem after checking all of its numbers."""
     found = solve_prompt(prompt)[0]
     assert found.answer is not None, found.reason
     assert not read(found.text).broken

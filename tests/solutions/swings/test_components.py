@@ -1,4 +1,4 @@
-"""An arm on an axle: which components its acceleration has, on which side its centre of mass is, which way it goes."""
+"""Tests of arms on axles: components of the acceleration, side of the centre of mass, and sense of rotation."""
 
 from math import acos, cos, degrees, radians, sin
 
@@ -21,7 +21,7 @@ PIECE = "arm.pieces.0"
 
 
 def arm(ball: float, *, together: bool = False, rate: float | None = None) -> Scene:
-    """A hoop, and a ball farther out on the other side of the axle; `together` on the same one."""
+    """Return a scene with a hoop and a ball on opposite sides of an axle, or on one side if `together` is true."""
     hoop = AxialPiece(distance=NEAR, body=Hoop(mass=HOOP, radius=RADIUS), axis="along the arm")
     weight = BallPiece(distance=FAR, side=SAME if together else OTHER, body=FixedBall(mass=ball))
     entity = RotationEntity(pieces=(hoop, weight), angle=ANGLE, rate=rate)
@@ -33,14 +33,14 @@ def body(scene: Scene) -> str:
 
 
 def about_axle(ball: float, *, together: bool = False) -> tuple[float, float]:
-    """Σ m r, and the moment of inertia, that of the hoop being one about a diameter."""
+    """Return Σ m r and the moment of inertia about the axle; that of the hoop is one about a diameter."""
     moment = HOOP * NEAR + (ball if together else -ball) * FAR
     return moment, HOOP * (0.5 * RADIUS**2 + NEAR**2) + ball * FAR**2
 
 
 @pytest.mark.parametrize("ball", [2.0, 8.0])
 def test_just_after_release_there_is_only_a_tangential_acceleration(ball: float) -> None:
-    """a = d |S| g sin θ/I, and nothing turns yet, so nothing is centripetal."""
+    """a = d |S| g sin θ/I; the angular velocity is zero, so there is no centripetal acceleration."""
     scene = arm(ball)
     found = derived(scene, Query("start", Target("acceleration", body(scene)), AtStart()))
     moment, inertia = about_axle(ball)
@@ -67,7 +67,7 @@ def test_where_all_is_on_one_side_no_sign_is_spoken_of() -> None:
 
 
 def test_the_way_of_an_arm_is_told_from_turning_point_to_turning_point() -> None:
-    """Sent down from θ it turns back at φ on the other side, with no more than one turn in half a second."""
+    """An arm launched downward at θ turns back at φ on the other side, and the text lists each part of its path."""
     scene, rate = arm(2.0, rate=3.0), 3.0
     moment, inertia = about_axle(2.0)
     reach = acos(cos(radians(ANGLE)) - inertia * rate**2 / (2.0 * moment * G))
@@ -83,7 +83,7 @@ def test_the_way_of_an_arm_is_told_from_turning_point_to_turning_point() -> None
 
 
 def test_a_function_and_its_value_have_names_of_their_own() -> None:
-    """F is the elliptic integral, φ the angle that changes: their values are u, and φ at the time."""
+    """F is the elliptic integral and φ the variable angle, so their values have the names u and φ with an index."""
     found = derived(arm(2.0, rate=3.0), Query("state", Target("deflection", "arm.arm"), AtTime(0.8)))
     assert "F" not in {name.partition("_")[0] for name in found.values}
     assert r"\varphi" not in found.values
@@ -91,13 +91,13 @@ def test_a_function_and_its_value_have_names_of_their_own() -> None:
 
 
 def test_an_angular_acceleration_of_either_sign_is_no_magnitude() -> None:
-    """Of an arm in symbols the centre of mass may be on either side, so that S may be negative."""
+    """The centre of mass of an arm in symbols may be on either side, so S may be negative."""
     text = solution_text("rotation-hard-symbolic-301926-1")
     assert "Apart from its sign, the angular acceleration is the torque of gravity" in text
 
 
 def test_the_position_without_a_tangential_component_is_named() -> None:
-    """The sentence before is about a turning point, where gravity has one."""
+    """The position is named again, as gravity has a tangential component at the turning point mentioned before."""
     text = solution_text("rotation-medium-numeric-301926-0")
     assert "straight below or above the axis of rotation, gravity has no tangential component" in text
 
@@ -122,7 +122,7 @@ def test_the_side_of_the_centre_of_mass_is_assumed_before_it_is_used() -> None:
 
 
 def test_it_is_said_which_body_is_at_its_highest_point() -> None:
-    """An arm with bodies on both sides has no highest point of its own."""
+    """The text names a body on one side, as an arm with bodies on both sides has no highest point."""
     text = solution_text("rotation-hard-multipart-301932-1")
     assert "The arm turns back, with hemisphere A at its highest point, where all kinetic energy" in text
 

@@ -1,4 +1,4 @@
-"""Where quantities of a pendulum are extreme, against energy and circular motion."""
+"""Tests of extreme values of quantities of a pendulum against energy and circular motion."""
 
 import re
 from math import cos, radians, sqrt
@@ -26,7 +26,7 @@ def extreme(functional: str, angle: float, speed: float, of: str = "swing.bob") 
 
 
 def turning(angle: float, speed: float) -> float:
-    """The cosine of the angle at which it turns back."""
+    """Return the cosine of the angle of the turning point."""
     return cos(radians(angle)) - speed**2 / (2.0 * G * LENGTH)
 
 
@@ -41,7 +41,7 @@ def test_a_small_swing_is_accelerated_most_where_it_turns_back() -> None:
 
 
 def test_a_large_swing_is_accelerated_most_at_the_lowest_point() -> None:
-    """Beyond arccos 3/5, v²/ℓ there is more than g sin φ where it turns back."""
+    """For amplitudes above arccos 3/5, v²/ℓ at the lowest point exceeds g sin φ at the turning point."""
     cosine = turning(11.0, 4.1)
     assert cosine < 0.6
     found = extreme("greatest acceleration", 11.0, 4.1)

@@ -1,4 +1,4 @@
-"""From which value on what swings goes right round, or its string goes slack: by energy, see any textbook."""
+"""Tests of limiting values at which a pendulum goes right round or its string goes slack, by energy."""
 
 from math import acos, cos, degrees, radians, sqrt
 
@@ -39,28 +39,28 @@ def bob(speed: float, *, rod: bool = False) -> Pendulum:
 
 
 def test_a_bob_on_a_rod_goes_round_if_it_just_comes_to_the_top() -> None:
-    """v² = 2 g ℓ (1 + cos θ)."""
+    """The limiting speed is given by v² = 2 g ℓ (1 + cos θ)."""
     expected = sqrt(2.0 * G * LENGTH * (1.0 + cos(radians(ANGLE))))
     found = limit("pendulum", bob(5.0, rod=True), GoesRound("pendulum.bob"), "speed", expected)
     assert found.answer == pytest.approx(expected, rel=1e-8)
 
 
 def test_a_string_stays_taut_if_the_bob_does_not_rise_above_the_nail() -> None:
-    """v² = 2 g ℓ cos θ."""
+    """The limiting speed is given by v² = 2 g ℓ cos θ."""
     expected = sqrt(2.0 * G * LENGTH * cos(radians(ANGLE)))
     found = limit("pendulum", bob(3.4), GoesSlack("pendulum.hanger"), "speed", expected)
     assert found.answer == pytest.approx(expected, rel=1e-7)
 
 
 def test_a_string_stays_taut_if_the_bob_is_fast_enough_on_top() -> None:
-    """v² = g ℓ (3 + 2 cos θ)."""
+    """The limiting speed is given by v² = g ℓ (3 + 2 cos θ)."""
     expected = sqrt(G * LENGTH * (3.0 + 2.0 * cos(radians(ANGLE))))
     found = limit("pendulum", bob(6.2), GoesSlack("pendulum.hanger"), "speed", expected)
     assert found.answer == pytest.approx(expected, rel=1e-7)
 
 
 def test_a_rod_goes_round_if_its_energy_is_enough() -> None:
-    """½ I ω² = m g d (1 + cos θ)."""
+    """The limiting angular velocity is given by ½ I ω² = m g d (1 + cos θ)."""
     mass, length, place, rate = 2.0, 0.9, 0.3, 6.0
     rod = AxialPiece(distance=place, body=UniformRod(mass=mass, length=length), axis="along the arm")
     arm = RotationEntity(pieces=(rod,), angle=100.0, rate=rate)
@@ -70,7 +70,7 @@ def test_a_rod_goes_round_if_its_energy_is_enough() -> None:
 
 
 def test_a_height_that_no_formula_gives_is_found_by_numbers() -> None:
-    """½ I ω² = m g s (1 + cos θ), for a cap in slices: s of its centre of mass and I of discs about the axle."""
+    """½ I ω² = m g s (1 + cos θ), with the centre of mass s and I of a spherical cap summed over thin discs."""
     radius, height, place = 0.39, 0.33, 0.15
     z = (np.arange(200_000) + 0.5) * height / 200_000
     disc = radius**2 - (radius - height + z) ** 2  # the square of its radius

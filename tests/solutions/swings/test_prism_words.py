@@ -1,4 +1,4 @@
-"""Why a prism that tips over its edges has its moment of inertia, gets over each edge, and turns its velocity."""
+"""Tests of prisms that tip over their edges: moment of inertia, passing each edge, and turned velocities."""
 
 from sim2reason.solutions.solve import solve_prompt
 from worked import solution_text
@@ -14,7 +14,7 @@ def test_the_geometry_of_a_tipping_prism_is_told() -> None:
 
 
 def test_the_axis_passes_over_the_edge_of_the_last_landing_too() -> None:
-    """Check the edge of the last landing, too: after it the kinetic energy is least."""
+    """The edge of the last landing is checked too, after which the kinetic energy is least."""
     prompt = (
         "On a stationary plane inclined at 9° to the horizontal, on one face and with its axis horizontal, lies a long "
         "uniform regular decagonal prism of mass 5.4 kg whose edges are 0.14 m from its axis. No edge slips on the "

@@ -1,4 +1,4 @@
-"""Swings, arms and carriages: what is asked of one body names it, and no law comes without its reason."""
+"""Tests of reasons in solutions for swings, arms and carriages, and of the bodies that are named."""
 
 import pytest
 
@@ -90,14 +90,14 @@ def test_the_string_of_the_greatest_tension_is_shown_to_stay_taut(speed: str, sa
 
 
 def test_a_pull_accelerates_the_common_centre_of_mass() -> None:
-    """The carriage and what swings on it have accelerations of their own."""
+    """The carriage and the body that swings on it have different accelerations."""
     text = solution_text("mixed-hard-numeric-301929-0")
     assert "gives the common centre of mass the acceleration" in text
     assert "the work of the pull and of the inertial forces" in text
 
 
 def test_a_prism_is_described_without_letters_that_the_problem_uses() -> None:
-    """In this problem a is an acceleration, and no side."""
+    """The letter a denotes an acceleration in this problem, so the side of the prism is not called a."""
     text = solution_text("rolling-hard-reverse-301929-0")
     assert "the squares of the two sides that meet there" in text
     assert "sides $a$" not in text

@@ -1,4 +1,4 @@
-"""Moments of inertia by the table, against those by which the same bodies are built."""
+"""Tests of moments of inertia from the table against those from which the bodies are built."""
 
 import numpy as np
 import pytest
@@ -33,7 +33,10 @@ def test_the_table_has_what_the_body_is_built_of(cls: type[Shape]) -> None:
 
 
 def test_a_hemisphere() -> None:
-    """Centroid 3R/8; about a diameter of the flat face 2/5 m R² (Halliday, Resnick, table 10-2, by halves)."""
+    """The centroid is at 3R/8, and I about a diameter of the flat face is 2/5 m R².
+
+    Source: Halliday, Resnick, table 10-2, with half of a sphere.
+    """
     from sim2reason.scenes.bodies.eccentric_bodies import Hemisphere
 
     spread = mean_squares(Hemisphere(mass=2.0, radius=0.3), Symbol)

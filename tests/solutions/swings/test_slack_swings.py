@@ -1,4 +1,4 @@
-"""A bob whose string goes slack: energy, a projectile and a jerk, worked out here by angles and found numerically."""
+"""Tests of bobs whose string goes slack against energy, free flight and a jerk computed here."""
 
 from dataclasses import dataclass
 from math import acos, atan2, cos, hypot, radians, sin, sqrt
@@ -35,27 +35,27 @@ def speed_to(angle: float, share: float) -> float:
 
 @dataclass(frozen=True)
 class Flight:
-    """The flight between slack and taut, by the angle at which it begins; x on its side, y above the fixed point."""
+    """Free flight between slack and taut; x points to the side of the start, y up from the fixed point."""
 
     angle: float
     speed: float
 
     @property
     def slack(self) -> tuple[float, float, float, float]:
-        """Place and velocity: cos φ = (2 cos θ − v²/gℓ)/3 and v² = −g ℓ cos φ."""
+        """Position and velocity when the string goes slack: cos φ = (2 cos θ − v²/gℓ)/3 and v² = −g ℓ cos φ."""
         phi = acos((2.0 * cos(radians(self.angle)) - self.speed**2 / (G * LENGTH)) / 3.0)
         v = sqrt(-G * LENGTH * cos(phi))
         return LENGTH * sin(phi), -LENGTH * cos(phi), v * cos(phi), v * sin(phi)
 
     @property
     def top(self) -> float:
-        """Above where the motion begins."""
+        """Greatest height of the flight above the starting point."""
         _, y, _, vy = self.slack
         return y + vy**2 / (2.0 * G) + LENGTH * cos(radians(self.angle))
 
     @property
     def taut(self) -> tuple[float, float, float, float]:
-        """Place and velocity where the path meets the circle again, by bisection."""
+        """Position and velocity when the path meets the circle again, by bisection."""
         x, y, vx, vy = self.slack
 
         def apart(t: float) -> float:
@@ -89,7 +89,7 @@ def test_what_a_jerk_takes_is_the_energy_of_the_motion_along_the_string(angle: f
 
 
 def test_why_it_is_fastest_at_the_lowest_point() -> None:
-    """In flight it is above that, and a jerk takes energy."""
+    """During the flight the bob is above the lowest point, and the jerk reduces its energy."""
     place = Scene(entities=(Named(name="pendulum", entity=scene(20.0, speed_to(20.0, 0.4))),))
     query = StretchQuery("extremum", None, WentTaut(HANGER), "greatest speed", BOB)
     text = solve_with(STRATEGIES["circle and projectile"], asked(place, query)).text
@@ -100,7 +100,7 @@ def test_why_it_is_fastest_at_the_lowest_point() -> None:
 @settings(max_examples=12, deadline=None)
 @given(st.integers(0, 80), st.floats(0.1, 0.9))
 def test_before_and_after_a_jerk(angle: int, share: float) -> None:
-    """Just before all of the velocity is there, just after only what is perpendicular to the string."""
+    """Just after the jerk only the velocity component perpendicular to the string is left."""
     speed = speed_to(float(angle), share)
     x, y, vx, vy = Flight(float(angle), speed).taut
     kept = abs(x * vy - y * vx) / LENGTH
@@ -111,7 +111,7 @@ def test_before_and_after_a_jerk(angle: int, share: float) -> None:
 
 
 def test_after_the_jerk_it_swings_to_where_its_energy_ends() -> None:
-    """The speed is zero at the height u²/2g above where the string became taut."""
+    """The speed is zero at the height u²/2g above the point where the string became taut."""
     speed = speed_to(0.0, 0.45)
     x, y, vx, vy = Flight(0.0, speed).taut
     kept = (x * vy - y * vx) / LENGTH
@@ -130,7 +130,7 @@ def test_after_the_jerk_it_swings_to_where_its_energy_ends() -> None:
 
 @pytest.mark.parametrize("time", [0.75, 1.5])
 def test_in_flight_and_on_the_circle_again_at_a_time(time: float) -> None:
-    """The energy on the circle after the jerk is that just after it."""
+    """After the jerk the energy on the circle is constant."""
     angle, speed = 20.0, speed_to(20.0, 0.5)
     flight, pendulum = Flight(angle, speed), scene(20.0, speed)
     found = answer("pendulum", pendulum, Query("state", Target("velocity", BOB), AtTime(time)))
@@ -147,7 +147,7 @@ def test_in_flight_and_on_the_circle_again_at_a_time(time: float) -> None:
 
 
 def test_a_bob_let_go_above_its_fixed_point_falls_until_the_string_is_taut() -> None:
-    """Straight down by 2 ℓ cos 60°, then along the circle with v sin 60°."""
+    """The bob falls by 2 ℓ cos 60° and then moves along the circle with v sin 60°."""
     fall = sqrt(2.0 * G * 2.0 * LENGTH * 0.5)
     found = answer("pendulum", scene(120.0, None), Query("event", Target("velocity", BOB), WentTaut(HANGER)))
     assert found == pytest.approx(fall * sin(radians(60.0)), rel=1e-8)
@@ -156,7 +156,7 @@ def test_a_bob_let_go_above_its_fixed_point_falls_until_the_string_is_taut() -> 
 
 
 def test_the_time_at_which_a_string_is_taut_again() -> None:
-    """It is slack for 4 v_y/g; until then the arc takes an elliptic integral, which the energy is integrated for."""
+    """The flight takes 4 v_y/g; the time on the arc before is integrated numerically here."""
     speed = speed_to(0.0, 0.5)
     x, y, _, vy = Flight(0.0, speed).slack
     end, count = atan2(x, -y), 20000

@@ -1,4 +1,4 @@
-"""Times in swings, and rockets whose engine is off: tables and closed forms, written down independently."""
+"""Tests of times in swings and of rockets after burnout, against tables and closed forms."""
 
 from math import acos, asin, cos, degrees, gamma, log, pi, radians, sin, sqrt
 
@@ -43,7 +43,7 @@ def pendulum(query: Query, angle: float, speed: float | None = None, *, rod: boo
 
 @pytest.mark.parametrize(("angle", "quarter"), [(60.0, HALF), (90.0, LEMNISCATE)])
 def test_a_bob_let_go_comes_down_after_a_quarter_of_its_period(angle: float, quarter: float) -> None:
-    """T/4 = K(sin(θ/2))/ω₀ (Landau and Lifshitz, Mechanics, § 11)."""
+    """The time is T/4 = K(sin(θ/2))/ω₀ (Landau and Lifshitz, Mechanics, § 11)."""
     found = pendulum(Query("time_to_event", None, LowestPoint(BOB)), angle)
     assert found == pytest.approx(quarter / RATE, rel=1e-9)
 
@@ -63,7 +63,10 @@ def test_a_bob_on_a_rod_goes_over_the_top() -> None:
 
 
 def test_after_an_eighth_of_the_period() -> None:
-    """Sn(K/2) = 1/√(1 + k′) (Abramowitz and Stegun, 16.5.2), so sin(φ/2) = k/√(1 + k′) with k′ = cos(θ/2)."""
+    """sn(K/2) = 1/√(1 + k′) gives sin(φ/2) = k/√(1 + k′) with k′ = cos(θ/2).
+
+    Source: Abramowitz and Stegun, 16.5.2.
+    """
     k, other = sin(radians(30.0)), sqrt(0.75)
     angle = 2.0 * asin(k / sqrt(1.0 + other))
     query = Query("state", Target("deflection", "pendulum.hanger"), AtTime(0.5 * HALF / RATE))
@@ -71,7 +74,10 @@ def test_after_an_eighth_of_the_period() -> None:
 
 
 def test_a_rod_that_swings_far() -> None:
-    """ω₀² = 3 g/2 L; K(sin 30°) for the period, and F(π/6, ½) = 0.529427 from the vertical to sin(φ/2) = ½ sin 30°."""
+    """The period follows from ω₀² = 3 g/2 L and K(sin 30°).
+
+    From the vertical to sin(φ/2) = ½ sin 30° the time times ω₀ is F(π/6, ½) = 0.529427.
+    """
     rod = AxialPiece(distance=0.5, body=UniformRod(mass=1.0, length=1.0), axis="along the arm")
     arm, rate = RotationEntity(pieces=(rod,), angle=60.0), sqrt(1.5 * G)
     period = PeriodQuery("period", None, None, "period", of=("arm.arm",))
@@ -93,21 +99,21 @@ def rocket(query: Query, place: LevelGround | DeepSpace, rate: float = RATE_OF_B
 
 
 def burned(g: float, rate: float = RATE_OF_BURNING, first: float = START) -> tuple[float, float]:
-    """The speed and the distance at the end (Kleppner and Kolenkow, § 3.6): u ln(m₀/m) − g t, and its integral."""
+    """Return the speed u ln(m₀/m) − g t and the distance at burnout (Kleppner and Kolenkow, § 3.6)."""
     u, time = 1000.0 * EXHAUST, (first - DRY) / rate
     speed = u * log(first / DRY) - g * time
     return speed, u * time - u * DRY / rate * log(first / DRY) - 0.5 * g * time**2
 
 
 def test_in_empty_space_it_keeps_its_speed() -> None:
-    """V = u ln(m₀/m₁) from then on."""
+    """The speed is V = u ln(m₀/m₁) from burnout on."""
     speed, way = burned(0.0)
     found = rocket(Query("state", Target("displacement", ROCKET), AtTime(LASTS + 25.0)), DeepSpace())
     assert found == pytest.approx(way + 25.0 * speed, rel=1e-9)
 
 
 def test_above_the_ground_it_goes_on_as_thrown() -> None:
-    """H = h₁ + v₁²/2g."""
+    """The greatest height is H = h₁ + v₁²/2g."""
     speed, way = burned(G)
     query = StretchQuery("extremum", None, AtTime(LASTS + 1.5 * speed / G), "greatest displacement", ROCKET)
     assert rocket(query, LevelGround()) == pytest.approx(way + speed**2 / (2.0 * G), rel=1e-9)
@@ -116,7 +122,7 @@ def test_above_the_ground_it_goes_on_as_thrown() -> None:
 
 
 def test_one_that_is_too_heavy_at_first_waits() -> None:
-    """It rises from the mass µ u/g on."""
+    """A rocket that is too heavy at first rises once its mass is µ u/g."""
     rate = 7.0
     first = rate * 1000.0 * EXHAUST / G
     speed, _ = burned(G, rate, first)
@@ -136,7 +142,7 @@ def test_a_bob_let_go_travels_its_whole_arc_until_it_stops() -> None:
 
 
 def test_after_a_period_and_an_eighth_a_bob_has_travelled_four_amplitudes_and_more() -> None:
-    """Let go at 60°, after T/8 it is at sin(φ/2) = k/√(1 + k′)."""
+    """A bob released at 60° is at sin(φ/2) = k/√(1 + k′) after T/8."""
     k, other = sin(radians(30.0)), sqrt(0.75)
     angle = 2.0 * asin(k / sqrt(1.0 + other))
     expected = LENGTH * (4.0 * radians(60.0) + radians(60.0) - angle)
@@ -145,7 +151,7 @@ def test_after_a_period_and_an_eighth_a_bob_has_travelled_four_amplitudes_and_mo
 
 
 def test_a_rod_that_is_thrown_turns_up_and_then_back() -> None:
-    """Sent down from 20°, it turns at cos Φ = cos 20° − v²/2gℓ on the other side, then comes down again."""
+    """A rod launched downward at 20° turns back at cos Φ = cos 20° − v²/2gℓ on the other side."""
     reach = acos(cos(radians(20.0)) - 1.5**2 / (2.0 * G * LENGTH))
     moment = AtTime(0.9)
     state = asked(SCENE, Query("state", Target("angle turned", "pendulum.hanger"), moment))
@@ -156,21 +162,21 @@ def test_a_rod_that_is_thrown_turns_up_and_then_back() -> None:
 
 
 def test_what_goes_round_never_turns_back() -> None:
-    """To the top, from straight down, and on to the bottom: the impulse there is nothing, the arc is once round."""
+    """The distance travelled in one revolution from the lowest point is the circumference."""
     speed = 4.0 * RATE * LENGTH
     time = 2.0 * HALF / (2.0 * RATE)
     assert summed("distance travelled", BOB, AtTime(time), 0.0, speed) == pytest.approx(2.0 * pi * LENGTH, rel=1e-8)
 
 
 def test_the_impulse_on_a_bob_is_the_change_of_its_momentum() -> None:
-    """From rest at 60°, until it is at 20°: m v."""
+    """The impulse on a bob released at 60° is m v when it is at 20°."""
     speed = sqrt(2.0 * G * LENGTH * (cos(radians(20.0)) - cos(radians(60.0))))
     found = summed("impulse of the net force", BOB, Deflected("pendulum.hanger", 20.0), 60.0)
     assert found == pytest.approx(0.5 * speed)
 
 
 def test_the_impulse_up_to_the_top_is_a_chord_whose_angle_is_told_without_pi() -> None:
-    """From 30°, sent down at 7 m/s, to the top: the velocities are 210° apart, and cos 210° = −cos 30°."""
+    """For a launch downward at 30° with 7 m/s, the velocity at the top is turned by 210°; cos 210° = −cos 30°."""
     top = sqrt(49.0 - 2.0 * G * LENGTH * (1.0 + cos(radians(30.0))))
     expected = 0.5 * sqrt(49.0 + top**2 + 14.0 * top * cos(radians(30.0)))
     pendulum = Pendulum(bob=Ball(mass=0.5), hanger=LightRod(length=LENGTH), angle=30.0, speed=7.0)
@@ -182,14 +188,14 @@ def test_the_impulse_up_to_the_top_is_a_chord_whose_angle_is_told_without_pi() -
 
 
 def test_the_impulse_on_a_thrown_bob_is_a_chord() -> None:
-    """From 30°, sent down at 2 m/s, to the lowest point: the velocities are 30° apart."""
+    """For a launch downward at 30° with 2 m/s, the velocity at the lowest point is turned by 30°."""
     speed = sqrt(4.0 + 2.0 * G * LENGTH * (1.0 - cos(radians(30.0))))
     expected = 0.5 * sqrt(4.0 + speed**2 - 4.0 * speed * cos(radians(30.0)))
     assert summed("impulse of the net force", BOB, LowestPoint(BOB), 30.0, 2.0) == pytest.approx(expected)
 
 
 def test_what_goes_round_is_where_it_has_turned_beyond_a_whole_turn() -> None:
-    """By energy: v² = v₀² + 2 g ℓ (cos φ − cos θ); sent down from 30°, it is at 30° − 400° then."""
+    """v² = v₀² + 2 g ℓ (cos φ − cos θ); a bob launched downward at 30° is at 30° − 400° then."""
     pendulum = Pendulum(bob=Ball(mass=0.5), hanger=LightRod(length=LENGTH), angle=30.0, speed=7.0)
     query = Query("event", Target("velocity", BOB), TurnedThrough(BOB, 400.0))
     speed = sqrt(49.0 + 2.0 * G * LENGTH * (cos(radians(370.0)) - cos(radians(30.0))))

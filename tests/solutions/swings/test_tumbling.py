@@ -1,4 +1,4 @@
-"""A prism that tumbles: energy about each edge and angular momentum at each landing, by closed forms written here."""
+"""Tests of tumbling prisms: energy about each edge and angular momentum at each landing, in closed form."""
 
 from math import cos, hypot, pi, radians, sin, sqrt
 
@@ -28,12 +28,15 @@ def tumbling(shape: Polygon = "octagonal", rate: float = RATE) -> TumblingPrism:
 
 
 def inertia(sides: int) -> float:
-    """About an edge, over m R²: (8 + cos 2π/n)/6 (a regular polygon about its centre has (2 + cos 2π/n)/6)."""
+    """Return the moment of inertia of a prism about an edge over m R², (8 + cos 2π/n)/6.
+
+    For the axis through the centre of a regular polygon it is (2 + cos 2π/n)/6.
+    """
     return (8.0 + cos(2.0 * pi / sides)) / 6.0
 
 
 def rate_at(sides: int, rate: float, angle: float) -> float:
-    """The angular velocity after the prism has turned so far: energy, and (2 + 7c)/(8 + c) at each landing."""
+    """Return the angular velocity after a rotation, by energy and the factor (2 + 7c)/(8 + c) at each landing."""
     turn, first = 2.0 * pi / sides, radians(SLOPE) - pi / sides
     pull, c = 2.0 * G / (inertia(sides) * RADIUS), cos(turn)
     while angle > turn:
@@ -53,7 +56,7 @@ def test_how_fast_it_is_after_so_many_edges(shape: Polygon, angle: int) -> None:
 
 
 def test_the_acceleration_at_the_start() -> None:
-    """R √(ω⁴ + α²) with α = g sin(θ − π/n)/(κ R)."""
+    """The acceleration is R √(ω⁴ + α²) with α = g sin(θ − π/n)/(κ R)."""
     growth = G * sin(radians(SLOPE) - pi / 8.0) / (inertia(8) * RADIUS)
     found = answer("prism", tumbling(), Query("start", Target("acceleration", PRISM), AtStart()))
     assert found == pytest.approx(RADIUS * hypot(RATE**2, growth), rel=1e-9)
@@ -65,7 +68,7 @@ def test_at_the_highest_point_its_centre_is_above_an_edge() -> None:
 
 
 def test_the_impulse_of_all_forces() -> None:
-    """The centre moves at right angles to the line to the edge, which has turned by the rest of the angle."""
+    """The centre moves perpendicular to the line to the edge, turned by the angle since the last landing."""
     turned = radians(120.0 - 2.0 * 45.0)
     rate = rate_at(8, RATE, radians(120.0))
     expected = MASS * RADIUS * sqrt(RATE**2 + rate**2 - 2.0 * RATE * rate * cos(turned))
@@ -74,7 +77,7 @@ def test_the_impulse_of_all_forces() -> None:
 
 
 def test_at_a_time_after_a_landing() -> None:
-    """The times are integrals of dφ/ω, taken here in small steps of the angle."""
+    """The time is the integral of dφ/ω, summed here over small steps of the angle."""
     angle, time, count = 0.0, 0.0, 40000
     step = 1.2 / count
     while time < 0.3:

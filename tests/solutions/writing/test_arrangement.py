@@ -1,4 +1,4 @@
-"""Texts of long chains of hits: what is told in rows is told in full, and after what it hangs on."""
+"""Tests of the arrangement of texts about long chains of collisions, with rows of like results."""
 
 from dataclasses import replace
 
@@ -26,7 +26,7 @@ def test_few_sentences_stay_as_they_are() -> None:
 
 
 def test_a_row_holds_what_follows_from_what_was_told() -> None:
-    """The eleventh rests on a law between, so that it comes later."""
+    """The eleventh velocity rests on a law after the row, so it's stated later."""
     law = Step(MIN_NAMES_FOR_ROWS, "law", "A law.", (), ("x",), (0,))
     steps = [
         *(velocity(number) for number in range(MIN_NAMES_FOR_ROWS)),
@@ -43,7 +43,7 @@ def test_a_row_holds_what_follows_from_what_was_told() -> None:
 
 
 def test_a_row_says_when_its_displacements_are_so() -> None:
-    """At two instants, two clauses."""
+    """Displacements at two instants give two clauses."""
     steps = [
         replace(velocity(number), text=f"At $t_{number % 2}$ the velocity of ball A is $v_{number} = 2$.")
         for number in range(MIN_NAMES_FOR_ROWS)
@@ -62,7 +62,7 @@ def test_each_row_has_steps_of_its_own_kind_only() -> None:
 
 
 def test_sentences_that_rest_on_one_step_are_one_sentence_and_so_are_those_that_rest_on_it() -> None:
-    """As along x and y after one impact."""
+    """Velocities along x and y after one impact are an example."""
     steps = [velocity(0), velocity(1), velocity(2, 0), velocity(3, 1)]
     assert [step.gives for step in merged(steps)] == [("v_0", "v_1"), ("v_2", "v_3")]
 

@@ -1,4 +1,4 @@
-"""Names that are still free."""
+"""Tests of names that are still free."""
 
 from itertools import islice
 
@@ -47,6 +47,6 @@ def test_a_power_of_a_primed_name_is_no_double_superscript() -> None:
 
 
 def test_primes_belong_to_names_that_a_table_has() -> None:
-    """Elsewhere they may mean a derivative, and have no meaning in an answer."""
+    """Names outside the table have no primes, which might denote a derivative there."""
     assert [token.text for token in tokenize("v'_A + v", {"v'_A", "v"})] == ["v'_A", "+", "v"]
     assert [token.kind for token in tokenize("v' + v", {"v"})] == ["symbol", "mark", "plus", "symbol"]

@@ -1,4 +1,4 @@
-"""A sign is dropped only of what a sentence calls a magnitude."""
+"""Tests that a sign is dropped only if a sentence calls the quantity a magnitude."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Sums of products, found from two values each."""
+"""Tests of sums of products that are found from two values each."""
 
 import math
 
@@ -43,7 +43,7 @@ def test_a_total_mass_times_two_numbers_is_found(seed: int, masses: set[str], si
 
 @given(st.integers(0, 50), st.sampled_from((0.5, 1.0, -1.0)), st.sampled_from((0.5, 0.25, 1.0)))
 def test_a_sum_of_two_products_is_found(seed: int, one: float, other: float) -> None:
-    """As in ½ m (R² + r²) of a tube."""
+    """An example is ½ m (R² + r²) for a tube."""
     mass, outer, inner = (named(name) for name in ("m_A", "R", "r"))
     sought = (mass * outer * outer).scaled(one) + (mass * inner * inner).scaled(other)
     read = found(atoms(seed), sought)

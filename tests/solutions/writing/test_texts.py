@@ -1,4 +1,4 @@
-"""Solutions as texts ask for them: in other units, in symbols, in as few sentences as say it."""
+"""Tests of solutions in the form that problems ask for: other units, symbols, and few sentences."""
 
 from dataclasses import replace
 from functools import cache
@@ -89,7 +89,7 @@ def test_a_solution_in_symbols_holds_at_every_binding_and_is_graded_right(recipe
 
 
 def test_a_symbol_of_what_a_text_does_not_tell_is_free_for_its_question() -> None:
-    """A relaxed spring is strained by d = 0; the d of the text is how far the cart has moved."""
+    """A relaxed spring is strained by d = 0, which the text omits, so d may denote the cart's displacement."""
     search = QuestionSearch(row((2.0,), (50.0,), "left", speed=1.5), 0)
     query = Query("event", Target("velocity", "row.carts.0"), Moved("row.carts.0", 0.05))
     plain, symbolic = Question("symbolic", query, "", 1.0, "m/s"), MODES["symbolic"]
@@ -149,7 +149,7 @@ def test_unknowns_are_eliminated_crosswise() -> None:
 
 
 def test_no_sentence_joins_one_that_stands_before_its_names_are_introduced() -> None:
-    """Of two blocks in two stages: the accelerations of the second are not told among those of the first."""
+    """For two blocks in two stages, the accelerations of the second stage stay out of the sentence on the first."""
     book = SolutionBuilder()
     book.set_value("g", 9.8)
     for name in ("a", "b"):

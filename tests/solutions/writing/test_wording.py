@@ -1,4 +1,4 @@
-"""Texts of solutions contain none of the phrases that readers found unclear."""
+"""Tests that the texts of solutions have none of the phrases that readers found unclear."""
 
 import ast
 import re
@@ -61,7 +61,7 @@ FOLDER = Path(sim2reason.solutions.__file__).parent
 
 @cache
 def sentences() -> list[tuple[str, str]]:
-    """All texts of several words in the code that are no docstrings."""
+    """Return all string constants of several words in the code, except docstrings, with their files."""
     found = list[tuple[str, str]]()
     for path in sorted(FOLDER.rglob("*.py")):
         tree = ast.parse(path.read_text())

@@ -1,6 +1,6 @@
-"""Random mechanisms whose equations change as they move, in families, each a function of a seed.
+"""Random mechanisms with varying equations of motion, in families, each a function of a seed.
 
-Both engines are tried on them, and balances of energy and momentum. `tangle` puts everything together at random.
+Both engines are tested on them, and balances of energy and momentum. `tangle` combines all parts at random.
 """
 
 from collections.abc import Callable

@@ -1,4 +1,4 @@
-"""What flies: balls, charges in fields, planets."""
+"""Random mechanisms with bodies in free motion: balls, charges in fields, planets."""
 
 from math import cos, pi, sin
 
@@ -12,7 +12,7 @@ from sim2reason.scenes.dsl.vectors import BoxRegion, DiscRegion, HalfSpace, Regi
 
 
 def balls(seed: int) -> Mechanism:
-    """Balls in the air that bounce on the ground and on each other, with drag; blocks on springs that are struck."""
+    """Build balls with drag that bounce on the ground and on each other, and blocks on springs that they strike."""
     rng = np.random.default_rng(seed)
     builder = Builder()
     room = builder.room()
@@ -32,7 +32,7 @@ def balls(seed: int) -> Mechanism:
 
 
 def fields(seed: int) -> Mechanism:
-    """A charge or two in fields that change with place and time, in regions or everywhere."""
+    """Build one or two charges in fields that depend on place and time, in regions or everywhere."""
     rng = np.random.default_rng(seed)
     builder = Builder(ZERO)
     room = builder.room()
@@ -66,7 +66,7 @@ def _region(rng: Rng) -> Region | None:
 
 
 def planets(seed: int) -> Mechanism:
-    """Bodies that attract each other, around a fixed star or free; perhaps a rocket that burns."""
+    """Build bodies that attract each other, around a fixed star or free, with or without a burning rocket."""
     rng = np.random.default_rng(seed)
     builder = Builder(ZERO)
     room = builder.room()

@@ -1,4 +1,4 @@
-"""What hangs: rigid bodies on hinges, bobs on rods and strings, strings that bend."""
+"""Random mechanisms with hanging bodies: rigid bodies on hinges, bobs on rods and strings, deflected strings."""
 
 import numpy as np
 
@@ -9,7 +9,7 @@ from sim2reason.scenes.dsl.vectors import add
 
 
 def hinged(seed: int) -> Mechanism:
-    """Rigid bodies on hinges, one after the other, from a support or a cart; perhaps a bob on a string below."""
+    """Build a chain of rigid bodies on hinges, from a support or a cart, with or without a bob on a string below."""
     rng = np.random.default_rng(seed)
     builder = Builder()
     (frame, _), at = cart(builder.room(), rng), ZERO
@@ -30,7 +30,7 @@ def hinged(seed: int) -> Mechanism:
 
 
 def bobs(seed: int) -> Mechanism:
-    """Particles one below the other on rods and strings, some let go with strings slack."""
+    """Build a chain of particles on rods and strings, some released with slack strings."""
     rng = np.random.default_rng(seed)
     builder = Builder()
     support, speed = cart(builder.room(), rng)
@@ -49,7 +49,7 @@ def bobs(seed: int) -> Mechanism:
 
 
 def bent(seed: int) -> Mechanism:
-    """Strings that bend: bobs that swing over pulleys, blocks on guides drawn at angles, winches, hands."""
+    """Build deflected strings: bobs that swing over pulleys, blocks on inclined guides, winches, hands."""
     rng = np.random.default_rng(seed)
     builder = Builder()
     room = builder.room()

@@ -1,4 +1,4 @@
-"""What rolls on faces, and what slides along round ones."""
+"""Random mechanisms with bodies that roll on faces or slide along curved ones."""
 
 from math import cos, inf, pi, sin
 
@@ -11,7 +11,7 @@ from sim2reason.scenes.dsl.vectors import add
 
 
 def rollers(seed: int) -> Mechanism:
-    """Round bodies, centred or not, on inclines or movable wedges, that slip and roll; with springs and strings."""
+    """Build round bodies, eccentric or not, that slip and roll on inclines or movable wedges, with lines."""
     rng = np.random.default_rng(seed)
     builder = Builder()
     room = builder.room()
@@ -39,7 +39,7 @@ def rollers(seed: int) -> Mechanism:
 
 
 def curves(seed: int) -> Mechanism:
-    """Small bodies on round faces: bowls, domes, hoops that stand or turn, rough or smooth."""
+    """Build small bodies on curved faces: bowls, domes, and fixed or rotating hoops, rough or smooth."""
     rng = np.random.default_rng(seed)
     builder = Builder()
     room = builder.room()

@@ -1,4 +1,4 @@
-"""Numbers as a text would say them, and the parts that several families are made of."""
+"""Random numbers with few decimals, and parts that several families share."""
 
 from math import cos, sin
 
@@ -13,7 +13,7 @@ SIDE: tuple[float, float] = (-1.0, 1.0)
 
 
 def number(rng: Rng, low: float, high: float) -> float:
-    """A number with two decimals, as a text would say it."""
+    """Return a random number with two decimals."""
     return round(float(rng.uniform(low, high)), 2)
 
 
@@ -30,12 +30,12 @@ def mass(rng: Rng) -> float:
 
 
 def polar(length: float, angle: float) -> Vector:
-    """A vector in the plane of x and z, its angle from straight down towards x."""
+    """Return a vector in the xz plane, its angle measured from straight down towards x."""
     return (length * sin(angle), 0.0, -length * cos(angle))
 
 
 def slope(angle: float) -> tuple[Vector, Vector]:
-    """Up an incline, and out of it."""
+    """Return the unit vectors up an incline and normal to it."""
     return (cos(angle), 0.0, sin(angle)), (-sin(angle), 0.0, cos(angle))
 
 
@@ -46,7 +46,10 @@ def about_y(moment: float) -> Tensor:
 def particle(
     frame: Frame, name: str, rng: Rng, at: Vector, speed: float = 0.0, velocity: tuple[float, float] | None = None
 ) -> Frame:
-    """A body free in the plane of x and z, with a hook; its components of velocity given, or drawn up to `speed`."""
+    """Build a body that moves freely in the xz plane, with a hook.
+
+    The components of its velocity are given, or random up to `speed`.
+    """
     drawn = (number(rng, -speed, speed), number(rng, -speed, speed)) if speed else (0.0, 0.0)
     vx, vz = drawn if velocity is None else velocity
     made = frame.body(name, mass(rng), at=at).slide(X, vx, name="x").slide(Z, vz, name="z")
@@ -54,7 +57,10 @@ def particle(
 
 
 def cart(room: Frame, rng: Rng) -> tuple[Frame, float]:
-    """What a chain hangs from: the room, or a cart on a rail, rough, smooth or on a spring; and its speed."""
+    """Build the support of a chain, and return it with its speed.
+
+    The support is the room, or a cart on a rail, rough, smooth or on a spring.
+    """
     if chance(rng, 0.5):
         return room, 0.0
     friction, speed = choice(rng, 0.0, 0.0, number(rng, 0.05, 0.3)), choice(rng, 0.0, number(rng, -1.0, 1.0))

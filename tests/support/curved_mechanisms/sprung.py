@@ -1,4 +1,4 @@
-"""What springs join: nets of particles, blocks in a row."""
+"""Random mechanisms with springs: nets of particles, and blocks in a row."""
 
 from collections.abc import Callable
 
@@ -10,7 +10,7 @@ from sim2reason.scenes.dsl.mechanism import Mechanism
 
 
 def nets(seed: int) -> Mechanism:
-    """Particles joined by springs at angles, with damping, to each other and to nails; perhaps one string or rod."""
+    """Build particles joined to each other and to nails by damped springs at angles, and perhaps a string or rod."""
     rng = np.random.default_rng(seed)
     builder = Builder((0.0, 0.0, -choice(rng, 0.0, 9.8)))
     room = builder.room()
@@ -40,7 +40,7 @@ def _plain(room: Frame, rng: Rng) -> Callable[[str, str, str], None]:
 
 
 def chains(seed: int) -> Mechanism:
-    """Blocks in a row, level or inclined, rough or smooth, joined by springs, with walls, strings and collisions."""
+    """Build blocks in a row, level or inclined, rough or smooth, with springs, walls, strings and collisions."""
     rng = np.random.default_rng(seed)
     builder = Builder()
     room = builder.room()

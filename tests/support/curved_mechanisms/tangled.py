@@ -1,4 +1,4 @@
-"""Bodies on bodies, and lines between any of their points."""
+"""Random mechanisms with bodies on bodies, and lines between any of their points."""
 
 from math import pi
 
@@ -11,7 +11,7 @@ from sim2reason.scenes.dsl.vectors import Vector
 
 
 def tangle(seed: int) -> Mechanism:
-    """Bodies on bodies that slide, turn, rest, roll and swing, and lines of all laws between any of their points."""
+    """Build bodies on bodies that slide, turn, rest, roll and swing, and lines of all laws between their points."""
     rng = np.random.default_rng(seed)
     builder = Builder()
     room = builder.room()

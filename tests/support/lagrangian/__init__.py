@@ -1,4 +1,4 @@
-"""Motions computed once more, from equations written for each alone; nothing here knows the library.
+"""Reference solutions from equations of motion written for each mechanism, without any code of the library.
 
 `follow` integrates by Gauss's collocation and finds events by Hénon's trick: other methods than those of either engine.
 The other modules hold the equations of motion, derived from a Lagrangian or from Newton's law in coordinates of their

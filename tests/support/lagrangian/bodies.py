@@ -1,4 +1,4 @@
-"""Rigid bodies that turn in space."""
+"""Equations of motion of rigid bodies that rotate in space."""
 
 from math import cos, sin
 
@@ -8,9 +8,10 @@ from lagrangian.follow import Array, Phase
 
 
 def heavy_top(across: float, along: float, weight: float) -> Phase:
-    """Lagrange's top on a fixed point: moments A, A, C about it, `weight` = mg times the distance to its centre.
+    """Return Lagrange's top on a fixed point.
 
-    With θ from the upright, φ the precession, ψ the spin: (Aφ′ sin²θ + Cn cos θ)′ = 0, n = ψ′ + φ′ cos θ stays,
+    A, A and C are the moments of inertia about the point, and `weight` is mg times the distance to the centre of mass.
+    With θ from the upright, φ the precession, ψ the spin: (Aφ′ sin²θ + Cn cos θ)′ = 0, n = ψ′ + φ′ cos θ is constant,
     Aθ″ = Aφ′² sin θ cos θ − Cnφ′ sin θ + mgℓ sin θ (Goldstein, Classical Mechanics, 5.7).
 
     Observed: φ, θ, ψ, their rates.
@@ -35,15 +36,15 @@ def heavy_top(across: float, along: float, weight: float) -> Phase:
 
 
 def top_start(across: float, along: float, tilt: float, precession: float, spin: float) -> list[float]:
-    """The start of `heavy_top` at rates φ′ and ψ′, θ′ = 0."""
+    """Return the initial values of `heavy_top` for rates φ′ and ψ′, with θ′ = 0."""
     n = spin + precession * cos(tilt)
     return [0.0, tilt, 0.0, 0.0, across * precession * sin(tilt) ** 2 + along * n * cos(tilt), n]
 
 
 def free_body(moments: tuple[float, float, float]) -> Phase:
-    """Euler's equations of a body without torque: Iω′ = Iω × ω in its own axes, with its rotation as a matrix R.
+    """Return a body without torque by Euler's equations in body axes, Iω′ = Iω × ω, with its rotation matrix R.
 
-    R′ = R[ω]×. Observed: where its three axes point, nine components, row by row of R, and ω in the room.
+    R′ = R[ω]×. Observed: the directions of its three axes, nine components, row by row of R, and ω in the room.
     """
     inertia = np.array(moments)
 

@@ -1,4 +1,4 @@
-"""Bodies that attract each other, rockets, balls in air, charges in fields."""
+"""Equations of motion of attracting bodies, rockets, balls in air, and charges in fields."""
 
 from collections.abc import Sequence
 from math import cos, hypot, pi, sin, sqrt
@@ -9,9 +9,9 @@ from lagrangian.follow import Array, Phase
 
 
 def attracting(masses: Sequence[float], constant: float, fixed: int | None = None) -> Phase:
-    """Particles in a plane under Newton's law: rᵢ″ = Σ Gmⱼ(rⱼ − rᵢ)/|rⱼ − rᵢ|³; one may be fixed.
+    """Return particles in a plane under Newton's law rᵢ″ = Σ Gmⱼ(rⱼ − rᵢ)/|rⱼ − rᵢ|³; one may be fixed.
 
-    Observed: all places, all velocities.
+    Observed: all positions, all velocities.
     """
     m, n = np.array(masses), len(masses)
 
@@ -28,7 +28,7 @@ def attracting(masses: Sequence[float], constant: float, fixed: int | None = Non
 
 
 def kepler(major: float, eccentricity: float, strength: float, times: Array) -> Array:
-    """Place and velocity on an ellipse from its nearest point, by Kepler's equation M = E − e sin E.
+    """Return position and velocity on an ellipse from its nearest point, by Kepler's equation M = E − e sin E.
 
     x = a(cos E − e), y = a√(1 − e²) sin E, E′ = n/(1 − e cos E), n² = GM/a³.
     """
@@ -45,9 +45,9 @@ def kepler(major: float, eccentricity: float, strength: float, times: Array) -> 
 
 
 def rocket(full: float, burn: tuple[float, float, float], pull: float) -> Phase:
-    """A rocket near a planet at the origin: r″ = −GM r/r³ + (0, uṁ/(m₀ − ṁt)) until burn-out; `burn` is (ṁ, u, time).
+    """Return a rocket near a planet at the origin, with `burn` as (ṁ, u, time).
 
-    Observed: place, velocity.
+    r″ = −GM r/r³ + (0, uṁ/(m₀ − ṁt)) until burn-out. Observed: position, velocity.
     """
     flow, exhaust, until = burn
 
@@ -62,9 +62,9 @@ def rocket(full: float, burn: tuple[float, float, float], pull: float) -> Phase:
 
 
 def bouncing(mass: float, drag: tuple[float, float], restitution: float) -> Phase:
-    """A ball in air over level ground: mr″ = −mg − (c₁ + c₂|v|)v; it rebounds with e times its vertical speed.
+    """Return a ball in air over level ground that rebounds with e times its vertical speed.
 
-    Observed: place, velocity.
+    mr″ = −mg − (c₁ + c₂|v|)v. Observed: position, velocity.
     """
     one, two = drag
 
@@ -82,10 +82,10 @@ def bouncing(mass: float, drag: tuple[float, float], restitution: float) -> Phas
 def charge_in_disc(
     per_mass: tuple[float, float], electric: tuple[float, float], disc: tuple[Sequence[float], float]
 ) -> Phase:
-    """A charge in a plane: inside a disc a uniform B across the plane and E = (E₀ + E′x, 0), outside nothing.
+    """Return a charge in a plane, with uniform B across it and E = (E₀ + E′x, 0) inside a disc only.
 
     `per_mass` is (q/m, B), B along −y of (x, y, z) so that the plane (x, z) is right-handed:
-    x″ = (q/m)(E₀ + E′x + Bz′), z″ = −(q/m)Bx′. Observed: place, velocity.
+    x″ = (q/m)(E₀ + E′x + Bz′), z″ = −(q/m)Bx′. Observed: position, velocity.
     """
     ratio, b = per_mass
     center, radius = disc
@@ -108,9 +108,9 @@ def charge_in_disc(
 
 
 def charge_in_space(ratio: float, magnetic: tuple[float, float], electric: tuple[float, float]) -> Phase:
-    """A charge in B = (0, 0, B₀ + B′t) and E = (E₀ cos ωt, 0, 0), in space, with nothing else.
+    """Return a charge in space with B = (0, 0, B₀ + B′t) and E = (E₀ cos ωt, 0, 0).
 
-    x″ = (q/m)(E₀ cos ωt + By′), y″ = −(q/m)Bx′, z″ = 0. Observed: place, velocity.
+    x″ = (q/m)(E₀ cos ωt + By′), y″ = −(q/m)Bx′, z″ = 0. Observed: position, velocity.
     """
     strength, growth = magnetic
     size, frequency = electric

@@ -1,7 +1,7 @@
-"""Integration in fixed steps, from phase to phase of a motion; everything that a reference solution needs.
+"""Integration of reference solutions in fixed steps, phase by phase.
 
-A *phase* has equations y′ = f(t, y), what is observed of it, and margins that are positive while it lasts. When one
-of them falls through zero, `after` says which phase follows, from which values.
+A *phase* has equations y′ = f(t, y), observed quantities, and margins that are positive while it lasts. When one
+of them falls below zero, `after` gives the next phase and its initial values.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -23,7 +23,7 @@ EPSILON = 2.3e-16
 
 @dataclass(frozen=True)
 class Phase:
-    """One stretch of a motion; `after` gives what follows an event, or None at the end."""
+    """Phase of a motion; `after` gives the phase that follows an event, or None at the end."""
 
     rate: Rate
     observe: Callable[[float, Array], Sequence[float]]
@@ -33,7 +33,7 @@ class Phase:
 
 @dataclass
 class Record:
-    """What was observed at the times asked for, shape (m, k), and what happened when."""
+    """Observed quantities at the requested times, shape (m, k), and the events."""
 
     times: list[float] = field(default_factory=list[float])
     observed: list[list[float]] = field(default_factory=list[list[float]])
@@ -41,14 +41,15 @@ class Record:
 
     @property
     def array(self) -> Array:
-        """The observations as columns."""
+        """Observed quantities as columns."""
         return np.array(self.observed)
 
 
 def _tableau() -> tuple[Array, Array, Array]:
-    """Gauss's nodes, weights and matrix: ∫ over [0, cᵢ] of the polynomial that is 1 at cⱼ, 0 at the other nodes.
+    """Return Gauss's nodes and weights, and the integrals of the Lagrange polynomials from 0 to each node.
 
-    By Legendre's polynomials on [0, 1], whose integrals are (Pₖ₊₁ − Pₖ₋₁) / (2(2k + 1)).
+    The matrix has ∫ over [0, cᵢ] of the polynomial that is 1 at cⱼ, 0 at the other nodes.
+    Legendre's polynomials on [0, 1] have the integrals (Pₖ₊₁ − Pₖ₋₁) / (2(2k + 1)).
     """
     nodes, weights = legendre.leggauss(STAGES)
     values = np.array([legendre.legval(nodes, np.eye(STAGES + 1)[k]) for k in range(STAGES + 1)])
@@ -63,7 +64,10 @@ NODES, WEIGHTS, MATRIX = _tableau()
 
 
 def step(rate: Rate, t: float, y: Array, h: float) -> Array:
-    """One step of collocation at Gauss's nodes (Hairer, Lubich, Wanner, Geometric Numerical Integration, II.1.3)."""
+    """Take one step of collocation at Gauss's nodes.
+
+    Source: Hairer, Lubich, Wanner, Geometric Numerical Integration, II.1.3.
+    """
     slopes = np.repeat(np.asarray(rate(t, y), dtype=float)[None, :], STAGES, axis=0)
     best = np.inf
     for _ in range(ROUNDS):
@@ -78,10 +82,10 @@ def step(rate: Rate, t: float, y: Array, h: float) -> Array:
 
 
 def at_margin(rate: Rate, margin: Margin, t: float, y: Array) -> tuple[float, Array]:
-    """Go from near an event to it, with the margin instead of the time as the variable.
+    """Return the time and values of an event near (t, y), by integrating over the margin instead of the time.
 
     M. Hénon, On the numerical computation of Poincaré maps, Physica D 5 (1982): dy/dg = f/ġ and dt/dg = 1/ġ. The
-    slope ġ is a difference quotient, so that it is repeated until nothing is left.
+    slope ġ is a difference quotient, so the step is repeated until the margin is zero.
     """
 
     def speed(t: float, y: Array) -> float:
@@ -101,7 +105,7 @@ def at_margin(rate: Rate, margin: Margin, t: float, y: Array) -> tuple[float, Ar
 
 
 def follow(phase: Phase | None, y: Sequence[float], times: Array, substeps: int) -> Record:
-    """The motion from `phase` and `y` at times[0], each interval between two times in `substeps` steps or more."""
+    """Return the motion from `phase` and `y` at times[0], with at least `substeps` steps between two times."""
     record, now, values = Record(), float(times[0]), np.asarray(y, dtype=float)
     for target in map(float, times):
         full = (float(times[1]) - float(times[0])) / substeps
@@ -129,7 +133,7 @@ def _struck(phase: Phase, t: float, y: Array, later: float, after: Array) -> lis
 
 
 def _first(phase: Phase, t: float, y: Array, h: float) -> tuple[str, float, Array]:
-    """The first of the events of a step, by shorter steps, and where it happens."""
+    """Return the first event of a step, with its time and values, by shorter steps."""
     for _ in range(PARTS):
         after = step(phase.rate, t, y, h / PARTS)
         names = _struck(phase, t, y, t + h / PARTS, after)

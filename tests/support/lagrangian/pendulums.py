@@ -1,4 +1,4 @@
-"""Pendulums: on rods and strings, on carts and on each other, in a plane and in space.
+"""Equations of motion of pendulums: on rods and strings, on carts and on each other, in a plane and in space.
 
 Angles θ are counted from straight down towards +x; u = (sin θ, −cos θ) points outwards along a string.
 """
@@ -14,8 +14,9 @@ G = 9.8
 
 
 def double_compound(first: Sequence[float], second: Sequence[float]) -> Phase:
-    """Two rigid bodies in a row; each is (mass, inertia, distance of its centre of mass), the first with its length ℓ.
+    """Return two rigid bodies in a row, each as (mass, inertia, distance of its centre of mass).
 
+    The first has the length ℓ to the second hinge.
     L = ½(m₁a₁² + I₁ + m₂ℓ²)θ₁′² + ½(m₂a₂² + I₂)θ₂′² + m₂ℓa₂θ₁′θ₂′ cos(θ₁ − θ₂) + (m₁a₁ + m₂ℓ)g cos θ₁ + m₂a₂g cos θ₂;
     observed: both angles and their rates.
     """
@@ -34,7 +35,7 @@ def double_compound(first: Sequence[float], second: Sequence[float]) -> Phase:
 
 
 def double_rods(m1: float, m2: float, l1: float, l2: float) -> Phase:
-    """Two bobs on light rods: the same Lagrangian with aᵢ = ℓᵢ and Iᵢ = 0.
+    """Return two bobs on light rods, with the Lagrangian of `double_compound` for aᵢ = ℓᵢ and Iᵢ = 0.
 
     Observed: x, z, their rates, of both bobs; then the tensions T₂ = −m₂(r₂″ − g)·u₂, T₁ = −m₁(r₁″ − g)·u₁ + T₂u₁·u₂.
     """
@@ -57,9 +58,10 @@ def double_rods(m1: float, m2: float, l1: float, l2: float) -> Phase:
 
 
 def on_string(mass: float, long: float) -> Phase:
-    """A bob on a string: θ″ = −g sin θ/ℓ while T = mg cos θ + mℓθ′² > 0; then a parabola until it is taut again.
+    """Return a bob on a string that may go slack.
 
-    Then the velocity along the string is lost. Observed: x, z, their rates, T.
+    θ″ = −g sin θ/ℓ while T = mg cos θ + mℓθ′² > 0; then a parabola until the string is taut again. The velocity along
+    the string is lost then. Observed: x, z, their rates, T.
     """
 
     def flies(_: float, y: Array) -> list[float]:
@@ -85,10 +87,10 @@ def on_string(mass: float, long: float) -> Phase:
 
 
 def on_cart(cart: float, bob: float, long: float) -> Phase:
-    """A bob on a light rod from a cart on a level rail, without friction.
+    """Return a bob on a light rod that hangs from a cart on a level, smooth rail.
 
     L = ½(M + m)x′² + mℓx′θ′ cos θ + ½mℓ²θ′² + mgℓ cos θ. The rod's pull is T = m(g cos θ + ℓθ′² − x″ sin θ), the
-    rail's push N = Mg + T cos θ. Observed: x, bob's place relative to the cart, all velocities, T, N.
+    rail's push N = Mg + T cos θ. Observed: x, bob's position relative to the cart, all velocities, T, N.
     """
 
     def rate(_: float, y: Array) -> list[float]:
@@ -107,7 +109,7 @@ def on_cart(cart: float, bob: float, long: float) -> Phase:
 
 
 def on_spring_cart(masses: Sequence[float], long: float, spring: Sequence[float], slope: float) -> Phase:
-    """A compound pendulum on a cart on an incline, held by a damped spring (k, c, x₀).
+    """Return a compound pendulum on a cart on an incline, held by a damped spring (k, c, x₀).
 
     The cart's mass is M, the pendulum's m, I about its centre, ℓ from the hinge; the cart is at x along the incline,
     e = (cos β, sin β), the pendulum at θ from the vertical, n = (cos θ, sin θ):
@@ -129,9 +131,9 @@ def on_spring_cart(masses: Sequence[float], long: float, spring: Sequence[float]
 
 
 def swinging_atwood(heavy: float, bob: float) -> Phase:
-    """A bob that swings on a string whose other end holds a weight: r is the length on its side.
+    """Return a bob that swings on a string whose other end holds a weight; r is the length on the bob's side.
 
-    L = ½(M + m)r′² + ½mr²θ′² + mgr cos θ − Mgr; T = M(g + r″). Observed: r, bob's place, r′, its velocity, T.
+    L = ½(M + m)r′² + ½mr²θ′² + mgr cos θ − Mgr; T = M(g + r″). Observed: r, bob's position, r′, its velocity, T.
     """
 
     def rate(_: float, y: Array) -> list[float]:
@@ -148,7 +150,7 @@ def swinging_atwood(heavy: float, bob: float) -> Phase:
 
 
 def winched(mass: float, long: float, reel: float) -> Phase:
-    """A pendulum whose string is drawn in at a steady speed: (ℓ²θ′)′ = −gℓ sin θ with ℓ = ℓ₀ − ut.
+    """Return a pendulum whose string is wound in at constant speed: (ℓ²θ′)′ = −gℓ sin θ with ℓ = ℓ₀ − ut.
 
     T = mg cos θ + mℓθ′². Observed: x, z, their rates, T.
     """
@@ -166,8 +168,9 @@ def winched(mass: float, long: float, reel: float) -> Phase:
 
 
 def conical(mass: float, long: float) -> Phase:
-    """A bob on a light rod in space: θ″ = φ′² sin θ cos θ − g sin θ/ℓ, (φ′ sin²θ)′ = 0, by Euler and Lagrange.
+    """Return a bob on a light rod in space.
 
+    θ″ = φ′² sin θ cos θ − g sin θ/ℓ, (φ′ sin²θ)′ = 0, by Euler and Lagrange.
     T = m(g cos θ + ℓθ′² + ℓφ′² sin²θ). Observed: x, y, z, their rates, T.
     """
 
@@ -187,11 +190,11 @@ def conical(mass: float, long: float) -> Phase:
 
 
 def bob_on_string_on_body(body: Sequence[float], bob: float, long: float) -> Phase:
-    """A rigid body (M, I, a) on a hinge, and a bob on a string from its point at distance b, slack at times.
+    """Return a rigid body (M, I, a) on a hinge, and a bob on a string from its point at distance b.
 
     Taut: `double_compound` with the bob as the second body, T = −m(r″ − g)·u₂. Slack: the body is a pendulum, the bob
-    falls. Taut again: an impulse J along the string, no velocity between its ends then:
-    J(1/m + (b n₁·u)²/(I + Ma²)) = speed of parting. Observed: θ₁, bob's place, θ₁′, its velocity, T.
+    falls. Taut again: an impulse J along the string after which its ends have equal velocities along it:
+    J(1/m + (b n₁·u)²/(I + Ma²)) = speed of parting. Observed: θ₁, bob's position, θ₁′, its velocity, T.
     """
     mass, inertia, a, b = body
     whole = inertia + mass * a * a

@@ -1,4 +1,4 @@
-"""Bodies on faces: rolling and slipping, sliding in bowls and on domes, on hoops, against floor and wall."""
+"""Equations of motion of bodies that roll or slide on faces, in bowls, on domes, hoops and rods."""
 
 from collections.abc import Sequence
 from math import cos, sin
@@ -11,9 +11,9 @@ G = 9.8
 
 
 class Roller:
-    """A round body on a rough incline, its centre of mass off its axis, perhaps with a spring from its axis.
+    """Round body on a rough incline, its centre of mass off its axis, with or without a spring from its axis.
 
-    s is how far its axis has come up the incline, φ how far it has turned that way, ψ = ψ₀ + φ the angle of its centre
+    s is the displacement of its axis up the incline, φ its rotation in that sense, ψ = ψ₀ + φ the angle of its centre
     of mass C from the normal. With d = |OC| and the weight (−g sin β, −g cos β):
     m(s″ + dφ″ cos ψ − dφ′² sin ψ) = −mg sin β + f − k(s − s₀), m(−dφ″ sin ψ − dφ′² cos ψ) = N − mg cos β,
     Iφ″ = dN sin ψ − (R + d cos ψ)f + k(s − s₀)d cos ψ, by torques about C. It rolls (s″ = Rφ″) while |f| ≤ µN, else
@@ -27,14 +27,14 @@ class Roller:
         face: tuple[float, float],
         spring: tuple[float, float] = (0.0, 0.0),
     ) -> None:
-        """`body` is (m, I, R), `offset` (d, ψ₀), `face` (β, µ), `spring` (k, s₀)."""
+        """Take `body` as (m, I, R), `offset` as (d, ψ₀), `face` as (β, µ) and `spring` as (k, s₀)."""
         self.m, self.i, self.r = body
         self.d, self.psi = offset
         self.slope, self.mu = face
         self.k, self.rest = spring
 
     def solved(self, y: Array, side: int) -> Array:
-        """s″, φ″, N, f; `side` 0 rolls."""
+        """Return s″, φ″, N and f; `side` is 0 for rolling without slipping."""
         s, turned, _, w = y
         a = self.psi + turned
         c, z = self.d * cos(a), self.d * sin(a)
@@ -55,13 +55,13 @@ class Roller:
         return np.linalg.solve(np.array(rows), np.array(right))
 
     def begin(self, v: float, w: float) -> Phase:
-        """The phase from s = φ = 0 at given rates."""
+        """Return the phase from s = φ = 0 at given rates."""
         y = np.array([0.0, 0.0, v, w])
         slip = v - self.r * w
         return self.phase(int(np.sign(slip)) if slip else self.side(y))
 
     def side(self, y: Array) -> int:
-        """How it goes on when it does not slip: it rolls if friction can hold, else it slips where it is pushed."""
+        """Return 0 if friction suffices for rolling, else the sense in which the body begins to slip."""
         _, _, normal, friction = self.solved(y, 0)
         return 0 if abs(friction) <= self.mu * normal else -int(np.sign(friction))
 
@@ -92,7 +92,7 @@ class Roller:
 
 
 def in_bowl(mass: float, radius: float, friction: float) -> Phase:
-    """A small block in a rough round trough, θ from the lowest point: it slides until it rests or turns.
+    """Return a small block in a rough round trough, θ from the lowest point, which slides until it rests or turns.
 
     N = m(g cos θ + Rθ′²), Rθ″ = −g sin θ − µN sign(θ′)/m; at rest it stays if |tan θ| ≤ µ. Observed: θ, θ′, N, f.
     """
@@ -118,7 +118,10 @@ def in_bowl(mass: float, radius: float, friction: float) -> Phase:
 
 
 def on_dome(mass: float, radius: float) -> Phase:
-    """A small block on a smooth dome, θ from the top: Rθ″ = g sin θ, N = m(g cos θ − Rθ′²) until that is zero."""
+    """Return a small block on a smooth dome, θ from the top.
+
+    Rθ″ = g sin θ, N = m(g cos θ − Rθ′²) until that is zero.
+    """
 
     def push(_: float, y: Array) -> float:
         return mass * (G * cos(y[0]) - radius * y[1] ** 2)
@@ -127,10 +130,11 @@ def on_dome(mass: float, radius: float) -> Phase:
 
 
 def on_turning_hoop(inertia: float, mass: float, radius: float) -> Phase:
-    """A bead on a smooth hoop that turns freely about its vertical diameter, at a rate Ω; θ from the lowest point.
+    """Return a bead on a smooth hoop that turns freely about its vertical diameter at a rate Ω.
 
-    L = ½JΩ² + ½mR²(θ′² + Ω² sin²θ) + mgR cos θ; (J + mR² sin²θ)Ω stays. In the plane of the hoop it is pushed
-    inwards with N = m(g cos θ + Rθ′² + RΩ² sin²θ). Observed: the hoop's angle, θ, Ω, θ′, N.
+    θ is counted from the lowest point.
+    L = ½JΩ² + ½mR²(θ′² + Ω² sin²θ) + mgR cos θ; (J + mR² sin²θ)Ω is constant. In the plane of the hoop the force on
+    the bead is N = m(g cos θ + Rθ′² + RΩ² sin²θ), inwards. Observed: the hoop's angle, θ, Ω, θ′, N.
     """
 
     def rate(_: float, y: Array) -> list[float]:
@@ -151,7 +155,7 @@ def on_turning_hoop(inertia: float, mass: float, radius: float) -> Phase:
 
 
 def on_turning_rod(inertia: float, mass: float, spring: tuple[float, float]) -> Phase:
-    """A bead on a smooth rod that turns freely about an upright axis, held by a spring (k, r₀) from there.
+    """Return a bead on a smooth rod that turns freely about an upright axis, held by a spring (k, r₀) there.
 
     L = ½(J + mr²)φ′² + ½mr′² − ½k(r − r₀)². Observed: φ, r, their rates.
     """
@@ -165,7 +169,7 @@ def on_turning_rod(inertia: float, mass: float, spring: tuple[float, float]) -> 
 
 
 class Ladder:
-    """A light rod between a block on a rough floor and one on a rough upright wall, φ its angle to the floor.
+    """Light rod between a block on a rough floor and one on a rough upright wall, φ its angle to the floor.
 
     The floor's block at x = ℓ cos φ, the wall's at z = ℓ sin φ; C the rod's push along its line:
     m x″ = C cos φ − µ₁N₁ sign(x′), N₁ = mg + C sin φ; M z″ = C sin φ − Mg − µ₂N₂ sign(z′), N₂ = C cos φ,
@@ -177,7 +181,7 @@ class Ladder:
         self.m, self.mu, self.long = masses, friction, long
 
     def solved(self, y: Array) -> Array:
-        """φ″ and C, while it slides down and away."""
+        """Return φ″ and C for the rod sliding down and away from the wall."""
         (foot, top), (mu1, mu2), (a, w) = self.m, self.mu, y
         c, s, long = cos(a), sin(a), self.long
         # x′ > 0: friction on the floor's block −µ₁N₁; z′ < 0: on the wall's +µ₂N₂
@@ -193,18 +197,18 @@ class Ladder:
 
     @property
     def phase(self) -> Phase:
-        """It slides until the wall's block leaves."""
+        """Return the phase that lasts until the wall's block leaves the wall."""
         return Phase(
             lambda _, y: [y[1], self.solved(y)[0]], self.observe, {"lift": lambda _, y: float(self.solved(y)[1])}
         )
 
 
 def hexagonal_prism(side: float, slope: float, inertia_factor: float, mass: float) -> Phase:
-    """A hexagonal prism that tips over one edge after another down a rough incline, without slipping or bouncing.
+    """Return a hexagonal prism that tips over its edges down a rough incline, without slipping or bouncing.
 
     About the edge it stands on, α from the upright of the edge to the centre: (I + ma²)α″ = mga sin α, a the side and
-    I = κma². When the next edge lands, α = β + 30°, the angular momentum about it is what it was:
-    (I + ma²)ω⁺ = (I + ma² cos 60°)ω⁻. Observed: the centre's place (right, up), the angle turned, and their rates.
+    I = κma². When the next edge lands, α = β + 30°, the angular momentum about it is conserved:
+    (I + ma²)ω⁺ = (I + ma² cos 60°)ω⁻. Observed: the centre's position (right, up), the angle turned, and their rates.
     """
     kappa = inertia_factor
     ratio = (kappa + 0.5) / (kappa + 1.0)

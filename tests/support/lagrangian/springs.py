@@ -1,4 +1,4 @@
-"""Springs: in chains with friction, at angles, damped, struck, on wedges."""
+"""Equations of motion of bodies on springs: in chains with friction, at angles, damped, struck, on wedges."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -14,7 +14,7 @@ G = 9.8
 class RoughChain:
     """Blocks in a row on a rough floor, each joined to the next by a spring, the first to a wall.
 
-    mᵢxᵢ″ = Fᵢ − µᵢmᵢg sign(xᵢ′), Fᵢ = −kᵢeᵢ + kᵢ₊₁eᵢ₊₁; spring i is stretched by eᵢ = xᵢ − xᵢ₋₁ and what it was at
+    mᵢxᵢ″ = Fᵢ − µᵢmᵢg sign(xᵢ′), Fᵢ = −kᵢeᵢ + kᵢ₊₁eᵢ₊₁; the extension of spring i is eᵢ = xᵢ − xᵢ₋₁ plus that at
     the start; a block at rest stays while |Fᵢ| ≤ µᵢmᵢg. Observed: all x, all x′, all friction.
     """
 
@@ -30,11 +30,14 @@ class RoughChain:
         return -pull + np.append(pull[1:], 0.0)
 
     def begin(self, v: Sequence[float]) -> Phase:
-        """The phase from rest lengths at given speeds."""
+        """Return the phase from natural lengths at given speeds."""
         return self.phase(self.sides(np.zeros(self.n), np.array(v), set(range(self.n))))
 
     def sides(self, x: Array, v: Array, free: set[int]) -> tuple[int, ...]:
-        """How each block rubs: 0 sticks; a block in `free` whose speed is zero goes where its load pushes it."""
+        """Return the sense in which each block slides, 0 for static friction.
+
+        A block in `free` with zero speed moves in the direction of its load if that exceeds the friction.
+        """
         found = [int(np.sign(speed)) for speed in v]
         for i, load in enumerate(self.loads(x)):
             if i in free and v[i] == 0.0 and abs(load) > self.bound[i]:
@@ -73,10 +76,10 @@ class RoughChain:
 def net(
     masses: Sequence[float], springs: Sequence[tuple[int, int | Array, float, float, float]], gravity: float
 ) -> Phase:
-    """Particles in a vertical plane, joined by damped springs to each other and to nails.
+    """Return particles in a vertical plane, joined by damped springs to each other and to nails.
 
-    A spring is (particle, particle or place of a nail, k, natural length, c): it pulls with k(ℓ − ℓ₀) + cℓ′ along its
-    line. Observed: all places, all velocities, then all tensions.
+    A spring is (particle, particle or position of a nail, k, natural length, c); it pulls with k(ℓ − ℓ₀) + cℓ′ along
+    its line. Observed: all positions, all velocities, then all tensions.
     """
     m, n = np.array(masses), len(masses)
 
@@ -105,7 +108,7 @@ def net(
 
 
 def elastic_pendulum(mass: float, k: float, rest: float) -> Phase:
-    """A bob on a spring, in polar coordinates: r″ = rθ′² + g cos θ − k(r − ℓ₀)/m, (r²θ′)′ = −gr sin θ.
+    """Return a bob on a spring in polar coordinates: r″ = rθ′² + g cos θ − k(r − ℓ₀)/m, (r²θ′)′ = −gr sin θ.
 
     Observed: x, z, their rates, the tension.
     """
@@ -123,9 +126,9 @@ def elastic_pendulum(mass: float, k: float, rest: float) -> Phase:
 
 
 def on_wedge(wedge: float, block: float, angle: float, spring: tuple[float, float]) -> Phase:
-    """A block on the smooth face of a wedge that slides on a smooth floor, tied to the wedge's top by a spring (k, e₀).
+    """Return a block on a smooth wedge on a smooth floor, tied to the wedge's top by a spring (k, e₀).
 
-    s is how far the block has gone up the face, e₀ how far the spring was stretched at s = 0:
+    s is the displacement of the block up the face, e₀ the extension of the spring at s = 0:
     L = ½(M + m)X′² + mX′s′ cos α + ½ms′² − mgs sin α − ½k(e₀ − s)². The face pushes with N = m(g cos α − X″ sin α), the
     floor with Mg + N cos α + k(e₀ − s) sin α. Observed: X, s, their rates, both pushes, the tension.
     """
@@ -145,10 +148,11 @@ def on_wedge(wedge: float, block: float, angle: float, spring: tuple[float, floa
 
 
 def struck(ball: float, block: float, k: float, distance: float, restitution: float) -> Phase:
-    """A ball runs into a block on a spring, on a smooth floor, perhaps again and again.
+    """Return a ball that runs into a block on a spring on a smooth floor, once or repeatedly.
 
-    Between hits the block swings with ω² = k/m; each hit: J = (1 + e)µ·(speed of approach), µ = mM/(m + M). Observed:
-    both displacements x and y of ball and block, both rates; `distance` is between them at the start.
+    Between collisions the block oscillates with ω² = k/m; each collision: J = (1 + e)µ·(speed of approach),
+    µ = mM/(m + M). Observed: both displacements x and y of ball and block, both rates; `distance` is that between them
+    at the start.
     """
     reduced = ball * block / (ball + block)
 
@@ -164,5 +168,5 @@ def struck(ball: float, block: float, k: float, distance: float, restitution: fl
 
 
 def ring(links: Sequence[int]) -> list[tuple[int, int]]:
-    """The pairs of neighbours in a closed ring."""
+    """Return the pairs of neighbours in a closed ring."""
     return list(pairwise([*links, links[0]]))

@@ -1,4 +1,4 @@
-"""The smallest build backend (PEP 517): it packs what pyproject.toml says into a wheel, and needs nothing else."""
+"""Minimal build backend (PEP 517) that packs the contents named in pyproject.toml into a wheel."""
 
 import tomllib
 from pathlib import Path
@@ -6,7 +6,7 @@ from zipfile import ZipFile
 
 
 def build_wheel(folder: str, config_settings: object = None, metadata_directory: object = None) -> str:
-    """Pack the wheel of the project in the current directory into `folder`; gives its name."""
+    """Pack the wheel of the project in the current directory into `folder`, and return its name."""
     del config_settings, metadata_directory
     project = tomllib.loads(Path("pyproject.toml").read_text())["project"]
     stem = f"{project['name'].replace('-', '_')}-{project['version']}"

@@ -1,4 +1,4 @@
-"""Texts read back: the same scene, never from less than the whole text, and nothing from junk."""
+"""Tests of the scene parser: the same scene, only from the whole text, and nothing from junk."""
 
 import random
 import re
@@ -41,7 +41,7 @@ QUICK = 2.0  # s, for any text at all on a busy machine; it is about 0.02 s on a
 
 
 def drawn(recipe: str, difficulty: Difficulty, count: int, first: int = 0) -> Iterator[Description]:
-    """That many scenes of a tier that can be told, each in wordings of its own."""
+    """Yield descriptions of random valid scenes of a tier, each with wordings of its own."""
     found, index = 0, first
     while found < count:
         try:
@@ -53,7 +53,7 @@ def drawn(recipe: str, difficulty: Difficulty, count: int, first: int = 0) -> It
 
 
 def accelerations(scene: Scene, names: dict[str, str]) -> dict[str, np.ndarray]:
-    """Of every body by what it is called, (3,), in m/s², just after the start."""
+    """Return the initial acceleration of every body by its name in the text, (3,) each, in m/s²."""
     state = simulate(scene.mechanism, np.array([0.0, 1e-6])).state
     moving = {name: address for name, address in names.items() if address in scene.mechanism.body}
     return {name: QUANTITIES["acceleration"].evaluate(state, address)[0] for name, address in moving.items()}
@@ -72,7 +72,7 @@ def test_every_scene_is_read_back(recipe: str, difficulty: Difficulty, scenes: i
 
 @pytest.mark.parametrize("chunk", [0, *(pytest.param(chunk, marks=pytest.mark.slow) for chunk in (1, 2, 3))])
 def test_scenes_that_no_recipe_draws_are_read_back(chunk: int) -> None:
-    """Also several that nothing joins, on two tables, or hung up so that nothing moves."""
+    """Scenes include entities that nothing joins, two tables, and hanging bodies at rest."""
     read_back = 0
     for index in range(60):
         try:
@@ -87,7 +87,7 @@ def test_scenes_that_no_recipe_draws_are_read_back(chunk: int) -> None:
 @pytest.mark.parametrize("scenes", [4, pytest.param(12, marks=pytest.mark.slow)])
 @pytest.mark.parametrize(("recipe", "difficulty"), TIERS)
 def test_what_is_read_moves_alike(recipe: str, difficulty: Difficulty, scenes: int) -> None:
-    """By the exact engine, which knows nothing of signatures; hidden numbers differ on purpose."""
+    """The exact engine compares the accelerations; hidden numbers may differ."""
     compared = 0
     for number, description in enumerate(drawn(recipe, difficulty, scenes, first=500)):
         reading = parse_scene(description.text, np.random.default_rng(number))
@@ -117,9 +117,9 @@ def test_all_wordings_of_a_scene_are_the_same_scene(recipe: str, difficulty: Dif
     [*((*tier, 1) for tier in MEDIUM), *(pytest.param(*tier, 5, marks=pytest.mark.slow) for tier in TIERS)],
 )
 def test_nothing_can_be_left_out(recipe: str, difficulty: Difficulty, scenes: int) -> None:
-    """Each sentence and each row of a table cut: no scene, or another one; but for what a text may leave out.
+    """A text without a sentence or table row has no meaning or another one, apart from optional parts.
 
-    `tests/testing/test_entities.py` does so with each entity.
+    `testing/test_entities` checks each entity in this way.
     """
     for description in drawn(recipe, difficulty, scenes, first=1000):
         for cut, text in without_one(list(pieces(description.text))):
@@ -166,7 +166,7 @@ def test_two_swapped_numbers_are_another_scene(recipe: str, difficulty: Difficul
 
 
 def _table() -> Scene:
-    """Three pucks on a table."""
+    """Return a scene with three pucks on a table."""
     return next(t.scene for t in drawn("collision", "hard", 50) if t.scene.entities[0].name == "table")
 
 
@@ -223,7 +223,7 @@ def test_line_breaks_and_spaces_do_not_matter() -> None:
 
 @pytest.mark.parametrize("kind", [*ENTITIES.values()], ids=[*ENTITIES])
 def test_whether_a_line_is_said_does_not_depend_on_its_wording(kind: type[Part]) -> None:
-    """Else a text could have one sentence less and mean the same."""
+    """Otherwise a text could have one sentence less and the same meaning."""
     for part in [kind, *(model for held in field_types(kind).values() for model in held.models)]:
         for saying in getattr(part, "says", ()):
             reasons = {frozenset(reasons_to_be_silent(part, text)) for text in wordings(saying)}
@@ -231,7 +231,7 @@ def test_whether_a_line_is_said_does_not_depend_on_its_wording(kind: type[Part])
 
 
 def reasons_to_be_silent(part: type[Part], text: str) -> Iterator[str]:
-    """What a line needs that can be absent, or can be told by a word."""
+    """Yield the fields that a line needs and that may be absent or be expressed by a word."""
     fields = field_types(part)
     for slot in slots(text):
         owner, _, name = slot.path.rpartition(".")
@@ -343,7 +343,7 @@ def test_errors_name_the_place() -> None:
 
 
 def test_a_text_of_two_scenes_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    """No text of ours is, since readings that move alike are one; here nothing is like anything else."""
+    """The library's texts never describe two scenes, as equal readings are merged; here no readings are equal."""
     description = next(t for t in drawn("incline", "hard", 60) if len(readings(t.text, monkeypatch)) > 1)
     assert meant(parse_scene(description.text)) == meaning(description)
     monkeypatch.setattr("sim2reason.text.parsing.scene_parser.signature", lambda scene, names: (id(scene), id(names)))
@@ -352,7 +352,7 @@ def test_a_text_of_two_scenes_is_refused(monkeypatch: pytest.MonkeyPatch) -> Non
 
 
 def readings(text: str, monkeypatch: pytest.MonkeyPatch) -> list[Scene]:
-    """All scenes that a text is found to mean, alike or not."""
+    """Return all scenes that the parser finds for a text, equal ones included."""
     found: list[Scene] = []
 
     def noted(scene: Scene, names: dict[str, str]) -> Signature:

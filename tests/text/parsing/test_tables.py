@@ -1,4 +1,4 @@
-"""Tables whose cells are symbols are read back, with the numbers of each binding."""
+"""Tests that tables whose cells are symbols are read with the numbers of each binding."""
 
 import numpy as np
 import pytest
@@ -9,9 +9,9 @@ from sim2reason.questions.prompt import parse_prompt
 
 
 def test_a_table_of_symbols_leads_back_to_the_answer_at_every_binding() -> None:
-    """Carts on a smooth slope, each row with its mass, place and velocity: the engine's answers are met again.
+    """The engine's answers match for carts on a smooth slope, each row with its mass, place and velocity.
 
-    But for what comes after the time for which a text is followed, that of the scene's own numbers.
+    Only events after the time for which a text is followed, that of the scene's own numbers, are left out.
     """
     first = 12  # with such a table
     drawn = (make(Request("collision", "medium", "symbolic", 3, index)).item for index in range(first, 30))

@@ -1,4 +1,4 @@
-"""Nouns that suit what they name."""
+"""Tests that nouns suit the bodies that they name."""
 
 import pytest
 
@@ -14,12 +14,12 @@ SEEDS = range(24)
 
 
 def thrown(mass: float) -> Scene:
-    """A ball of some mass."""
+    """Return a scene with a thrown ball of some mass."""
     return alone(Projectile(ball=Ball(mass=mass), height=1.0))
 
 
 def orbiting(speed: float) -> Scene:
-    """A planet at 1 au, at right angles to its way to the star; 2π au/yr is the speed on a circle."""
+    """Return a scene with a planet at 1 au, moving at right angles to its star; 2π au/yr gives a circle."""
     return alone(SolarSystem(star=Star(mass=1.0), planets=(Planet(x=1.0, y=0.0, vx=0.0, vy=speed),)))
 
 

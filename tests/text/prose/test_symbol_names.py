@@ -1,4 +1,4 @@
-"""Symbols have nouns where numbers need none, and a text can be read without them."""
+"""Tests that symbols have nouns if numbers need none, and that such a text can be read."""
 
 import pytest
 

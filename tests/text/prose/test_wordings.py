@@ -1,4 +1,4 @@
-"""Sentences that readers stumbled over, as they are now."""
+"""Tests of the present wordings of sentences that readers found unclear."""
 
 import re
 
@@ -33,7 +33,7 @@ scene:
 
 @pytest.mark.parametrize("wording", range(6))
 def test_a_second_plane_tells_nothing_of_the_first(wording: int) -> None:
-    """No *another smooth plane* after a rough one; and no horizontal has a surface."""
+    """*Another smooth plane* doesn't follow a rough one, and no horizontal has a surface."""
     told = describe(load(TWO_SLOPES), wording).text
     assert re.search(
         r"nother fixed plane of inclination \d+° (with a (smooth|rough) surface|whose surface is (smooth|rough))", told
@@ -42,7 +42,7 @@ def test_a_second_plane_tells_nothing_of_the_first(wording: int) -> None:
 
 
 def test_no_way_to_say_when_a_motion_begins_is_said_by_lines_and_closings_alike() -> None:
-    """As in *to begin with, the rod makes …* and then *to begin with, everything is held at rest*."""
+    """An example is *to begin with, the rod makes …* followed by *to begin with, everything is held at rest*."""
     closing = [wording for found in CLOSINGS for wording in found.wordings]
     assert not any("to begin with" in wording or wording.startswith("initially") for wording in closing)
 
@@ -53,13 +53,13 @@ def test_what_is_said_of_friction_is_said_in_different_ways() -> None:
 
 
 def test_the_other_one_of_two_springs_is_called_so() -> None:
-    """For one sentence later the other is a cart."""
+    """*The other one* would refer to a cart one sentence later."""
     chain = row((2.0, 3.0), (40.0, 50.0), "left", strain=0.2, speed=1.0)
     assert "the other spring is relaxed" in describe(chain).text
 
 
 def test_one_body_is_far_from_another_that_is_fixed() -> None:
-    """The star moves nowhere, so that they do not *reach a distance from each other*; two planets do."""
+    """The star is at rest, so only two planets *reach a distance from each other*."""
     words = words_of(describe(sample("orbital", "hard", seed=3)))
     assert Farthest.candidates(words).keys() == Closest.candidates(words).keys()
     for name, said in Farthest.candidates(words).items():

@@ -1,4 +1,4 @@
-"""Scenes in words: three voices, names, symbols, and wordings chosen by a seed."""
+"""Tests of scenes in words: three voices, names, symbols, and wordings chosen by a seed."""
 
 import re
 from typing import get_args

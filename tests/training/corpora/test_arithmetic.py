@@ -1,4 +1,4 @@
-"""The corpus of solutions as arithmetic: pure, with slips as often as asked, and told which are wrong."""
+"""Tests of the corpus of arithmetic solutions: purity, rate of planted slips, and labels of wrong ones."""
 
 from collections import Counter
 

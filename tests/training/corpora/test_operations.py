@@ -1,4 +1,4 @@
-"""Solutions as arithmetic: right within the tolerance of the answer, in every recipe, and each operation true."""
+"""Tests of arithmetic solutions of every recipe: operations and answers are right within the tolerance."""
 
 import re
 from dataclasses import replace
@@ -30,7 +30,7 @@ def test_arithmetic_leads_to_the_answer(recipe: str) -> None:
 
 
 def recalculated(formula: str) -> float:
-    """From left to right, which is how single operations, and products of several factors, are written."""
+    """Return the value of a formula from left to right, as in single operations and products of factors."""
     functions = {"sin": lambda x: sin(radians(x)), "cos": lambda x: cos(radians(x)), "sqrt": sqrt}
     total, operator = 0.0, "+"
     for sign, name, number, then in re.findall(r"(-?)(sin|cos|sqrt)?(\d+\.?\d*(?:e-?\d+)?)([-+*/]?)", formula):
@@ -42,7 +42,7 @@ def recalculated(formula: str) -> float:
 
 @pytest.mark.parametrize("index", range(8))
 def test_each_operation_is_true_to_three_digits(index: int) -> None:
-    """Recalculated with the arithmetic of Python; an operation without a first number takes the result before."""
+    """Python recalculates each operation; one without a first number takes the previous result."""
     request, before = replace(ROLLING, index=index), "0"
     text = arithmetic(worked_solution(request, made(request)[1])).partition("\n")[0]
     for step in text.split("; "):

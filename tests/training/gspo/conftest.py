@@ -1,4 +1,4 @@
-"""A tiny model, made once; runs in this process and beside it."""
+"""Fixtures for GSPO: a tiny model, and runs in this process and in others."""
 
 import json
 import os
@@ -17,13 +17,13 @@ SCRIPT = ROOT / "tests/support/gspo_run.py"
 
 @pytest.fixture(scope="session")
 def model(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A Qwen2 of two layers with random weights."""
+    """Return the folder of a Qwen2 of two layers with random weights."""
     return tiny_model(tmp_path_factory.mktemp("gspo") / "model")
 
 
 @pytest.fixture
 def launch(model: Path, tmp_path: Path) -> Callable[..., subprocess.Popen[str]]:
-    """Start a run in processes of its own, on CPUs."""
+    """Return a function that starts a run in separate processes on CPUs."""
 
     def start(name: str, processes: int = 1, **given: Thing) -> subprocess.Popen[str]:
         folder = tmp_path / name
@@ -41,7 +41,7 @@ def launch(model: Path, tmp_path: Path) -> Callable[..., subprocess.Popen[str]]:
 
 @pytest.fixture
 def run(launch: Callable[..., subprocess.Popen[str]]) -> Callable[..., str]:
-    """Run to the end, and give what was printed."""
+    """Return a function that runs to the end and returns the output."""
 
     def finish(name: str, processes: int = 1, **given: Thing) -> str:
         with launch(name, processes, **given) as process:

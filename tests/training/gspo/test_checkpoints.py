@@ -1,4 +1,4 @@
-"""Which checkpoints are whole, and the log that goes back to one."""
+"""Tests of complete checkpoints, and of the log that is truncated to one."""
 
 from pathlib import Path
 

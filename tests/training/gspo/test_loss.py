@@ -1,4 +1,4 @@
-"""TRL's loss is that of the formula, on the policy that wrote the completions and off it."""
+"""Tests of TRL's loss against the formula, on the policy that wrote the completions and off it."""
 
 import gc
 from pathlib import Path
@@ -21,7 +21,7 @@ BETA = 0.05
 
 @pytest.fixture(scope="module")
 def batch(model: Path, tmp_path_factory: pytest.TempPathFactory) -> Thing:
-    """A trainer and what it would learn from: completions of several lengths."""
+    """Return a trainer and its batch with completions of several lengths."""
     out = tmp_path_factory.mktemp("loss")
     found = trainer(model, out, Numbers(), ["parity"], epsilon_low=EPSILON[0], epsilon_high=EPSILON[1], beta=BETA)
     found.current_gradient_accumulation_steps = 1
@@ -33,7 +33,7 @@ def batch(model: Path, tmp_path_factory: pytest.TempPathFactory) -> Thing:
 
 
 def own_logps(model: Thing, held: Thing) -> list[np.ndarray]:
-    """Of the tokens of each completion, from the logits of an ordinary forward pass."""
+    """Return the log-probabilities of the tokens of each completion, from the logits of a plain forward pass."""
     ids = torch.cat([held["prompt_ids"], held["completion_ids"]], dim=1)
     mask = torch.cat([held["prompt_mask"], held["completion_mask"]], dim=1)
     width = held["completion_ids"].shape[1]
@@ -82,7 +82,7 @@ def test_trl_has_the_loss_of_the_formula(batch: Thing, noise: float, monkeypatch
 
 
 def check_ratios(new: Thing, old: Thing, advantages: list[float], noise: float) -> None:
-    """On the policy no completion is clipped; off it some are on either side, and some are not."""
+    """Assert that no completion is clipped on the policy, and that some are on either side off it, but not all."""
     ratios = np.array([np.exp(np.mean(a - b)) for a, b in zip(new, old, strict=True)])
     low = (ratios < 1 - EPSILON[0]) & (np.array(advantages) < 0)
     high = (ratios > 1 + EPSILON[1]) & (np.array(advantages) > 0)

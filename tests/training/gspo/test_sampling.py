@@ -1,4 +1,4 @@
-"""How a step is filled, without a model."""
+"""Tests of how a step is filled with groups, without a model."""
 
 from collections.abc import Sequence
 from math import nan
@@ -12,7 +12,7 @@ GOOD, BAD = [0.0, 1.0], [1.0, 1.0]
 
 
 class Scripted:
-    """All processes at once: prompts are numbers, and those of `good` have unequal rewards."""
+    """Sampler of all processes: prompts are numbers, and those in `good` have unequal rewards."""
 
     def __init__(self, good: set[int], world: int = 1, length: int = 10**6) -> None:
         self.good, self.world, self.length = good, world, length
@@ -38,7 +38,7 @@ class Scripted:
 
 
 def filled(sampler: Scripted, wanted: int, rounds: int = 10) -> list[Filled]:
-    """What each process finds, each with its own copy of the stream."""
+    """Return the groups that each process finds, each with its own copy of the stream."""
     found: list[Filled] = []
     for rank in range(sampler.world):
         own = Scripted(sampler.good, sampler.world, sampler.length)
@@ -48,7 +48,7 @@ def filled(sampler: Scripted, wanted: int, rounds: int = 10) -> list[Filled]:
 
 
 def prompts(found: Sequence[Filled]) -> list[int]:
-    """Of the groups of all processes, by their place."""
+    """Return the prompts of the groups of all processes, in order."""
     together = {number: int(group["prompt"]) for each in found for number, group in each.own.items()}
     assert len(together) == sum(len(each.own) for each in found)
     return [together[number] for number in sorted(together)]

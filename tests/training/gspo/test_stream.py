@@ -1,4 +1,4 @@
-"""What is drawn from a stream, and what is said of rows that no trainer could use."""
+"""Tests of rows drawn from a stream, and of the errors for unusable rows."""
 
 from typing import Any
 
@@ -10,7 +10,7 @@ from sim2reason.training.gspo.settings import draw
 
 
 class Given(Numbers):
-    """Rows as they are given."""
+    """Stream of the given rows."""
 
     def __init__(self, *rows: dict[str, Any]) -> None:
         super().__init__(len(rows))

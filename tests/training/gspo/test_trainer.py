@@ -1,4 +1,4 @@
-"""Dynamic sampling with a tiny model, in one process and in two."""
+"""Tests of dynamic sampling with a tiny model, in one process and in two."""
 
 import importlib
 import json
@@ -107,7 +107,7 @@ def test_a_killed_run_goes_on_as_one_that_was_not(
 
 
 def killed(process: "subprocess.Popen[str]", out: Path, step: int) -> None:
-    """Kill a run soon after its log has a step, at no particular moment."""
+    """Kill a run at a random moment soon after its log has a step."""
     log, until = StepLog(out), time.monotonic() + 120
     while not any(record.step >= step for record in log.read()):
         assert process.poll() is None, process.communicate()[0][-4000:]
@@ -234,7 +234,7 @@ def test_adapters_are_trained_against_the_model_without_them(model: Path, tmp_pa
 
 
 class Engine:
-    """What TRL asks of vLLM, by transformers, whose probabilities it tells a little wrong."""
+    """Substitute for TRL's vLLM engine on top of transformers, with slightly wrong probabilities."""
 
     def __init__(self, found: Thing) -> None:
         self.found, self.synced = found, 0
@@ -315,7 +315,7 @@ def test_rollouts_by_one_recorded_pass_go_on_as_they_were(model: Path, tmp_path:
 
 
 def test_rollouts_by_one_recorded_pass_are_drawn_from_the_policy(model: Path, tmp_path: Path) -> None:
-    """First tokens of 4,000 completions against the softmax of the logits at that temperature, by Pearson's χ²."""
+    """Pearson's χ² compares the first tokens of 4,000 completions with the softmax of the logits."""
     found = trainer(model, tmp_path, Numbers(), ["parity"], cuda_graphs=True, temperature=0.1)
     ids = found.processing_class("17?")["input_ids"]
     with torch.no_grad():
@@ -376,7 +376,7 @@ def test_tensorboard_gets_what_the_log_gets(model: Path, tmp_path: Path) -> None
 
 @pytest.fixture
 def wandb_steps(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[list[dict[str, float]]]:
-    """What Weights & Biases is given, step by step: offline, as on a cluster whose nodes reach nobody."""
+    """Return the data that Weights & Biases is given at each step, in offline mode."""
     import wandb
 
     for name, value in {"WANDB_MODE": "offline", "WANDB_DIR": str(tmp_path), "WANDB_SILENT": "true"}.items():

@@ -1,4 +1,4 @@
-"""Rollouts by vLLM itself, in the process of training, on CPUs: ``make test-vllm`` runs these."""
+"""Tests of rollouts by vLLM in the training process on CPUs, run by ``make test-vllm``."""
 
 from collections.abc import Generator
 from importlib.util import find_spec
@@ -19,7 +19,7 @@ pytestmark = [
 
 @pytest.fixture(scope="module")
 def model(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """With a head as wide as vLLM's kernels for CPUs take it."""
+    """Return the folder of a tiny model whose attention head is as wide as vLLM's kernels for CPUs need."""
     return tiny_model(tmp_path_factory.mktemp("vllm") / "model", heads=1)
 
 
@@ -35,7 +35,7 @@ def _on_cpus(monkeypatch: pytest.MonkeyPatch) -> Generator[None]:
 
 
 def test_what_vllm_samples_has_the_probabilities_of_the_model_that_is_trained(model: Path, tmp_path: Path) -> None:
-    """Its weights are those after the last update: the model has moved much further from where it began."""
+    """vLLM has the weights of the last update, since the model has moved much further from its initial ones."""
     given = {"max_prompt_tokens": 32, "max_completion_tokens": 6, "steps": 4, "learning_rate": 1e-3}
     found = trainer(model, tmp_path, Numbers(), ["parity"], vllm=VllmSettings(), **given)
     held, told = list[Thing](), found._batch
@@ -50,5 +50,5 @@ def test_what_vllm_samples_has_the_probabilities_of_the_model_that_is_trained(mo
 
 
 def largest(batch: Thing, other: str) -> float:
-    """The largest difference between log-probabilities by the model that is trained and by another."""
+    """Return the largest difference between log-probabilities by the trained model and by another."""
     return ((batch["old_per_token_logps"] - batch[other]) * batch["completion_mask"]).abs().max().item()

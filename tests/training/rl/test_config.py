@@ -1,4 +1,4 @@
-"""Configurations of reinforcement learning: read strictly, with faults at their place."""
+"""Tests of configurations of reinforcement learning: strict reading, and errors that name the field."""
 
 import re
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""The constant that suits answers best, against trying every one."""
+"""Tests of the best constant answer against trying every candidate."""
 
 import numpy as np
 import pytest
@@ -19,7 +19,7 @@ def item(number: int, value: float, tolerance: float) -> BenchmarkItem:
 
 
 def every_one(items: list[BenchmarkItem]) -> int:
-    """What each answer, and both ends of its tolerance, earns; the greatest."""
+    """Return the greatest score of any answer and of both ends of its tolerance."""
     numbers = list[float]()
     for each in items:
         answer = each.reference["answer"]
@@ -50,7 +50,7 @@ def test_no_constant_suits_formulas_and_texts() -> None:
 
 
 def test_of_many_answers_few_are_scored(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A thousand answers are three thousand numbers that may be it."""
+    """A thousand answers give three thousand candidates."""
     rule, scored = SCORINGS["sim2reason"], set[str]()
     award = rule.award
 

@@ -1,4 +1,4 @@
-"""Whole runs on a tiny model: warm start, training, report; killed and resumed; controls; another corpus."""
+"""Tests of whole runs on a tiny model: warm start, training, report, resumption, controls, another corpus."""
 
 import json
 import os
@@ -30,7 +30,7 @@ TIMES = "seconds"
 
 
 def log(out: Path) -> list[dict[str, Any]]:
-    """The log without what no two runs share."""
+    """Return the log without the times, which differ between runs."""
     lines = [json.loads(line) for line in (out / "train" / "log.jsonl").read_text().splitlines()]
     return [{name: value for name, value in line.items() if name != TIMES} for line in lines]
 
@@ -89,7 +89,7 @@ def test_no_held_out_problem_is_given_again_even_by_its_own_seed(whole: Path) ->
 
 
 def test_no_held_out_problem_is_in_the_warm_start(whole: Path, tmp_path: Path) -> None:
-    """The corpus is drawn with the seed of what is held out, and loses those problems."""
+    """The corpus has the seed of the held-out problems, and those problems are removed from it."""
     given = settings(tmp_path / "run")
     (corpus, _) = given["warm_start"]["corpora"]
     corpus["problems"] = {**PROBLEMS, "seed": 3}

@@ -1,4 +1,4 @@
-"""Problems drawn on the fly, and those of files."""
+"""Tests of problems that are sampled on the fly or read from files."""
 
 import json
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Configurations of studies: arms change a base, seeds change what is sampled and drawn."""
+"""Tests of configurations of studies: arms change a base, seeds change sampling and problems."""
 
 from pathlib import Path
 from typing import Any

@@ -1,4 +1,4 @@
-"""Whole studies on a tiny model."""
+"""Tests of whole studies on a tiny model."""
 
 import json
 import os

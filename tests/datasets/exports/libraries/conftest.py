@@ -1,4 +1,4 @@
-"""Exports as their own libraries see them. `make test-exports` runs each file where its library is installed."""
+"""Tests of exports with their own libraries; `make test-exports` runs each file with its library installed."""
 
 import os
 import subprocess
@@ -21,13 +21,13 @@ REAL = "SIM2REASON_PROBLEMS"
 
 @pytest.fixture(scope="session")
 def real(problems: Path) -> Path:
-    """The dataset that make has generated; without it, the quick one of the other tests."""
+    """Return the dataset that `make test-exports` has generated, or else the small one of the other tests."""
     return Path(os.environ.get(REAL) or problems)
 
 
 @pytest.fixture(scope="session")
 def items(real: Path) -> dict[str, Item]:
-    """All problems by their ids."""
+    """Return all problems by their ids."""
     found = {item.id: item for item in Dataset(real)}
     assert len(found) >= LEAST
     return found
@@ -35,17 +35,17 @@ def items(real: Path) -> dict[str, Item]:
 
 @pytest.fixture
 def exported(real: Path, tmp_path: Path) -> Callable[[str], Path]:
-    """Writes an export and gives its folder."""
+    """Return a function that writes an export and returns its folder."""
     return lambda to: sim2reason.export(real, tmp_path / to, to=to).folder
 
 
 def _right(item: Item) -> str:
-    """What somebody says who is right."""
+    """Return a response with the right answer."""
     return f"First I draw the forces. So the answer is $\\boxed{{{rewards.answered(item)}}}$."
 
 
 def _wrong(item: Item) -> Iterator[str]:
-    """What those say who make one of the item's slips."""
+    """Yield responses with the item's wrong answers."""
     return (f"Easy: $\\boxed{{{distractor.value:.6g}}}$." for distractor in item.distractors)
 
 
@@ -61,7 +61,7 @@ def wrong() -> Callable[[Item], Iterator[str]]:
 
 @pytest.fixture
 def follow(real: Path, tmp_path: Path) -> Callable[[str], None]:
-    """Does what a page of docs/integrations says: its commands in order, then its Python, in one new folder."""
+    """Return a function that runs a page of docs/integrations in a new folder: its commands, then its Python."""
     bin_ = Path(sys.executable).parent
     environ = {
         **os.environ,

@@ -1,4 +1,4 @@
-"""Inspect runs the task with a model that says what it is told to, and scores it."""
+"""Tests that Inspect runs the task with a model of given replies, and scores it."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -11,7 +11,7 @@ inspect_ai = pytest.importorskip("inspect_ai", reason="make test-exports")
 
 
 def scores(split: str, say: Callable[[str], str], logs: Path) -> dict[str, str]:
-    """By id, the score of a model that answers each prompt by `say`; the task is in the current folder."""
+    """Return the score by id of a model that replies to each prompt by `say`; the task is in the current folder."""
     from inspect_ai.model import ModelOutput, ModelUsage, get_model
 
     def output(messages: list, *_: object) -> ModelOutput:

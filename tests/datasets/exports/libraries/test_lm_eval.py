@@ -1,4 +1,4 @@
-"""lm-eval finds the tasks by --include_path, asks a model, and grades what it says."""
+"""Tests that lm-eval finds the tasks by --include_path, queries a model, and grades its replies."""
 
 import json
 from collections.abc import Callable, Iterator
@@ -15,7 +15,7 @@ lm_eval = pytest.importorskip("lm_eval", reason="make test-exports")
 
 
 def result(folder: Path, task: str, say: Callable[[str], str]) -> dict[str, object]:
-    """What lm-eval finds for a model that answers each prompt by `say`, and takes choices by it for likely."""
+    """Return lm-eval's result for a model that replies to each prompt, and rates choices, by `say`."""
     from lm_eval.api.model import LM
     from lm_eval.tasks import TaskManager
 
@@ -56,7 +56,7 @@ def test_right_answers_pass_and_distractors_do_not(
 
 @pytest.fixture(scope="module")
 def choices(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Multiple choice for enough problems: made ones have too few wrong answers, so that most are left out."""
+    """Export multiple choice of 1000 problems, most of which are left out for lack of wrong answers."""
     folder = tmp_path_factory.mktemp("choices")
     order = {"items": 1000, "recipe": "pulley", "maker": "fake_makers:with_answers"}
     sim2reason.generate(folder / "problems", workers=1, **order)

@@ -1,4 +1,4 @@
-"""NeMo Gym takes the configuration and every row; its server verifies replies over HTTP."""
+"""Tests that NeMo Gym accepts the configuration and all rows, and that its server verifies replies over HTTP."""
 
 import json
 import runpy
@@ -14,7 +14,7 @@ nemo_gym = pytest.importorskip("nemo_gym", reason="make test-exports")
 
 
 def responded(text: str) -> dict[str, object]:
-    """A response of a model as the Responses API has it."""
+    """Return a model's response in the format of the Responses API."""
     content = {"type": "output_text", "text": text, "annotations": []}
     message = {"id": "m", "type": "message", "role": "assistant", "status": "completed", "content": [content]}
     whole = {"id": "r", "object": "response", "created_at": 0.0, "model": "told", "output": [message]}

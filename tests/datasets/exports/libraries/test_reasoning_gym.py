@@ -1,4 +1,4 @@
-"""Reasoning Gym makes the dataset by its name, draws an order by a seed, and scores."""
+"""Tests that Reasoning Gym makes the dataset by its name, orders it by a seed, and scores replies."""
 
 import importlib
 from collections.abc import Callable, Iterator

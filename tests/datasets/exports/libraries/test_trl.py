@@ -1,4 +1,4 @@
-"""Hugging Face datasets load what was written, its reward grades them; TRL's trainer takes both, as the page shows."""
+"""Tests that `datasets` loads the export, that its reward grades it, and that TRL's trainer takes both."""
 
 import ast
 import os
@@ -38,7 +38,7 @@ def test_datasets_load_it_and_the_reward_grades(
 
 
 def test_a_trainer_takes_fresh_problems(tmp_path: Path) -> None:
-    """Its rewards are those of a model that guesses: neither all nothing nor all right."""
+    """The rewards are those of a model that guesses: neither all right nor all wrong."""
     pytest.importorskip("trl", reason="make test-exports")
     environ = os.environ | {"OMP_NUM_THREADS": "1", "HF_HUB_OFFLINE": "1"}
     command = [sys.executable, str(Path(__file__).parents[4] / "examples/train_with_trl.py")]

@@ -1,4 +1,4 @@
-"""verifiers finds the installed taskset by its id, makes its tasks, and scores traces of replies."""
+"""Tests that verifiers finds the installed taskset by its id, makes its tasks, and scores traces of replies."""
 
 import asyncio
 import json
@@ -17,7 +17,7 @@ vf = pytest.importorskip("verifiers.v1", reason="make test-exports")
 
 
 def reward(task: object, reply: str) -> float:
-    """What a task gives for a reply of a model."""
+    """Return a task's reward for a model's reply."""
     trace = vf.Trace(
         task=vf.TraceTask(type=type(task).__name__, data=task.data, key=task.key),
         agent=vf.AgentInfo(config=vf.AgentConfig()),
@@ -71,7 +71,7 @@ def test_fresh_tasks_are_drawn_without_end(exported: Callable[[str], Path], monk
 
 
 def test_its_own_validation_passes(exported: Callable[[str], Path], tmp_path: Path) -> None:
-    """Right answers pass, and tasks that nobody touched don't, in its own runtime."""
+    """In verifiers' own validation right answers pass and untouched tasks fail."""
     command = ["vf-validate", "sim2reason-problems", "--runtime.type", "subprocess", "--rich", "False"]
     path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     environ = {**os.environ, "PATH": path, "PYTHONPATH": str(exported("verifiers"))}

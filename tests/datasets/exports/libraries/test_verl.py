@@ -1,4 +1,4 @@
-"""verl, as far as it goes without a GPU: the experiment's configuration, its rows, its reward, the start of a run."""
+"""Tests of verl without a GPU: the experiment's configuration, its rows, its reward, the start of a run."""
 
 import asyncio
 import os
@@ -44,7 +44,7 @@ PAPER = {
 
 
 def composed(name: str, *overrides: str) -> object:
-    """A configuration of the experiment, or verl's own."""
+    """Return a configuration of the experiment, or verl's own."""
     from hydra import compose, initialize_config_dir
 
     theirs = Path(verl.__file__).parent / "trainer/config"
@@ -53,7 +53,7 @@ def composed(name: str, *overrides: str) -> object:
 
 
 def configured(folder: Path, *overrides: str) -> object:
-    """The experiment's, as train.sh has it, on the problems of a folder."""
+    """Return the configuration that train.sh uses, with the problems of a folder."""
     files = f"data.train_files={folder / 'train.parquet'}", f"data.val_files={folder / 'test.parquet'}"
     reward = f"reward.custom_reward_function.path={folder / 'reward.py'}"
     cache = f"+data.cache_dir={folder / 'cache'}"
@@ -69,7 +69,7 @@ def leaves(settings: dict[str, Any], place: str = "") -> Iterator[str]:
 
 
 def unknown(settings: dict[str, Any], schema: object) -> list[str]:
-    """The keys that verl's configuration does not have; hydra adds such keys of a file without a word."""
+    """Return the keys that verl's configuration lacks, which hydra adds silently from a file."""
     from omegaconf import OmegaConf
 
     plain = OmegaConf.to_container(schema)
@@ -79,7 +79,7 @@ def unknown(settings: dict[str, Any], schema: object) -> list[str]:
 
 @pytest.fixture(scope="module")
 def letters() -> object:
-    """A tokenizer whose tokens are bytes."""
+    """Build a tokenizer whose tokens are bytes."""
     from tokenizers import Tokenizer, decoders, models, pre_tokenizers
     from transformers import PreTrainedTokenizerFast
 
@@ -100,7 +100,7 @@ def described(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def foreign(tmp_path: Path) -> Path:
-    """Rows as those of DAPO-Math-17k are, with one column more."""
+    """Write rows in the format of DAPO-Math-17k, with one additional column."""
     import pyarrow as pa
     import pyarrow.parquet as pq
 
@@ -181,7 +181,7 @@ def test_the_loss_clips_the_ratio_of_a_sequence_where_the_paper_does(
 
 
 def scored(manager: object, row: dict[str, Any], text: str) -> float:
-    """What verl's reward manager gives for a response to a row."""
+    """Return the score that verl's reward manager gives to a response."""
     import numpy as np
     import torch
     from verl import DataProto
@@ -195,7 +195,7 @@ def scored(manager: object, row: dict[str, Any], text: str) -> float:
 
 @pytest.fixture
 def manager(exported: Callable[[str], Path], letters: object) -> Iterator[Any]:
-    """verl's, with the reward that the export has written."""
+    """Yield verl's reward manager with the exported reward."""
     from verl.trainer.ppo.reward import get_custom_reward_fn, resolve_reward_manager_cls
 
     config = configured(exported("verl"))
@@ -254,7 +254,7 @@ def plain(batch: dict[str, Any]) -> dict[str, Any]:
 
 
 def loader(data: object, config: object, workers: int) -> object:
-    """As verl's trainer makes it, with the batches of one that filtered groups need; four here."""
+    """Build the data loader of verl's trainer with batches of 4, though filtered groups need batches of 1."""
     from torchdata.stateful_dataloader import StatefulDataLoader
     from verl.trainer.ppo.utils import create_rl_sampler
     from verl.utils.dataset.rl_dataset import collate_fn
@@ -323,7 +323,7 @@ def test_two_files_of_what_to_draw_are_refused(described: Path, letters: object,
 
 @pytest.fixture
 def train(exported: Callable[[str], Path], tmp_path: Path) -> Callable[..., subprocess.CompletedProcess[str]]:
-    """Calls train.sh, as on a machine without a GPU, with further arguments and variables."""
+    """Return a function that calls train.sh, without a GPU, with further arguments and variables."""
     folder, path = exported("verl"), f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     environ = {"PATH": path, "CUDA_VISIBLE_DEVICES": "", "HF_HUB_OFFLINE": "1", "HF_HOME": str(tmp_path / "cache")}
 
@@ -360,7 +360,7 @@ def test_the_command_mixes_stored_rows_in(
 def test_a_run_starts_and_stops_where_it_needs_gpus(
     train: Callable[..., subprocess.CompletedProcess[str]], letters: object, tmp_path: Path
 ) -> None:
-    """By the command that starts it, on a cluster of Ray on this machine: both datasets made, 200 steps planned."""
+    """The start command makes both datasets on a local Ray cluster and plans 200 steps, before it needs GPUs."""
     from transformers import Qwen2Config
 
     letters.save_pretrained(tmp_path / "tiny")

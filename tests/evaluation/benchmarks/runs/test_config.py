@@ -1,4 +1,4 @@
-"""Configurations: the one that the docs show, and what travels from a file to policies and benchmarks."""
+"""Tests of configurations: the one in the docs, and the settings passed on to policies and benchmarks."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Answers of a model that lies at a second place, too."""
+"""Tests of answers copied from a run of the same model at another place."""
 
 import json
 from pathlib import Path
@@ -12,7 +12,7 @@ from sim2reason.evaluation.policies.journal import finished
 
 @pytest.fixture
 def made(tmp_path: Path) -> Path:
-    """A run of two policies, the first of which is of the model `here`."""
+    """Build a run of two policies, the first of which uses the model `here`."""
     rows = [{"question": f"How much is {n}?", "answer": n, "id": f"n{n}"} for n in range(1, 4)]
     (tmp_path / "numbers.json").write_text(json.dumps(rows))
     policies = [{"kind": "constant", "name": name, "text": name} for name in ("1", "2")]

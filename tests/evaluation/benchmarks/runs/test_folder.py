@@ -1,4 +1,4 @@
-"""What a run looks for before it asks anything."""
+"""Tests of the checks that a run makes before its first request."""
 
 from pathlib import Path
 

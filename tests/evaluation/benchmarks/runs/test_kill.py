@@ -1,4 +1,4 @@
-"""A run that is killed twice against a server that does wrong: nothing is asked twice, nothing lost, no key written."""
+"""Tests of a run killed twice against a faulty server: no request repeated, none lost, no key written."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""One comparison for all closed forms; the worst relative error of the run is reported at its end."""
+"""Fixture for comparisons with closed forms; the worst relative error is reported after the run."""
 
 from collections.abc import Callable
 
@@ -13,7 +13,7 @@ Agree = Callable[..., None]
 
 @pytest.fixture
 def agree(request: pytest.FixtureRequest) -> Agree:
-    """Assert that values agree to 1e-9, or `close`, of the larger of `expected` and `scale`."""
+    """Return an assertion that values agree to 1e-9, or `close`, of the larger of `expected` and `scale`."""
 
     def compare(actual: object, expected: object, scale: float = 0.0, close: float = CLOSE) -> None:
         found, wanted = np.asarray(actual, dtype=float), np.asarray(expected, dtype=float)

@@ -1,4 +1,4 @@
-"""Which numbers on a tape are affine, and with which coefficients."""
+"""Tests of the search for affine expressions on a tape, and of their coefficients."""
 
 from fractions import Fraction
 
@@ -10,7 +10,7 @@ from sim2reason.simulation.engines.exact.tape import Symbol, Tape
 
 
 def inputs() -> tuple[Tape, Symbol, Symbol, Symbol]:
-    """A tape of the time, a coordinate and its rate."""
+    """Return a tape of the time, a coordinate and its rate."""
     tape = Tape(["t", "q0", "v0"])
     return tape, *tape.inputs.values()  # type: ignore[return-value]
 
@@ -21,7 +21,7 @@ def found(tape: Tape, acceleration: Number, margin: Number = 1.0) -> LinearEquat
 
 
 def test_sums_and_multiples_are_affine() -> None:
-    """A spring, a dashpot and a constant force."""
+    """The example is a spring, a dashpot and a constant force."""
     tape, _, q, v = inputs()
     linear = found(tape, (3.0 - 4.0 * (q - 0.25) - v) / 2.0, 1.0 - q)
     assert linear is not None
@@ -32,7 +32,7 @@ def test_sums_and_multiples_are_affine() -> None:
 
 
 def test_no_digit_is_lost_beside_a_large_number() -> None:
-    """In floating point 1e17 + 1 − 1e17 is no 1."""
+    """In floating point 1e17 + 1 − 1e17 differs from 1."""
     tape, _, q, _ = inputs()
     linear = found(tape, (1e17 * q + q) - 1e17 * q)
     assert linear is not None
@@ -41,7 +41,7 @@ def test_no_digit_is_lost_beside_a_large_number() -> None:
 
 @pytest.mark.parametrize("kind", ["product", "quotient", "root", "sine", "time"])
 def test_what_bends_or_changes_with_time_is_not(kind: str) -> None:
-    """Neither products of unknowns nor functions of them, nor a force that changes."""
+    """Products and functions of unknowns and forces that depend on time are not affine."""
     tape, t, q, v = inputs()
     numbers = {"product": q * v, "quotient": 1.0 / q, "root": tape.sqrt(q), "sine": tape.sin(q), "time": q + t}
     assert found(tape, numbers[kind]) is None
@@ -49,7 +49,7 @@ def test_what_bends_or_changes_with_time_is_not(kind: str) -> None:
 
 
 def test_what_cancels_has_no_part_in_it() -> None:
-    """The time that is taken away again, and a product with what is zero."""
+    """A difference of equal terms in time cancels."""
     tape, t, q, _ = inputs()
     linear = found(tape, (q + t) - t)
     assert linear is not None

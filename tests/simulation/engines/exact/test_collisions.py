@@ -1,4 +1,4 @@
-"""Collisions against Newton's law of impact, alone and with strings and rough floors."""
+"""Tests of collisions against Newton's law of impact, alone and with strings and rough floors."""
 
 from collections.abc import Callable, Iterable
 from math import cos, hypot, pi, radians, sin, sqrt, tan
@@ -23,7 +23,7 @@ def kinds(events: Iterable[Event]) -> list[str]:
 @pytest.mark.parametrize("e", RESTITUTIONS)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_one_dimension(seed: int, e: float, agree: Callable[..., None]) -> None:
-    """Momentum is kept and u⁺ = −e u⁻: v1⁺ = (m1 v1 + m2 v2 − e m2 (v1 − v2))/(m1 + m2)."""
+    """The velocity is v1⁺ = (m1 v1 + m2 v2 − e m2 (v1 − v2))/(m1 + m2), by momentum and u⁺ = −e u⁻."""
     rng = np.random.default_rng(seed)
     m1, m2, v1, v2, gap = rng.uniform((0.2, 0.2, 1.0, -2.0, 0.1), (5.0, 5.0, 4.0, 0.5, 2.0))
     builder = Builder()
@@ -46,7 +46,7 @@ def test_one_dimension(seed: int, e: float, agree: Callable[..., None]) -> None:
 @pytest.mark.parametrize("tilt", [0.0, 0.4])
 @pytest.mark.parametrize("seed", SEEDS)
 def test_oblique(seed: int, tilt: float, e: float, agree: Callable[..., None]) -> None:
-    """J = −(1 + e) u·n/(1/m1 + 1/m2) along the line of centres n; on a tilted table both fall alike.
+    """The impulse along the line of centres n is J = −(1 + e) u·n/(1/m1 + 1/m2), also on a tilted table.
 
     The time solves |d + u t| = 2r, since relative motion is uniform.
     """
@@ -78,7 +78,7 @@ def test_oblique(seed: int, tilt: float, e: float, agree: Callable[..., None]) -
 
 
 def test_equal_balls_part_at_a_right_angle(agree: Callable[..., None]) -> None:
-    """One ball at rest, e = 1: kinetic energy and momentum leave v1·v2 = 0 (Pythagoras)."""
+    """For one ball at rest and e = 1, conservation of energy and momentum gives v1·v2 = 0."""
     builder = Builder(gravity=ZERO)
     room = builder.room()
     a = room.body("A", 1.0).slide(X, 2.0, name="x").slide(Y, name="y")
@@ -91,7 +91,7 @@ def test_equal_balls_part_at_a_right_angle(agree: Callable[..., None]) -> None:
 
 @pytest.mark.parametrize(("power", "hits"), [(0, 3), (1, 31), (2, 314)])
 def test_galperin_counts_the_digits_of_pi(power: int, hits: int) -> None:
-    """Balls of masses 1 and 100^k, and a wall: floor(π·10^k) elastic hits.
+    """Balls of masses 1 and 100^k and a wall have floor(π·10^k) elastic collisions.
 
     G. Galperin, Playing pool with π (2003).
     """
@@ -133,7 +133,7 @@ def test_bounces_until_they_crowd(agree: Callable[..., None]) -> None:
 
 
 def test_at_the_top_of_a_bounce_the_speed_passes_zero(agree: Callable[..., None]) -> None:
-    """Half of the time between two bounces: t1 + e v1/g."""
+    """The ball is at the top halfway between two bounces, at t1 + e v1/g."""
     found = motion(bouncing(0.8).finish(), 1.0)
     t1 = sqrt(2.0 / G)
     turn = next(event for event in found.events if event.kind == "turn")
@@ -142,14 +142,14 @@ def test_at_the_top_of_a_bounce_the_speed_passes_zero(agree: Callable[..., None]
 
 
 def test_an_inelastic_ball_is_pressed_on_the_floor() -> None:
-    """With e = 0 it would hit again at once, and ever again."""
+    """With e = 0 the next bounce is at the same time."""
     found = motion(bouncing(0.0).finish(), 3.0)
     assert kinds(found.events) == ["collision", "crowd"]
     assert found.cut == "crowd"
 
 
 def test_a_ball_between_two_others_is_hit_from_both_sides_at_once(agree: Callable[..., None]) -> None:
-    """By symmetry it stays, and the outer balls bounce as from a wall, each with −e v."""
+    """The middle ball stays at rest by symmetry, and the outer ones rebound as from a wall, with −e v."""
     builder = Builder()
     room = builder.room()
     left = room.body("L", 1.0, at=(-1.0, 0.0, 0.0)).rest(X, Z, speed=1.0)
@@ -163,7 +163,7 @@ def test_a_ball_between_two_others_is_hit_from_both_sides_at_once(agree: Callabl
 
 
 def struck(e: float, m1: float, m2: float, ball: float) -> tuple[Builder, Frame]:
-    """A block on a smooth table, tied over its edge to a load; a ball comes from the side of the pulley."""
+    """Build a block on a smooth table tied to a hanging load, and a ball that comes from the pulley's side."""
     builder = Builder()
     room = builder.room()
     pulley = room.pulley("P", at=(30.0, 0.0, 0.0))
@@ -178,7 +178,7 @@ def struck(e: float, m1: float, m2: float, ball: float) -> tuple[Builder, Frame]
 @pytest.mark.parametrize("e", RESTITUTIONS)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_block_on_a_taut_string_is_struck(seed: int, e: float, agree: Callable[..., None]) -> None:
-    """The blow tightens the string, so the ball meets m1 + m2: it is a collision in one dimension with that mass.
+    """The taut string couples block and load, so the ball collides with a mass m1 + m2.
 
     Before it, both move with a = m2 g/(m1 + m2); the gap closes when 2.5 = 2t + a t²/2.
     """
@@ -200,7 +200,7 @@ def test_a_block_on_a_taut_string_is_struck(seed: int, e: float, agree: Callable
 
 
 def test_a_load_that_is_struck_upwards_lets_the_string_go_slack(agree: Callable[..., None]) -> None:
-    """Two loads m in balance; a ball strikes one upwards, e = 1: it leaves with u while the other stays.
+    """A ball strikes one of two balanced loads m upwards with e = 1: it leaves with u, the other load stays.
 
     Both fall with g till the string, −u t + g t² longer, is straight at t = u/g. Then the struck load rests and
     the other falls with u; the jerk leaves both with u/2.
@@ -228,7 +228,7 @@ def test_a_load_that_is_struck_upwards_lets_the_string_go_slack(agree: Callable[
 
 @pytest.mark.parametrize(("mu", "stops"), [(0.1, False), (0.6, True)])
 def test_a_ball_falls_on_a_sliding_block(mu: float, stops: bool, agree: Callable[..., None]) -> None:
-    """The floor answers the blow J = (1 + e) m v, so the block is also braked by µJ, at most to rest.
+    """The floor's reaction to J = (1 + e) m v brakes the block by µJ, at most to rest.
 
     The block starts so far back that it is under the ball when that arrives.
     """
@@ -251,7 +251,7 @@ def test_a_ball_falls_on_a_sliding_block(mu: float, stops: bool, agree: Callable
 
 @pytest.mark.parametrize("e", RESTITUTIONS)
 def test_a_ball_falls_on_a_movable_wedge(e: float, agree: Callable[..., None]) -> None:
-    """A ball over a wedge, centres in line with the face's normal: the wedge yields sideways only.
+    """The ball hits the wedge along the face's normal, and the wedge can only move sideways.
 
     Along the normal n = (−sin θ, cos θ) the ball's speed of approach is v cos θ; the effective masses are m and
     M/sin² θ. The ball moves freely in the plane, the floor's impulse keeps the wedge down.
@@ -273,7 +273,7 @@ def test_a_ball_falls_on_a_movable_wedge(e: float, agree: Callable[..., None]) -
 
 
 def test_the_path_to_a_hit_may_bend(agree: Callable[..., None]) -> None:
-    """A ball thrown level meets one at rest: x = v t, z = −g t²/2; |r| = d is a quartic in t, solved by its roots."""
+    """A ball thrown horizontally, x = v t, z = −g t²/2, hits one at rest where |r| = d, a quartic in t."""
     builder = Builder()
     room = builder.room()
     a = room.body("A", 1.0, at=(-1.0, 0.0, 1.0)).slide(X, 3.0, name="x").slide(Z, name="z")
@@ -290,7 +290,7 @@ def test_the_path_to_a_hit_may_bend(agree: Callable[..., None]) -> None:
 
 
 def test_a_sliding_block_is_struck_back(agree: Callable[..., None]) -> None:
-    """A blow along a level rough floor meets no friction impulse; the block then slides the other way: an event."""
+    """A horizontal impulse causes no friction impulse; the block then slides the other way, which is an event."""
     mu, m = 0.2, 1.0
     builder = Builder()
     room = builder.room()
@@ -306,7 +306,7 @@ def test_a_sliding_block_is_struck_back(agree: Callable[..., None]) -> None:
 
 
 def test_a_resting_block_is_struck_into_motion(agree: Callable[..., None]) -> None:
-    """It slips, decelerates by µg and sticks again after v²/(2µg)."""
+    """The block slips, decelerates by µg and sticks again after v²/(2µg)."""
     mu = tan(radians(15.0))
     builder = Builder()
     room = builder.room()

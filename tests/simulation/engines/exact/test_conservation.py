@@ -1,4 +1,4 @@
-"""Energy and momentum over random mechanisms without friction, motors or inelastic impacts."""
+"""Tests of conserved energy and momentum in random mechanisms without friction, motors or inelastic impacts."""
 
 import numpy as np
 from hypothesis import given, reject, settings
@@ -14,7 +14,7 @@ CLOSE = 1e-8
 
 
 def energies(found: Motion, end: float) -> tuple[np.ndarray, np.ndarray]:
-    """Total energy, and total kinetic energy for scale."""
+    """Return total energies, and total kinetic energies for scale."""
     state = found.state(np.linspace(0.0, end, 40))
     kinetic, potential = (
         sum(QUANTITIES[name].evaluate(state, body) for body in state.mechanism.body)
@@ -63,7 +63,7 @@ def test_momentum_of_discs(seed: int) -> None:
 
 
 def moved(seed: int) -> Motion:
-    """The motion of a random rough mechanism; strong friction may, very seldom, leave no consistent forces."""
+    """Return the motion of a random rough mechanism; reject the rare one without consistent friction forces."""
     try:
         return motion(rough(seed).finish(), 1.0)
     except SimulationError as error:
@@ -83,7 +83,7 @@ def test_friction_and_jerks_only_take_energy(seed: int) -> None:
 @settings(max_examples=300)
 @given(seed=seeds)
 def test_forces_stay_within_their_laws(seed: int) -> None:
-    """Tension and normal force are never negative, |f| ≤ µN, and f opposes the sliding."""
+    """Tension and normal force are never negative, |f| ≤ µN, and f opposes sliding."""
     found = moved(seed)
     index = {coordinate.name: number for number, coordinate in enumerate(found.mechanism.coordinates)}
     for segment in found.segments:

@@ -1,4 +1,4 @@
-"""The search for what acts and what gives way."""
+"""Tests of the search for the mode of contacts and strings: sticking, sliding, taut or slack."""
 
 import numpy as np
 import pytest
@@ -33,12 +33,12 @@ def test_no_consistent_mode_is_an_error_not_a_guess(monkeypatch: pytest.MonkeyPa
 
 
 def test_where_friction_has_no_law_the_block_lifts() -> None:
-    """No mode with friction fits a negative normal force, whose block leaves its face anyway."""
+    """No mode with friction has a negative normal force, so the block lifts off."""
     assert motion(rough(1275).finish(), 2.0).cut == "lift"
 
 
 def tray(floor: float) -> Builder:
-    """A light tray on the floor, and a block that slides on it."""
+    """Return a builder of a massless tray on the floor, with a block that slides on it."""
     builder = Builder()
     frame = builder.room().body("tray", 0.0).rest(X, Z, floor)
     frame.body("A", 2.0).rest(X, Z, 0.3, speed=3.0)
@@ -46,7 +46,7 @@ def tray(floor: float) -> Builder:
 
 
 def test_a_light_tray_is_held_by_the_floor() -> None:
-    """The block's friction, µ m g, is less than the floor could hold."""
+    """The block's friction µ m g is less than the floor's limit."""
     found = motion(tray(0.4).finish(), 0.5)
     assert found.cut == ""
     assert found.segments[0].a == pytest.approx([0.0, -0.3 * G])
@@ -54,7 +54,7 @@ def test_a_light_tray_is_held_by_the_floor() -> None:
 
 
 def test_a_light_tray_on_a_smooth_floor_has_no_acceleration_to_speak_of() -> None:
-    """A force on no mass: the motion can not be told."""
+    """A force on a massless body leaves the motion undetermined."""
     found = motion(tray(0.0).finish(), 0.5)
     assert (found.cut, found.end) == ("indeterminate", 0.0)
     assert found.events[-1].subjects == ("tray.slide", "A.slide")

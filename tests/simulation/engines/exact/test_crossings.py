@@ -1,4 +1,4 @@
-"""Where margins are used up within a step: through zero, in dips, and after a rise from nothing."""
+"""Tests of the search for zero crossings of event margins within a step."""
 
 from collections.abc import Callable
 from math import hypot, sin
@@ -17,7 +17,7 @@ Margin = Callable[[float], float]
 
 
 def first(margin: Margin, start: float | None = None) -> Crossing | None:
-    """The crossing of one margin over the whole step; it was `start` where the mode began."""
+    """Return the first crossing of a margin over the whole step; `start` is its value when the mode began."""
     watch = Watch([margin(0.0) if start is None else start])
     found = watch.crossings([(margin(0.0),), (margin(0.5),), (margin(1.0),)], lambda x: (margin(x),))
     return found[0][1] if found else None
@@ -33,7 +33,7 @@ def test_a_margin_that_is_used_up_has_an_interval_around_its_root(root: float, s
 @settings(max_examples=500)
 @given(place=st.floats(0.02, 0.98), radius=st.floats(0.004, 0.1), aside=st.floats(0.0, 0.6))
 def test_a_straight_path_past_a_small_disc_is_not_stepped_over(place: float, radius: float, aside: float) -> None:
-    """The margin is a hyperbola with a narrow dip; the path is a hundred to ten radii long."""
+    """The margin is a hyperbola with a narrow dip, on a path 10 to 100 radii long."""
 
     def margin(x: float) -> float:
         return hypot(x - place, aside * radius) - radius
@@ -63,7 +63,7 @@ def test_what_falls_from_nothing_is_due_where_it_falls_short_by_more_than_roundi
 
 
 def test_rounding_below_zero_at_the_start_is_no_event_again_and_again() -> None:
-    """Once a crossing was located a billionth late, the next began there: it was due at once, for ever."""
+    """A margin of −1e-9 from the rounding of the last crossing does not cause another event."""
     assert first(lambda x: -1e-9 + 0.05 * x) is None
     assert first(lambda x: -1e-9 - 5e-10 * sin(20.0 * x)) is None
 
@@ -74,7 +74,7 @@ def test_a_margin_that_is_far_below_zero_is_due_at_once() -> None:
 
 
 def test_a_ball_that_chases_a_block_on_a_spring_hits_it_at_the_right_times_until_hits_crowd() -> None:
-    """It lost count at the eighth hit: between two of them the gap had opened and closed within one step."""
+    """Before the eighth collision, the gap opens and closes within one step."""
     builder = Builder(ZERO)
     room = builder.room()
     ball = room.body("ball", 2.0, at=(-0.6, 0.0, 0.0)).slide(X, 1.8)

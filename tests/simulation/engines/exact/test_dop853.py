@@ -1,4 +1,4 @@
-"""The integrator of the exact engine, step by step, on equations whose solutions are known."""
+"""Tests of the integrator of the exact engine, on equations with known solutions."""
 
 from math import cos, log2, sin
 
@@ -11,7 +11,7 @@ TOLERANCE = (1e-13, 1e-11)
 
 
 def swing(time: float, y: Values) -> Values:
-    """ẍ = −x + sin 2t, from x = 0, ẋ = 0: x = ⅔ sin t − ⅓ sin 2t."""
+    """Return the rates of ẍ = −x + sin 2t; from x = 0, ẋ = 0 the solution is x = ⅔ sin t − ⅓ sin 2t."""
     return (y[1], -y[0] + sin(2.0 * time))
 
 

@@ -1,4 +1,4 @@
-"""Linear stretches at once, against closed forms; what is not linear is not taken for it."""
+"""Tests of linear motions that are solved by normal modes, against closed forms."""
 
 from collections.abc import Callable
 from math import cos, radians, sin, sqrt
@@ -20,7 +20,7 @@ RATE = sqrt(STIFF / LIGHT)
 
 
 def scene(kind: str, parameters: str) -> Scene:
-    """A scene of one entity."""
+    """Return a scene with one entity."""
     return loads(f"scene: {{entities: [{{name: it, type: {kind}, parameters: {{{parameters}}}}}]}}")
 
 
@@ -51,7 +51,7 @@ def stretches(trace: Trace) -> int:
 
 
 def test_a_block_on_a_stiff_spring_oscillates_for_seconds() -> None:
-    """X = ℓ₀ + A cos ω t over 5000 periods, which an integrator would not pay for; every turn is told."""
+    """The motion is x = ℓ₀ + A cos ω t over 5000 periods, and every turning point is an event."""
     trace = simulate(HELD, 1.0)
     times = trace.state.times
     assert stretches(trace) == 1
@@ -64,7 +64,7 @@ def test_a_block_on_a_stiff_spring_oscillates_for_seconds() -> None:
 
 
 def test_a_crumb_on_a_sliding_wedge_oscillates_thousands_of_times() -> None:
-    """ω² = k (M + m)/(m (M + m sin² θ)); a mode without a frequency keeps the common momentum."""
+    """The motion has ω² = k (M + m)/(m (M + m sin² θ)), and a mode of zero frequency for the total momentum."""
     big, small, slope = 1.0, 1e-6, radians(30.0)
     rate = sqrt(STIFF * (big + small) / (small * (big + small * sin(slope) ** 2)))
     trace = simulate(WEDGE, 0.1)
@@ -76,7 +76,10 @@ def test_a_crumb_on_a_sliding_wedge_oscillates_thousands_of_times() -> None:
 
 
 def test_two_carts_on_a_stiff_spring_drift_as_they_oscillate() -> None:
-    """Their centre keeps m v/(m + M); each is about it by v M/((m + M) ω) sin ω t, with ω² = k (m + M)/(m M)."""
+    """The centre of mass moves with m v/(m + M), and the carts about it by v M/((m + M) ω) sin ω t.
+
+    ω² = k (m + M)/(m M).
+    """
     rate, drift = sqrt(STIFF * 3e-3 / 2e-6), 1.0
     trace = simulate(FREE, 1.0)
     assert stretches(trace) == 1
@@ -86,14 +89,14 @@ def test_two_carts_on_a_stiff_spring_drift_as_they_oscillate() -> None:
 
 
 def test_it_is_asked_about_after_a_second() -> None:
-    """|v| = A ω |sin ω t|."""
+    """The speed is |v| = A ω |sin ω t|."""
     answer = solve(HELD, find="speed", of="it.block", when="1 s").answer
     assert answer == pytest.approx(0.1 * RATE * abs(sin(RATE)), rel=1e-8)
 
 
 @pytest.mark.parametrize("duration", [0.002, 1.0, 60.0])
 def test_a_small_mass_on_a_stiff_spring_is_followed_to_the_last_digits(duration: float) -> None:
-    """X = A (1 − cos ω t) and A = m g/k, 98 nm, from the start on: an integrator's steps are too coarse for that."""
+    """The motion is x = A (1 − cos ω t), A = m g/k = 98 nm, too small for an integrator's steps."""
     trace = simulate(HUNG, duration)
     times, size, rate = trace.state.times, LIGHT * 9.8 / 1e5, sqrt(1e5 / LIGHT)
     assert abs(trace.state.q[:, 0]) == pytest.approx(size * (1.0 - np.cos(rate * times)), abs=1e-9 * size)
@@ -103,7 +106,7 @@ def test_a_small_mass_on_a_stiff_spring_is_followed_to_the_last_digits(duration:
 
 
 def chain(soft: float, by: float) -> tuple[Scene, Callable[[Array], Array]]:
-    """1 g on 10⁵ N/m and 1 kg on a soft spring, stretched at first, and the displacements at times, (m, 2).
+    """Return 1 g on 10⁵ N/m with 1 kg on a soft spring, and the displacements as a function of times.
 
     Squares λ of the rates of its normal modes have the sum (k₁ + k₂)/m + k₂/M and the product k₁ k₂/(m M). Of each mode
     x₂/x₁ = ((k₁ + k₂) − m λ)/k₂ = k₂/(k₂ − M λ), in the form that does not cancel.
@@ -126,7 +129,7 @@ def chain(soft: float, by: float) -> tuple[Scene, Callable[[Array], Array]]:
 
 
 def test_a_chain_of_a_small_and_a_large_mass_has_its_normal_modes_for_half_a_minute() -> None:
-    """The squares of its rates differ by a factor of 10⁷."""
+    """The squares of the chain's frequencies differ by a factor of 10⁷."""
     made, displaced = chain(10.0, 0.1)
     trace = simulate(made, 30.0)
     assert stretches(trace) == 1
@@ -152,7 +155,7 @@ def test_an_event_after_thousands_of_periods_is_found() -> None:
 
 @pytest.mark.parametrize("damping", [1e-4, 0.5, 20.0])
 def test_a_damped_stiff_motion_is_followed_to_nine_digits(damping: float) -> None:
-    """X = A e^(−γ t) (cos ν t + γ/ν sin ν t) with ν² = k/m − γ² and γ = b/2m."""
+    """The motion is x = A e^(−γ t) (cos ν t + γ/ν sin ν t) with ν² = k/m − γ² and γ = b/2m."""
     trace = simulate(scene("SpringMassChain", DAMPED.format(damping)), 10.0)
     decay = damping / (2.0 * LIGHT)
     rate, times = sqrt(STIFF / LIGHT - decay**2), trace.state.times
@@ -165,20 +168,20 @@ LATE = [(HUNG, "it.block", "60 s"), (chain(10.0, 0.1)[0], "it.carts.1", "30 s")]
 
 @pytest.mark.parametrize(("asked", "body", "after"), LATE)
 def test_questions_about_late_instants_have_worked_solutions(asked: Scene, body: str, after: str) -> None:
-    """The formulas of the solution lead to the answer of the motion."""
+    """The solution's formulas give the simulated answer."""
     solved = solve(asked, find="speed", of=body, when=after)
     assert solved.answer is not None
     assert solved.solution.text
 
 
 def test_what_would_take_too_many_pieces_is_refused_at_once() -> None:
-    """Before anything of that length is made."""
+    """The refusal precedes any long computation."""
     with pytest.raises(SimulationError, match="million operations"):
         simulate(HELD, 1e6)
 
 
 def test_what_bends_is_not_taken_for_linear() -> None:
-    """A block that is pulled aside: its spring turns with it, and the steps are counted as ever."""
+    """The spring of a block launched sideways rotates, and the usual limit on steps applies."""
     spring = "springs: [{stiffness: 1.0e6, length: 0.5, x: 1.0, y: 0.0}]"
     bent = scene("SpringBlock", f"block: {{mass: 0.001}}, {spring}, x: 0.4, y: 0.0, launch: {{x: 0.0, y: 1.0}}")
     with pytest.raises(SimulationError, match="million operations"):
@@ -186,14 +189,17 @@ def test_what_bends_is_not_taken_for_linear() -> None:
 
 
 def test_ordinary_motions_are_integrated_as_before() -> None:
-    """Closed forms replace integration only where it would take too many steps."""
+    """Closed forms replace integration only if that would take too many steps."""
     soft = scene("AnchoredSpring", "spring: {stiffness: 100.0, length: 0.5}, block: {mass: 0.1}, start: 0.6")
     assert stretches(simulate(soft, 100.0)) == 0
 
 
 @pytest.mark.parametrize("damping", [1e-4, 0.5, 20.0, 200.0])
 def test_a_stiff_spring_with_a_dashpot_is_followed_for_seconds(damping: float) -> None:
-    """M ẍ = −k x − b ẋ with x = A at first: A (λ₂ e^(λ₁ t) − λ₁ e^(λ₂ t))/(λ₂ − λ₁), be λ complex or real."""
+    """The solution of m ẍ = −k x − b ẋ with x = A at rest holds for real and complex λ.
+
+    x = A (λ₂ e^(λ₁ t) − λ₁ e^(λ₂ t))/(λ₂ − λ₁).
+    """
     trace = simulate(scene("SpringMassChain", DAMPED.format(damping)), 1.0)
     assert stretches(trace) >= 1
     half = damping / (2.0 * LIGHT)
@@ -208,7 +214,7 @@ def test_a_stiff_spring_with_a_dashpot_is_followed_for_seconds(damping: float) -
 
 
 def test_at_critical_damping_a_stiff_motion_is_refused_in_words() -> None:
-    """There are too few eigenvectors then; the message says that a shorter time can be simulated."""
+    """There are too few eigenvectors; the error message suggests a shorter time."""
     critical = 2.0 * sqrt(STIFF * LIGHT)
     with pytest.raises(SimulationError, match="simulate a shorter time"):
         simulate(scene("SpringMassChain", DAMPED.format(repr(critical))), 100.0)

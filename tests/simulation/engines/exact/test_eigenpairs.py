@@ -1,4 +1,4 @@
-"""Small eigenvalues beside large ones, against their product."""
+"""Tests of the precision of small eigenvalues beside large ones."""
 
 from fractions import Fraction
 
@@ -10,7 +10,7 @@ from sim2reason.simulation.engines.exact.eigenpairs import eigenpairs
 
 @pytest.mark.parametrize("stiff", [1.0, 1e6, 1e12])
 def test_small_eigenvalues_have_all_digits(stiff: float) -> None:
-    """Two equal masses, a soft spring that holds and a stiff one between: λ₁ λ₂ = k₁ k₂, λ₁ + λ₂ = k₁ + 2 k₂."""
+    """Two equal masses on a soft spring, joined by a stiff one, have λ₁ λ₂ = k₁ k₂, λ₁ + λ₂ = k₁ + 2 k₂."""
     k = Fraction(stiff)
     rates, ways = eigenpairs([[k + 1, -k], [-k, k]])
     small, large = sorted(np.real(rates).tolist())
@@ -21,13 +21,13 @@ def test_small_eigenvalues_have_all_digits(stiff: float) -> None:
 
 
 def test_equal_eigenvalues_keep_vectors_of_their_own() -> None:
-    """Two equal oscillators that do not know of each other."""
+    """Two equal uncoupled oscillators have two independent eigenvectors."""
     rates, ways = eigenpairs([[Fraction(4), Fraction(0)], [Fraction(0), Fraction(4)]])
     assert np.real(rates) == pytest.approx([4.0, 4.0], rel=1e-15)
     assert abs(np.linalg.det(ways)) == pytest.approx(1.0)
 
 
 def test_pairs_of_complex_eigenvalues_are_found() -> None:
-    """Of x² + x/2 + 1."""
+    """The eigenvalues are the roots of x² + x/2 + 1."""
     rates, _ = eigenpairs([[Fraction(0), Fraction(1)], [Fraction(-1), Fraction(-1, 2)]])
     assert sorted(rates, key=np.imag) == pytest.approx([-0.25 - 1j * np.sqrt(0.9375), -0.25 + 1j * np.sqrt(0.9375)])

@@ -1,4 +1,4 @@
-"""Gravitation, fields on charges, regions, drag and rockets against closed forms, in SI or any coherent units."""
+"""Tests of gravitation, electromagnetic fields, regions, drag and rockets against closed forms."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -25,12 +25,12 @@ def times(duration: float, count: int = 201) -> Array:
 
 
 def told(events: Sequence[Event]) -> list[tuple[str, float]]:
-    """What happens and when, but for turns, each once."""
+    """Return kind and time of all events without duplicates, except turning points."""
     return list(dict.fromkeys((event.kind, event.time) for event in events if event.kind != "turn"))
 
 
 def kepler(e: float, duration: float, count: int, mass: float = 1.0) -> tuple[Array, Array, Array]:
-    """Times, places and velocities of a planet with a = 1 that starts at its perihelion, on the x axis.
+    """Return times, positions and velocities of a planet with a = 1 that starts at its perihelion on the x axis.
 
     M = E − e sin E (Kepler), by Newton's method; x = cos E − e, y = √(1 − e²) sin E, with dE/dt = n/(1 − e cos E).
     """
@@ -46,7 +46,7 @@ def kepler(e: float, duration: float, count: int, mass: float = 1.0) -> tuple[Ar
 
 
 def planet(e: float) -> Mechanism:
-    """A planet at its perihelion."""
+    """Build a planet that starts at its perihelion."""
     builder = Builder(gravity=ZERO)
     room = builder.room()
     star = room.body("star", 1.0)
@@ -58,7 +58,7 @@ def planet(e: float) -> Mechanism:
 
 @pytest.mark.parametrize(("e", "periods"), [(0.0, 10.0), (0.5, 1.0), (0.5, 10.0), (0.9, 1.0), (0.9, 3.0)])
 def test_orbit(e: float, periods: float, agree: Agree) -> None:
-    """Kepler's equation (J. Kepler, Astronomia nova, 1609), places and velocities, over ten periods."""
+    """Positions and velocities satisfy Kepler's equation (J. Kepler, Astronomia nova, 1609) over ten periods."""
     t, place, velocity = kepler(e, periods, 1001)
     state = simulate(planet(e), t).state
     agree(state.q + np.array([1.0 - e, 0.0]), place, close=1e-8)
@@ -67,7 +67,7 @@ def test_orbit(e: float, periods: float, agree: Agree) -> None:
 
 @pytest.mark.parametrize("share", [0.2, 0.5])
 def test_two_free_bodies_move_as_one(share: float, agree: Agree) -> None:
-    """Two masses m₁ + m₂ = 1 without a fixed star: their separation obeys Kepler's equation for their sum."""
+    """The separation of two free masses m₁ + m₂ = 1 obeys Kepler's equation for their sum."""
     e = 0.4
     t, place, _ = kepler(e, 2.0, 301)
     fast, far = sqrt(GM * (1.0 + e) / (1.0 - e)), 1.0 - e
@@ -82,7 +82,7 @@ def test_two_free_bodies_move_as_one(share: float, agree: Agree) -> None:
 
 
 def test_another_power_of_attraction(agree: Agree) -> None:
-    """A pull of constant size, F = kmM (power 0), towards a fixed point: ½v² + kMr and xv_y − yv_x are constant."""
+    """A pull of constant size, F = kmM (power 0), towards a fixed point keeps ½v² + kMr and xv_y − yv_x."""
     builder = Builder(gravity=ZERO)
     room = builder.room()
     room.body("sun", 2.0)
@@ -100,7 +100,7 @@ def test_another_power_of_attraction(agree: Agree) -> None:
 def charge(
     law: Law, velocity: tuple[float, float] = (0.0, 0.0), region: Region | None = None, mass: float = 1.0
 ) -> tuple[Builder, Frame]:
-    """A body in a level plane under one force."""
+    """Return a builder of a body in a horizontal plane under one force, and the body."""
     builder = Builder()
     ball = builder.room().body("ball", mass).slide(X, velocity[0], name="x").slide(Y, velocity[1], name="y")
     ball.force("field", law, region)
@@ -117,7 +117,7 @@ def magnetic(strength: float) -> Magnetic:
 
 @pytest.mark.parametrize("turns", [1.0, 10.0, 100.0])
 def test_charge_in_a_magnetic_field(turns: float, agree: Agree) -> None:
-    """A circle with ω = qB/m, turning clockwise about +z for a positive charge; the speed never changes."""
+    """A positive charge circles clockwise about +z with ω = qB/m at constant speed."""
     omega = 1.7
     t = times(turns * 2.0 * pi / omega, 801)
     state = followed(charge(magnetic(omega), (2.0, 0.0))[0], t).state
@@ -127,7 +127,7 @@ def test_charge_in_a_magnetic_field(turns: float, agree: Agree) -> None:
 
 @pytest.mark.parametrize("launch", [(0.0, 0.0), (1.0, 0.0), (0.4, -0.8)])
 def test_crossed_fields(launch: tuple[float, float], agree: Agree) -> None:
-    """E along y and B along z: v = E/B along x and a circle about it; from rest a cycloid.
+    """With E along y and B along z, the charge circles about a drift v = E/B along x; from rest, a cycloid.
 
     With w = v_x + i v_y, dw/dt = −iω w + ia, so w = a/ω + (w₀ − a/ω) e^{−iωt}.
     """
@@ -144,7 +144,7 @@ def test_crossed_fields(launch: tuple[float, float], agree: Agree) -> None:
 
 
 def test_drag_in_a_magnetic_field(agree: Agree) -> None:
-    """dw/dt = −(γ + iω) w: a spiral, w = w₀ e^{−(γ+iω)t}, that ends at w₀/(γ + iω)."""
+    """With dw/dt = −(γ + iω) w, w = w₀ e^{−(γ+iω)t}, a spiral that ends at w₀/(γ + iω)."""
     gamma, omega = 0.3, 2.0
     builder, ball = charge(magnetic(omega), (1.0, 0.5))
     ball.force("drag", Resistance(linear=gamma))
@@ -155,7 +155,7 @@ def test_drag_in_a_magnetic_field(agree: Agree) -> None:
 
 
 def test_quadratic_drag(agree: Agree) -> None:
-    """m dv/dt = −cv²: v = v₀/(1 + cv₀t/m), x = (m/c) ln(1 + cv₀t/m); the direction stays."""
+    """With m dv/dt = −cv², v = v₀/(1 + cv₀t/m), x = (m/c) ln(1 + cv₀t/m) in a constant direction."""
     mass, c, speed = 0.5, 0.8, 3.0
     t = times(5.0)
     state = followed(charge(Resistance(quadratic=c), (0.6 * speed, 0.8 * speed), mass=mass)[0], t).state
@@ -166,7 +166,7 @@ def test_quadratic_drag(agree: Agree) -> None:
 
 @pytest.mark.parametrize("slope", [2.0, -2.0])
 def test_field_that_grows_with_the_way(slope: float, agree: Agree) -> None:
-    """ẍ = kx: cosh and sinh for k > 0, cos and sin for k < 0, about x = −E₀/k."""
+    """Solutions of ẍ = kx about x = −E₀/k are cosh and sinh for k > 0, cos and sin for k < 0."""
     start, push = 0.7, 0.5
     t, root = times(3.0), sqrt(abs(slope))
     state = followed(charge(Push(X, Profile(push, slope, X)), (start, 0.0))[0], t).state
@@ -175,14 +175,14 @@ def test_field_that_grows_with_the_way(slope: float, agree: Agree) -> None:
 
 
 def test_field_across_the_way(agree: Agree) -> None:
-    """E_y = E₀ + kx has a curl; x = ut, so y = E₀t²/2 + kut³/6."""
+    """In a field E_y = E₀ + kx, which has a curl, x = ut gives y = E₀t²/2 + kut³/6."""
     t = times(4.0)
     state = followed(charge(Push(Y, Profile(0.5, -0.8, X)), (1.2, 0.0))[0], t).state
     agree(state.q, np.stack([1.2 * t, 0.25 * t**2 - 0.8 * 1.2 * t**3 / 6.0], axis=1))
 
 
 def test_fields_that_change_with_time(agree: Agree) -> None:
-    """ẍ = a + rt: x = at²/2 + rt³/6. ẍ = a cos ωt: x = a(1 − cos ωt)/ω²."""
+    """With ẍ = a + rt, x = at²/2 + rt³/6; with ẍ = a cos ωt, x = a(1 − cos ωt)/ω²."""
     t = times(6.0)
     state = followed(charge(Push(X, Profile(0.5, rate=-0.4)), (1.0, 0.0))[0], t).state
     agree(state.q[:, 0], t + 0.25 * t**2 - 0.4 * t**3 / 6.0)
@@ -195,9 +195,9 @@ def test_fields_that_change_with_time(agree: Agree) -> None:
 
 @pytest.mark.parametrize("off", [0.3, 1.0, 2.5])
 def test_disc_aimed_at_its_centre(off: float, agree: Agree) -> None:
-    """What comes in towards the centre of a disc of field goes out from it, turned by φ with tan(φ/2) = R/r_L.
+    """A charge that enters a disc of field radially leaves it radially, turned by φ with tan(φ/2) = R/r_L.
 
-    The way inside is an arc of the angle φ about a point r_L away.
+    The path inside is an arc of the angle φ about a point r_L away.
     """
     radius, speed, omega = 0.5, 2.0, 3.0
     larmor = speed / omega
@@ -215,9 +215,9 @@ def test_disc_aimed_at_its_centre(off: float, agree: Agree) -> None:
 
 @pytest.mark.parametrize("degrees", [0.0, 30.0, -50.0])
 def test_half_plane(degrees: float, agree: Agree) -> None:
-    """It leaves the half-plane where it came in, shifted along the border by 2mv cos α/(qB), after a part of a turn.
+    """The charge leaves the half-plane shifted along the border by 2mv cos α/(qB).
 
-    α is the angle to the normal of the border; the arc has the angle π − 2α for a way that bends to negative y.
+    α is the angle to the normal of the border; the arc has the angle π − 2α for a path that bends to negative y.
     """
     alpha, speed, omega, edge = radians(degrees), 2.0, 4.0, 0.6
     velocity = (speed * cos(alpha), speed * sin(alpha))
@@ -232,7 +232,7 @@ def test_half_plane(degrees: float, agree: Agree) -> None:
 
 
 def test_capacitor(agree: Agree) -> None:
-    """Deflection between plates: y = aL²/2u² at the end of the strip, and aL/u² as the tangent after it."""
+    """The deflection between the plates is y = aL²/2u², and the slope of the path after them aL/u²."""
     speed, a, low, high = 3.0, 2.0, 0.5, 1.7
     builder, _ = charge(Push(Y, Profile(a)), (speed, 0.0), BoxRegion(((X, low, high),)))
     trace = followed(builder, times(2.0))
@@ -243,7 +243,7 @@ def test_capacitor(agree: Agree) -> None:
 
 
 def test_two_fields_in_one_region_are_entered_once(agree: Agree) -> None:
-    """E and B square to each other with E = vB: the bead goes straight on through both."""
+    """With E perpendicular to B and E = vB, the bead passes straight through both."""
     speed, omega, region = 2.0, 3.0, DiscRegion((1.0, 0.0, 0.0), 0.4)
     builder, ball = charge(magnetic(omega), (speed, 0.0), region)
     ball.force("electric", Push(Y, Profile(speed * omega)), region)
@@ -257,7 +257,7 @@ def test_two_fields_in_one_region_are_entered_once(agree: Agree) -> None:
 
 
 def rocket(gravity: tuple[float, float, float] = ZERO, *, pad: bool = False) -> Builder:
-    """500 kg of which 400 are fuel, burned at 5 kg/s with an exhaust of 2 km/s for 80 s."""
+    """Build a rocket of 500 kg with 400 kg of fuel, burned in 80 s at 5 kg/s with an exhaust of 2 km/s."""
     builder = Builder(gravity=gravity)
     room = builder.room()
     it = room.body("rocket", 500.0).slide(Z, limits=(0.0, float("inf")))
@@ -271,7 +271,10 @@ def rocket(gravity: tuple[float, float, float] = ZERO, *, pad: bool = False) -> 
 
 @pytest.mark.parametrize("g", [0.0, 9.8, 15.0])
 def test_rocket_in_a_uniform_field(g: float, agree: Agree) -> None:
-    """v = u ln(m₀/m) − gt, h = ut − (um/µ) ln(m₀/m) − gt²/2 (K. Tsiolkovsky, 1903), then a free coast."""
+    """The motion is v = u ln(m₀/m) − gt, h = ut − (um/µ) ln(m₀/m) − gt²/2, then free flight.
+
+    K. Tsiolkovsky, 1903.
+    """
     t = times(120.0, 241)
     trace = followed(rocket((0.0, 0.0, -g)), t)
     agree([time for kind, time in told(trace.events) if kind == "burn-out"], [80.0])
@@ -287,7 +290,7 @@ def test_rocket_in_a_uniform_field(g: float, agree: Agree) -> None:
 
 @pytest.mark.parametrize("g", [22.0, 40.0])
 def test_rocket_that_waits_on_its_pad(g: float, agree: Agree) -> None:
-    """Thrust uµ is less than weight until m = uµ/g: it leaves after (m₀ − uµ/g)/µ."""
+    """The thrust uµ is less than the weight until m = uµ/g, after (m₀ − uµ/g)/µ."""
     wait = (500.0 - 2000.0 * 5.0 / g) / 5.0
     t = times(80.0, 161)
     trace = followed(rocket((0.0, 0.0, -g), pad=True), t)
@@ -301,7 +304,10 @@ def test_rocket_that_waits_on_its_pad(g: float, agree: Agree) -> None:
 
 
 def test_rocket_that_leaves_a_planet_keeps_its_energy_after_burn_out(agree: Agree) -> None:
-    """The coast has v²/2 − GM/r constant; while it burns d²r/dt² = uµ/m − GM/r² (checked by its integral of work)."""
+    """After burn-out v²/2 − GM/r is constant; before it d²r/dt² = uµ/m − GM/r².
+
+    The latter is checked by its integral, the work.
+    """
     radius, g = 6.0e5, 3.0
     builder = Builder(gravity=ZERO)
     room = builder.room()
@@ -322,7 +328,7 @@ def test_rocket_that_leaves_a_planet_keeps_its_energy_after_burn_out(agree: Agre
 
 
 def test_coast_to_a_height(agree: Agree) -> None:
-    """From r₀ with v₀ under GM = 1, straight up: at the top 1/r = 1/r₀ − v₀²/2, after the time of a cycloid.
+    """From r₀ with v₀ straight up under GM = 1, the highest point has 1/r = 1/r₀ − v₀²/2.
 
     With r = r_max cos²θ, t = √(r_max³/2) (θ₀ + sin θ₀ cos θ₀) from r₀ = r_max cos²θ₀ to the top.
     """
@@ -344,7 +350,7 @@ def test_coast_to_a_height(agree: Agree) -> None:
 
 @pytest.mark.parametrize("e", [0.5, 0.7, 0.9])
 def test_bounces_of_a_ball(e: float, agree: Agree) -> None:
-    """The k-th bounce comes at t₁ + (2v₁/g) e (1 − e^{k−1})/(1 − e), and all before t₁ + 2ev₁/(g(1 − e))."""
+    """The k-th bounce is at t₁ + (2v₁/g) e (1 − e^{k−1})/(1 − e), and all are before t₁ + 2ev₁/(g(1 − e))."""
     g, height = 9.8, 3.0
     builder = Builder()
     room = builder.room()

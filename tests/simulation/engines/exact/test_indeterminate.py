@@ -1,4 +1,4 @@
-"""Forces that the mechanism leaves open are NaN, and no others."""
+"""Tests that statically indeterminate forces, and no others, are NaN."""
 
 from collections.abc import Callable
 from math import atan, cos, isnan, radians, sin, tan
@@ -29,7 +29,7 @@ def tied_to_a_wall(mu: float) -> Builder:
 
 
 def test_a_resting_block_tied_to_a_wall(agree: Callable[..., None]) -> None:
-    """Any tension up to µ m g is held by as much friction."""
+    """Any tension up to µ m g is balanced by friction."""
     found = first(tied_to_a_wall(0.3))
     assert isnan(found.tension[0])
     assert isnan(found.friction[0])
@@ -57,7 +57,7 @@ def faces(m1: float, m2: float, angles: tuple[float, float], mu: tuple[float, fl
 
 
 def test_two_rough_blocks_over_a_wedge(agree: Callable[..., None]) -> None:
-    """Both would rest alone: the string may carry anything between."""
+    """Both blocks would rest without the string, so its tension has a range of values."""
     theta = radians(20.0)
     found = first(faces(1.0, 2.0, (theta, theta), (0.5, 0.6)))
     assert [isnan(force) for force in (*found.tension, *found.friction)] == [True, True, True]
@@ -65,7 +65,7 @@ def test_two_rough_blocks_over_a_wedge(agree: Callable[..., None]) -> None:
 
 
 def test_a_block_too_steep_to_rest_alone_is_held_by_the_other() -> None:
-    """No single guess of the tension shows it: T = 0 lets A slip, yet some tension holds both."""
+    """Block A slips at T = 0, yet there are tensions at which both blocks rest."""
     found = first(faces(1.0, 6.0, (radians(50.0), radians(10.0)), (0.3, 0.6)))
     assert found.a == [0.0, 0.0]
     assert isnan(found.tension[0])
@@ -73,7 +73,7 @@ def test_a_block_too_steep_to_rest_alone_is_held_by_the_other() -> None:
 
 
 def test_a_smooth_block_settles_the_tension(agree: Callable[..., None]) -> None:
-    """T = m1 g sin α, and friction takes the rest."""
+    """The tension is T = m1 g sin α, and the rough block's friction balances the rest."""
     alpha, beta = radians(30.0), radians(15.0)
     found = first(faces(2.0, 3.0, (alpha, beta), (0.0, 0.9)))
     tension = 2.0 * G * sin(alpha)
@@ -82,7 +82,7 @@ def test_a_smooth_block_settles_the_tension(agree: Callable[..., None]) -> None:
 
 
 def test_at_the_limit_of_friction_it_still_holds() -> None:
-    """tan θ = µ to the last digit."""
+    """The block rests on a slope with tan θ = µ up to rounding."""
     mu = 0.37
     builder = Builder()
     theta = atan(mu)
@@ -91,7 +91,7 @@ def test_at_the_limit_of_friction_it_still_holds() -> None:
 
 
 def test_what_moves_is_determined(agree: Callable[..., None]) -> None:
-    """Beside the open pair another body falls down a rough slope."""
+    """A body that slides down a rough slope has known forces, beside an indeterminate pair."""
     builder = tied_to_a_wall(0.3)
     theta = radians(40.0)
     builder.room().body("C", 1.0).rest((cos(theta), 0.0, sin(theta)), (-sin(theta), 0.0, cos(theta)), 0.2)
@@ -101,7 +101,7 @@ def test_what_moves_is_determined(agree: Callable[..., None]) -> None:
 
 
 def test_two_strings_side_by_side(agree: Callable[..., None]) -> None:
-    """A load hangs from two equal strings: their sum is known, each is not; the motion below is."""
+    """The tensions of two equal strings with one load are NaN; the string below the load has a known one."""
     builder = Builder()
     room = builder.room()
     room.site("left", at=(-1.0, 0.0, 0.0)).site("right", at=(1.0, 0.0, 0.0))
@@ -120,7 +120,7 @@ def test_two_strings_side_by_side(agree: Callable[..., None]) -> None:
 
 @pytest.mark.parametrize("mu", [0.2, 0.5])
 def test_a_wedge_and_its_block_stick_together(mu: float, agree: Callable[..., None]) -> None:
-    """On a rough floor a rough block rests on a rough wedge: a tree, so all is determined."""
+    """A rough block at rest on a rough wedge on a rough floor is statically determinate."""
     theta = radians(10.0)
     builder = Builder()
     wedge = builder.room().body("W", 4.0).rest(X, Z, 0.3)
@@ -132,7 +132,7 @@ def test_a_wedge_and_its_block_stick_together(mu: float, agree: Callable[..., No
 
 
 def test_pulley_as_value_is_a_stop() -> None:
-    """A massless fixed pulley adds no unknown: the pair hangs in balance with T = m g."""
+    """A massless fixed pulley adds no unknown: equal masses are in equilibrium with T = m g."""
     builder = Builder()
     room = builder.room()
     pulley = room.pulley("P")

@@ -1,4 +1,4 @@
-"""The parts of the engine by themselves: linear systems, least squares, roots."""
+"""Tests of the exact engine's numerical parts: linear systems, least squares, roots."""
 
 from math import inf
 
@@ -46,7 +46,7 @@ def test_a_contradiction() -> None:
 
 @given(seed=seeds, rows=st.integers(1, 6), columns=st.integers(1, 8))
 def test_least_squares_without_negative_unknowns(seed: int, rows: int, columns: int) -> None:
-    """The optimum of Karush, Kuhn and Tucker: x ≥ 0, no gain left, and none where x > 0."""
+    """The result satisfies the Karush–Kuhn–Tucker conditions: x ≥ 0, no positive gain, none where x > 0."""
     rng = np.random.default_rng(seed)
     matrix, right = rng.normal(size=(rows, columns)), rng.normal(size=rows)
     x, residual = nonnegative(matrix, right)
@@ -89,7 +89,7 @@ def test_when_a_speed_passes_zero() -> None:
 @given(seed=seeds)
 @example(seed=15997)  # the hit comes after 978 s
 def test_the_first_hit_among_all_times(seed: int) -> None:
-    """Against a fine scan of the distance, for straight and bent paths, from apart and from touching."""
+    """A fine scan of the distance finds no earlier hit, for straight and curved paths, also from contact."""
     rng = np.random.default_rng(seed)
     apart, velocity, acceleration = rng.uniform(-3.0, 3.0, (3, 3))
     if rng.random() < 0.3:
@@ -115,5 +115,5 @@ def test_the_first_hit_among_all_times(seed: int) -> None:
 
 
 def test_the_second_derivative_of_a_gap() -> None:
-    """Circling at r with speed v, r̈ = v²/r."""
+    """Circular motion at r with speed v has r̈ = v²/r."""
     assert Approach((2.0, 0.0, 0.0), (0.0, 3.0, 0.0), (0.0, 0.0, 0.0), 1.0).second == pytest.approx(4.5)

@@ -1,4 +1,4 @@
-"""Inclines and movable wedges, smooth and rough, against Newton's second law worked out by hand."""
+"""Tests of inclines and movable wedges, smooth and rough, against Newton's second law."""
 
 from collections.abc import Callable
 from math import cos, radians, sin, sqrt, tan
@@ -16,7 +16,7 @@ SEEDS = range(6)
 
 
 def face(angle: float) -> tuple[Vector, Vector]:
-    """Uphill to the right, and out of the face."""
+    """Return the uphill direction, to the right, and the outward normal of a face."""
     return (cos(angle), 0.0, sin(angle)), (-sin(angle), 0.0, cos(angle))
 
 
@@ -29,7 +29,7 @@ def incline(mass: float, angle: float, friction: float, speed: float = 0.0) -> B
 
 @pytest.mark.parametrize("angle", [5.0, 20.0, 35.0])
 def test_a_block_sticks_below_the_angle_of_friction(angle: float, agree: Callable[..., None]) -> None:
-    """At rest f = m g sin θ ≤ µ N = µ m g cos θ, that is tan θ ≤ µ."""
+    """The friction at rest is f = m g sin θ ≤ µ N = µ m g cos θ, that is tan θ ≤ µ."""
     theta, mu, m = radians(angle), tan(radians(36.0)), 1.7
     state = simulate(incline(m, theta, mu).finish(), np.linspace(0.0, 2.0, 5)).state
     assert not state.q.any()
@@ -40,7 +40,7 @@ def test_a_block_sticks_below_the_angle_of_friction(angle: float, agree: Callabl
 
 @pytest.mark.parametrize("angle", [20.0, 37.0, 60.0])
 def test_a_block_slides_above_the_angle_of_friction(angle: float, agree: Callable[..., None]) -> None:
-    """Down the slope: a = g (sin θ − µ cos θ)."""
+    """The acceleration down the slope is a = g (sin θ − µ cos θ)."""
     theta, mu, m = radians(angle), 0.3, 2.2
     trace = simulate(incline(m, theta, mu).finish(), np.linspace(0.0, 2.0, 5))
     a = -G * (sin(theta) - mu * cos(theta))
@@ -52,7 +52,7 @@ def test_a_block_slides_above_the_angle_of_friction(angle: float, agree: Callabl
 
 @pytest.mark.parametrize(("mu", "kind"), [(0.8, "stick"), (0.2, "slip")])
 def test_a_block_thrown_uphill_stops_and_stays_or_slides_back(mu: float, kind: str, agree: Callable[..., None]) -> None:
-    """Uphill it loses g (sin θ + µ cos θ) of speed a second; it stops after v²/2a, and stays if tan θ ≤ µ."""
+    """The block decelerates by a = g (sin θ + µ cos θ), stops after v²/2a, and stays if tan θ ≤ µ."""
     theta, speed = radians(30.0), 4.0
     up = G * (sin(theta) + mu * cos(theta))
     down = max(0.0, G * (sin(theta) - mu * cos(theta)))
@@ -68,7 +68,7 @@ def test_a_block_thrown_uphill_stops_and_stays_or_slides_back(mu: float, kind: s
 
 
 def two_sided(m1: float, m2: float, angles: tuple[float, float], mu: tuple[float, float]) -> Builder:
-    """A block on either face of a fixed wedge, joined over a pulley at its top."""
+    """Build two blocks on the faces of a fixed wedge, joined over a pulley at its top."""
     builder = Builder()
     room = builder.room()
     top = room.pulley("P", radius=0.1)
@@ -83,7 +83,7 @@ def two_sided(m1: float, m2: float, angles: tuple[float, float], mu: tuple[float
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_blocks_on_both_faces(seed: int, agree: Callable[..., None]) -> None:
-    """B drags A uphill: (m1 + m2) a = m2 g (sin β − µ2 cos β) − m1 g (sin α + µ1 cos α)."""
+    """Block B drags A uphill: (m1 + m2) a = m2 g (sin β − µ2 cos β) − m1 g (sin α + µ1 cos α)."""
     rng = np.random.default_rng(seed)
     m1, m2 = rng.uniform(0.5, 1.0), rng.uniform(4.0, 8.0)
     alpha, beta, mu1, mu2 = rng.uniform((0.2, 0.8, 0.05, 0.05), (0.5, 1.2, 0.3, 0.3))
@@ -105,9 +105,10 @@ def on_wedge(room: Frame, angle: float, wedge_mass: float, block_mass: float, mu
 @pytest.mark.parametrize("mu", [0.0, 0.25])
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_block_slides_down_a_movable_wedge(seed: int, mu: float, agree: Callable[..., None]) -> None:
-    """Normal and friction push the wedge: M A = N (sin θ − µ cos θ). The block, across the face:
-    N − m g cos θ = −m A sin θ; along it: m (A cos θ + s̈) = µN − m g sin θ. The floor bears
-    M g + N (cos θ + µ sin θ). With µ = 0 the known N = M m g cos θ/(M + m sin² θ).
+    """The normal force and friction accelerate the wedge: M A = N (sin θ − µ cos θ).
+
+    Perpendicular to the face, N − m g cos θ = −m A sin θ; along it, m (A cos θ + s̈) = µN − m g sin θ. The normal
+    force on the wedge is M g + N (cos θ + µ sin θ). With µ = 0 the known N = M m g cos θ/(M + m sin² θ).
     """
     rng = np.random.default_rng(seed)
     wedge, m, theta = rng.uniform((0.5, 0.5, 0.4), (9.0, 9.0, 1.2))
@@ -128,9 +129,9 @@ def test_a_block_slides_down_a_movable_wedge(seed: int, mu: float, agree: Callab
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_load_pulls_the_wedge_over_a_fixed_pulley(seed: int, agree: Callable[..., None]) -> None:
-    """Along x: (M + m) A + m cos θ s̈ = T and T = C (g − A); along the face: s̈ + A cos θ = −g sin θ.
+    """The wedge has (M + C + m sin² θ) A = C g + m g sin θ cos θ.
 
-    So (M + C + m sin² θ) A = C g + m g sin θ cos θ.
+    Along x: (M + m) A + m cos θ s̈ = T and T = C (g − A); along the face: s̈ + A cos θ = −g sin θ.
     """
     rng = np.random.default_rng(seed)
     wedge, m, load, theta = rng.uniform((1.0, 0.5, 0.5, 0.5), (9.0, 4.0, 2.0, 0.9))
@@ -152,7 +153,7 @@ def test_a_load_pulls_the_wedge_over_a_fixed_pulley(seed: int, agree: Callable[.
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_string_over_a_pulley_on_the_wedge(seed: int, agree: Callable[..., None]) -> None:
-    """Lagrange, s uphill for m1 and down for m2 in its guide on the wedge, x of the wedge:
+    """Lagrange's equations give the displacement x of the wedge and s of m1 uphill, of m2 down its guide.
 
     (M + m1 + m2) ẍ + m1 cos θ s̈ = 0,  (m1 + m2) s̈ + m1 cos θ ẍ = (m2 − m1 sin θ) g.
     """
@@ -177,7 +178,7 @@ def test_a_string_over_a_pulley_on_the_wedge(seed: int, agree: Callable[..., Non
 
 
 def test_stacked_blocks_slide_together_until_the_pull_is_too_strong(agree: Callable[..., None]) -> None:
-    """The upper block, µ alone, can be given at most µ g; the floor is smooth: F ≤ µ (m1 + m2) g."""
+    """Friction accelerates the upper block by at most µ g; on a smooth floor, F ≤ µ (m1 + m2) g."""
     m1, m2, mu = 2.0, 3.0, 0.4
     limit = mu * (m1 + m2) * G
     for force, together in ((0.9 * limit, True), (1.1 * limit, False)):
@@ -195,7 +196,7 @@ def test_stacked_blocks_slide_together_until_the_pull_is_too_strong(agree: Calla
 
 
 def test_time_to_slide_down(agree: Callable[..., None]) -> None:
-    """From rest down a length L: t = √(2L/a); the end of the face is a limit that ends the motion."""
+    """The block slides down a length L from rest in t = √(2L/a), where the motion ends."""
     theta, length = radians(40.0), 1.5
     uphill, outward = face(theta)
     builder = Builder()

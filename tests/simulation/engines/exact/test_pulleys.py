@@ -1,4 +1,4 @@
-"""Rim systems against textbook formulas, each derived in the docstring of its test."""
+"""Tests of pulleys against textbook formulas, each derived in the docstring of its test."""
 
 from collections.abc import Callable
 
@@ -32,7 +32,7 @@ def run(builder: Builder, duration: float = 0.7) -> Trace:
 def check(
     agree: Callable[..., None], trace: Trace, accelerations: dict[str, float], tensions: dict[str, float]
 ) -> None:
-    """All coordinates start at rest and move with constant acceleration; of a wheel the sense is not looked at."""
+    """Assert that all coordinates move from rest with constant acceleration; the sign is ignored for wheels."""
     state, t = trace.state, trace.state.times
     for number, coordinate in enumerate(trace.mechanism.coordinates):
         a = accelerations[coordinate.name]
@@ -46,7 +46,7 @@ def check(
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_atwood(seed: int, agree: Callable[..., None]) -> None:
-    """T − m g = m a for both, with opposite a: a = (m2 − m1) g/(m1 + m2), T = 2 m1 m2 g/(m1 + m2)."""
+    """The load m has T − m g = m a, so a = (m2 − m1) g/(m1 + m2), T = 2 m1 m2 g/(m1 + m2)."""
     m1, m2 = masses(seed, 2)
     builder = Builder()
     room = builder.room()
@@ -60,7 +60,7 @@ def test_atwood(seed: int, agree: Callable[..., None]) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_atwood_with_a_massive_pulley(seed: int, agree: Callable[..., None]) -> None:
-    """(T2 − T1) R = I a/R with I = M R²/2, so a = (m2 − m1) g/(m1 + m2 + M/2); T = m (g ± a)."""
+    """The wheel has (T2 − T1) R = I a/R with I = M R²/2, so a = (m2 − m1) g/(m1 + m2 + M/2); T = m (g ± a)."""
     m1, m2, wheel = masses(seed, 3)
     builder = Builder()
     room = builder.room()
@@ -74,7 +74,7 @@ def test_atwood_with_a_massive_pulley(seed: int, agree: Callable[..., None]) -> 
 
 
 def movable(load: float, counterweight: float, wheel: float) -> Builder:
-    """A string from the ceiling, down round a movable pulley with a load, up over a fixed one to a counterweight."""
+    """Build a load on a movable pulley, its string from the ceiling and over a fixed one to a counterweight."""
     builder = Builder()
     room = builder.room()
     fixed = room.pulley("F")
@@ -88,7 +88,7 @@ def movable(load: float, counterweight: float, wheel: float) -> Builder:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_movable_pulley(seed: int, agree: Callable[..., None]) -> None:
-    """2T − L g = L a and T = C (g − 2a): a = (2C − L) g/(L + 4C)."""
+    """With 2T − L g = L a and T = C (g − 2a), a = (2C − L) g/(L + 4C)."""
     load, counterweight = masses(seed, 2)
     a = (2.0 * counterweight - load) * G / (load + 4.0 * counterweight)
     trace = run(movable(load, counterweight, 0.0))
@@ -97,7 +97,7 @@ def test_movable_pulley(seed: int, agree: Callable[..., None]) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_movable_pulley_with_mass(seed: int, agree: Callable[..., None]) -> None:
-    """The wheel rolls up the part that hangs from the ceiling, ω = v/R, so T2 − T1 = I a/R² = W a/2.
+    """The wheel rolls up the fixed part of the string, ω = v/R, so T2 − T1 = I a/R² = W a/2.
 
     With T1 + T2 − (L + W) g = (L + W) a and T2 = C (g − 2a): a = (2C − L − W) g/(L + W + 4C + W/2).
     """
@@ -117,9 +117,9 @@ def light_pulley(room: Frame, name: str, x: float, z: float, radius: float) -> t
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_double_atwood(seed: int, agree: Callable[..., None]) -> None:
-    """A light pulley with m2 and m3 pulls like one mass µ = 4 m2 m3/(m2 + m3), in its own frame of g' = g − a.
+    """A light pulley with m2 and m3 pulls like one mass µ = 4 m2 m3/(m2 + m3), in its frame with g' = g − a.
 
-    For in that frame each string end carries T/2 = 2 m2 m3 g'/(m2 + m3).
+    In that frame each end of the string carries T/2 = 2 m2 m3 g'/(m2 + m3).
     """
     m1, m2, m3 = masses(seed, 3)
     builder = Builder()
@@ -141,7 +141,7 @@ def test_double_atwood(seed: int, agree: Callable[..., None]) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_triple_atwood(seed: int, agree: Callable[..., None]) -> None:
-    """The same substitution twice: what hangs from a light pulley is one mass in the frame of the next."""
+    """The substitution is made twice: the loads of a light pulley count as one mass in the frame of the next."""
     m1, m2, m3, m4 = masses(seed, 4)
     builder = Builder()
     room = builder.room()
@@ -174,7 +174,7 @@ def test_triple_atwood(seed: int, agree: Callable[..., None]) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_hand_pulls_through_a_movable_pulley(seed: int, agree: Callable[..., None]) -> None:
-    """With force F at the free end both parts of the string pull with F: a = 2F/L − g."""
+    """A force F at the free end is the tension of both parts of the string, so a = 2F/L − g."""
     load, force = masses(seed, 2)
     builder = Builder()
     room = builder.room()
@@ -187,7 +187,7 @@ def test_a_hand_pulls_through_a_movable_pulley(seed: int, agree: Callable[..., N
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_table_pulled_over_its_edge(seed: int, agree: Callable[..., None]) -> None:
-    """m1 on a smooth table, m2 hanging from its edge, the pulley's wheel of mass M: a = m2 g/(m1 + m2 + M/2)."""
+    """With m1 on a smooth table, m2 hanging, and a pulley of mass M, a = m2 g/(m1 + m2 + M/2)."""
     m1, m2, wheel = masses(seed, 3)
     builder = Builder()
     room = builder.room()

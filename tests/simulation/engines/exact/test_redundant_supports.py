@@ -1,4 +1,4 @@
-"""Least squares with unknowns that can't be negative, against a search through all sets of unknowns."""
+"""Tests of nonnegative least squares, against a search over all sets of unknowns."""
 
 from itertools import combinations
 
@@ -12,7 +12,7 @@ from sim2reason.simulation.engines.exact.redundant_supports import nonnegative
 
 
 def best(matrix: Array, right: Array) -> float:
-    """The least |A x − b| over x ≥ 0: that of some set of columns alone, free of signs, whose x is allowed."""
+    """Return the least |A x − b| over x ≥ 0, by ordinary least squares over every subset of columns."""
     columns = matrix.shape[1]
     found = float(np.linalg.norm(right))
     for count in range(1, columns + 1):
@@ -35,7 +35,7 @@ def test_nothing_comes_nearer(seed: int, rows: int, columns: int) -> None:
 
 
 def test_a_table_on_four_legs_can_stand() -> None:
-    """Three equations, four legs; the load is off the centre but between them."""
+    """Three equations have four unknown forces; the load is off-centre, but between the legs."""
     places = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
     matrix = np.vstack([np.ones(4), places.T])
     x, residual = nonnegative(matrix, np.array([1.0, 0.9, 0.9]))

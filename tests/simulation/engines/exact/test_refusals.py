@@ -1,4 +1,4 @@
-"""What the engine does not model it refuses by name; what ends a motion it says."""
+"""Tests of what the exact engine refuses, and of the events that end a motion."""
 
 from dataclasses import replace
 from math import cos, radians, sin, tan
@@ -87,7 +87,7 @@ def test_bodies_that_overlap() -> None:
 
 
 def pulled_wedge(force: float) -> Builder:
-    """A smooth wedge is drawn away under its block."""
+    """Build a smooth wedge that is pulled away under its block."""
     theta = radians(40.0)
     builder = Builder()
     room = builder.room()
@@ -99,7 +99,7 @@ def pulled_wedge(force: float) -> Builder:
 
 
 def test_a_block_lifts_off_a_wedge_that_is_drawn_away() -> None:
-    """It presses till the wedge's acceleration F/M reaches g cot θ."""
+    """The normal force vanishes when the wedge's acceleration F/M reaches g cot θ."""
     critical = 2.0 * G / tan(radians(40.0))
     assert motion(pulled_wedge(0.999 * critical).finish(), 1.0).cut == ""
     found = motion(pulled_wedge(1.001 * critical).finish(), 1.0)
@@ -109,7 +109,7 @@ def test_a_block_lifts_off_a_wedge_that_is_drawn_away() -> None:
 
 
 def test_a_blow_can_lift_a_block() -> None:
-    """A ball from below strikes a block that lies on a table."""
+    """A ball strikes from below a block that lies on a table."""
     builder = Builder()
     room = builder.room()
     block = room.body("A", 1.0).rest(X, Z)
@@ -173,7 +173,7 @@ def test_a_slide_without_a_contact_along_it() -> None:
 
 
 def test_numpy_numbers_come_out_plain() -> None:
-    """A direction computed by NumPy would else leak slow scalars into events."""
+    """A direction computed with NumPy would otherwise put NumPy scalars into events."""
     axis = tuple(np.array([0.0, 0.0, 1.0]))
     body = RigidBody(
         "A",
@@ -187,7 +187,7 @@ def test_numpy_numbers_come_out_plain() -> None:
 
 
 def test_pulls_and_strings_share_runs() -> None:
-    """Two lines through the same sites reach them once."""
+    """Two lines through the same sites cause one event when these meet."""
     sites = (Site("eye", "A", (0.0, 0.0, 0.0)), Site("top", None, (0.0, 0.0, 1.0)))
     body = RigidBody("A", None, (0.0, 0.0, 0.0), 1.0, coordinates=(Coordinate("A.z", "A", "z", "slide", Z, 20.0),))
     lines = tuple(Line(name, name, ("eye", "top"), (), Inextensible(0.5)) for name in ("s", "t"))

@@ -1,4 +1,4 @@
-"""The search for a root within a bracket."""
+"""Tests of the search for a root in a bracket."""
 
 from math import cos, pi
 

@@ -1,4 +1,4 @@
-"""Which contacts come apart, and which strings stay straight under no tension: both engines name the same."""
+"""Tests that both engines agree on the contacts that separate and the strings that stay taut without tension."""
 
 from math import cos, radians, sin
 
@@ -22,7 +22,7 @@ def told(engine: Engine, mechanism: Mechanism, kinds: tuple[str, ...] = ("lift",
 
 
 def drawn_wedges(count: int, force: float) -> Mechanism:
-    """Smooth wedges of 2 kg in a row, a block of 1 kg on the 40° face of each, tied and drawn away under them."""
+    """Build tied smooth wedges of 2 kg, each with a block of 1 kg on its 40° face, pulled by one force."""
     uphill, out = machines.face(40.0)
     builder = Builder()
     room = builder.room()
@@ -39,10 +39,10 @@ def drawn_wedges(count: int, force: float) -> Mechanism:
 
 @ENGINES
 def test_a_block_lifts_off_a_wedge_that_stays_on_the_floor(engine: Engine) -> None:
-    """Freed of its block, the wedge gains F/M; its face leaves the block, which falls freely, by F/M sin θ − g cos θ.
+    """Without its block the wedge has F/M, and its face separates from the falling block by F/M sin θ − g cos θ.
 
     With F = 2 kg · 500 m/s² that is 314 m/s² > 0, so the block is off; the floor carries Mg = 20 N > 0, so the wedge
-    is not. Held to its face, the block would pull at the wedge, N₁ = Mg + N₂ cos θ < 0: the floor only seems to pull.
+    is not. A block fixed to the face would give N₁ = Mg + N₂ cos θ < 0, although the wedge does not lift.
     """
     assert 500.0 * sin(radians(40.0)) - G * cos(radians(40.0)) > 0.0
     assert told(engine, drawn_wedges(1, 1000.0)) == [("block0",)]
@@ -50,13 +50,13 @@ def test_a_block_lifts_off_a_wedge_that_stays_on_the_floor(engine: Engine) -> No
 
 @ENGINES
 def test_all_that_lift_are_named_in_order(engine: Engine) -> None:
-    """Two tied wedges gain F/2M each, and both blocks are off by the same reckoning."""
+    """Two tied wedges have F/2M each, and both blocks lift as above."""
     assert told(engine, drawn_wedges(2, 2000.0)) == [("block0",), ("block1",)]
 
 
 @ENGINES
 def test_a_jerk_lifts_the_block_and_not_the_cart(engine: Engine) -> None:
-    """A wedge of M = 2 kg at rest is jerked to u by a runner of m = 3 kg at 4 m/s on a string.
+    """A wedge of M = 2 kg at rest is jerked to u by a body of m = 3 kg at 4 m/s on a string.
 
     Without its block u = 3·4/(3 + 2) = 2.4 m/s, and the face has left the block, still at rest, with u sin θ > 0;
     the impulse of the floor is 0, as nothing moves up or down. So block off, N = 0, z = 0: complementary.
@@ -73,7 +73,7 @@ def test_a_jerk_lifts_the_block_and_not_the_cart(engine: Engine) -> None:
 
 @ENGINES
 def test_a_tray_struck_from_below_carries_its_load_up(engine: Engine) -> None:
-    """The load presses on the tray all the more: the tray leaves the table, the load does not leave the tray."""
+    """The tray leaves the table, and the load stays pressed on the tray."""
     builder = Builder()
     room = builder.room()
     tray = room.body("tray", 1.0).rest(X, Z)
@@ -84,10 +84,10 @@ def test_a_tray_struck_from_below_carries_its_load_up(engine: Engine) -> None:
 
 @ENGINES
 def test_a_string_under_no_tension_is_taut_while_its_ends_keep_their_distance(engine: Engine) -> None:
-    """A rough cart jerks two smooth tied ones along and is then braked, f = µmg, while they go on at one speed.
+    """A rough cart jerks two smooth tied carts and is then braked, f = µmg, while they keep their speed.
 
-    So the first link is slack as soon as it has jerked, and the tension of the second is 0 = m·0; but its ends
-    never come together: it has not gone slack.
+    So the first link is slack right after its jerk, and the tension of the second is 0 = m·0; but its ends
+    never approach each other: it has not gone slack.
     """
     builder = Builder()
     room = builder.room()
@@ -103,7 +103,7 @@ def test_a_string_under_no_tension_is_taut_while_its_ends_keep_their_distance(en
 
 @ENGINES
 def test_a_massless_part_that_is_drawn_and_held_by_nothing(engine: Engine) -> None:
-    """F = 0·a has no solution; it is nobody's friction."""
+    """The equation F = 0·a has no solution, whatever the friction."""
     builder = Builder()
     room = builder.room()
     room.body("ring").slide(X).site("eye")

@@ -1,4 +1,4 @@
-"""Springs against closed forms: struck, damped, rough, in chains, at angles, and those that only push or only pull."""
+"""Tests of springs against closed forms: struck, damped, with friction, in chains, at angles, one-sided."""
 
 from collections.abc import Callable
 from itertools import pairwise
@@ -17,7 +17,7 @@ G = 9.8
 
 
 def row(masses: list[float], gap: float, speeds: list[float]) -> Builder:
-    """Carts at equal distances on a smooth straight line, with a hook each."""
+    """Build carts at equal distances on a smooth line, with a hook each."""
     builder = Builder(gravity=ZERO)
     room = builder.room()
     for i, (mass, speed) in enumerate(zip(masses, speeds, strict=True)):
@@ -27,7 +27,7 @@ def row(masses: list[float], gap: float, speeds: list[float]) -> Builder:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_struck_spring_block(seed: int, agree: Agree) -> None:
-    """Two carts on a spring, one struck: x₂ − x₁ oscillates with ω² = k/µ, 1/µ = 1/m₁ + 1/m₂, about what drifts evenly.
+    """With one of two carts struck, x₂ − x₁ oscillates with ω² = k/µ, 1/µ = 1/m₁ + 1/m₂, about a uniform drift.
 
     The reduced mass of the two-body problem, any textbook of mechanics.
     """
@@ -45,7 +45,7 @@ def test_a_struck_spring_block(seed: int, agree: Agree) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_normal_modes_of_a_chain(seed: int, agree: Agree) -> None:
-    """n carts and n + 1 springs between two walls: M ẍ = −K x, solved by the eigenvectors of M^(−½) K M^(−½)."""
+    """For n carts and n + 1 springs between walls, the eigenvectors of M^(−½) K M^(−½) solve M ẍ = −K x."""
     rng = np.random.default_rng(seed)
     n = 3 + seed
     masses, k, speeds = rng.uniform(0.3, 3.0, n), rng.uniform(20.0, 200.0, n + 1), rng.uniform(-1.0, 1.0, n)
@@ -69,7 +69,7 @@ def test_normal_modes_of_a_chain(seed: int, agree: Agree) -> None:
 
 @pytest.mark.parametrize("ratio", [0.05, 0.6, 1.7])
 def test_a_damped_oscillator(ratio: float, agree: Agree) -> None:
-    """m ẍ + b ẋ + k x = 0 from x₀ at rest, damping ratio ζ = b/(2√(km)) below and above one."""
+    """The equation is m ẍ + b ẋ + k x = 0 from x₀ at rest, with ζ = b/(2√(km)) below and above one."""
     m, k, x0 = 0.7, 90.0, 0.3
     omega = sqrt(k / m)
     builder = Builder(gravity=ZERO)
@@ -90,7 +90,7 @@ def test_a_damped_oscillator(ratio: float, agree: Agree) -> None:
 
 @pytest.mark.parametrize(("start", "swings"), [(0.55, 3), (0.95, 5), (0.15, 1), (0.07, 0)])
 def test_a_rough_spring_block(start: float, swings: int, agree: Agree) -> None:
-    """Each half swing lasts π√(m/k) and is shorter by 2µmg/k; it stays where |x| ≤ µmg/k for the first time.
+    """Each half swing lasts π√(m/k) and is shorter by 2µmg/k; the block stops at the first with |x| ≤ µmg/k.
 
     A. P. French, Vibrations and Waves: Coulomb damping.
     """
@@ -114,7 +114,7 @@ def test_a_rough_spring_block(start: float, swings: int, agree: Agree) -> None:
 
 
 def held(ends: list[tuple[float, float]], k: list[float], free: list[float], start: tuple[float, float]) -> Builder:
-    """A puck of 0.6 kg on a smooth table, on springs to nails."""
+    """Build a puck of 0.6 kg on a smooth table, held by springs to fixed points."""
     builder = Builder(gravity=ZERO)
     room = builder.room()
     room.body("puck", 0.6, at=(*start, 0.0)).slide(X, name="x").slide(Y, name="y").site("hook")
@@ -125,9 +125,9 @@ def held(ends: list[tuple[float, float]], k: list[float], free: list[float], sta
 
 
 def test_small_oscillations_of_springs_at_angles() -> None:
-    """Periods follow from the Hessian Σ k(n nᵀ + (1 − ℓ₀/ℓ)(1 − n nᵀ)) where the forces balance.
+    """Periods follow from the Hessian Σ k(n nᵀ + (1 − ℓ₀/ℓ)(1 − n nᵀ)) at the point of equilibrium.
 
-    Started 1 µm from there along one normal mode, so that what is left out is a millionth of it.
+    The motion starts 1 µm away along one normal mode, so that terms of higher order are a millionth of it.
     """
     ends, k, free = [(-0.7, -0.1), (0.5, 0.6), (0.4, -0.8)], [60.0, 90.0, 130.0], [0.4, 0.5, 0.3]
     place = np.zeros(2)
@@ -155,7 +155,7 @@ def test_small_oscillations_of_springs_at_angles() -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_energy_of_springs_at_angles(seed: int, agree: Agree) -> None:
-    """½mv² + Σ ½k(ℓ − ℓ₀)² is kept, however the puck goes round."""
+    """The energy ½mv² + Σ ½k(ℓ − ℓ₀)² is constant."""
     rng = np.random.default_rng(seed)
     ends, k, free = rng.uniform(-0.9, 0.9, (3, 2)), rng.uniform(20.0, 200.0, 3), rng.uniform(0.2, 0.9, 3)
     start = rng.uniform(-0.2, 0.2, 2)
@@ -167,7 +167,7 @@ def test_energy_of_springs_at_angles(seed: int, agree: Agree) -> None:
 
 
 def test_one_spring_swings_round_its_nail(agree: Agree) -> None:
-    """Angular momentum about the nail is kept, and so is the energy: their values give the speed at any distance."""
+    """Angular momentum about the nail and energy are constant, and determine the speed at any distance."""
     builder = Builder(gravity=ZERO)
     room = builder.room()
     room.body("puck", 0.6, at=(0.5, 0.0, 0.0)).slide(X, 0.4, name="x").slide(Y, 1.3, name="y").site("hook")
@@ -183,9 +183,9 @@ def test_one_spring_swings_round_its_nail(agree: Agree) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_buffer_is_left_after_half_a_period(seed: int, agree: Agree) -> None:
-    """A cart runs into a light spring fixed to the front of another: they touch for π√(µ/k) and exchange momentum.
+    """A cart hits a light spring on the front of another: contact lasts π√(µ/k), with velocities as for e = 1.
 
-    Compression v√(µ/k) sin(ωt) is zero again at ωt = π, and then never less: velocities are those of e = 1.
+    The compression v√(µ/k) sin(ωt) is zero again at ωt = π, and never less afterwards.
     """
     m1, m2, k, v = np.random.default_rng(seed).uniform((0.2, 0.2, 20.0, 0.5), (3.0, 3.0, 200.0, 3.0))
     builder = row([m1, m2], 2.0, [v, 0.0])
@@ -200,7 +200,7 @@ def test_a_buffer_is_left_after_half_a_period(seed: int, agree: Agree) -> None:
 
 
 def test_an_elastic_cord_pulls_and_goes_slack(agree: Agree) -> None:
-    """A puck flies freely until the cord is straight, swings out for π√(m/k), and comes back with the speed it had."""
+    """A free puck reaches the cord's length, swings for π√(m/k), and returns with its initial speed."""
     m, k, v = 0.4, 30.0, 1.5
     builder = row([m], 1.0, [v])
     builder.room().site("nail", at=(-0.2, 0.0, 0.0))
@@ -215,7 +215,7 @@ def test_an_elastic_cord_pulls_and_goes_slack(agree: Agree) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_points_that_pass_through_each_other_end_the_motion(seed: int, agree: Agree) -> None:
-    """A spring stretched by more than its natural length pulls its ends together: ℓ₀ + d cos(ωt) = 0, within 1 nm.
+    """A spring stretched by more than its length pulls its ends together: ℓ₀ + d cos(ωt) = 0, within 1 nm.
 
     The distance itself only touches zero between two steps of the integrator, and grows again.
     """

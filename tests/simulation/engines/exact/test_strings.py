@@ -1,4 +1,4 @@
-"""Strings that are slack, snap taut, run out or leave something unheld."""
+"""Tests of strings that are slack, snap taut, run out or leave a massless pulley unloaded."""
 
 from collections.abc import Callable
 from math import cos, radians, sin, sqrt
@@ -25,8 +25,9 @@ def loads(m1: float, m2: float, slack: float = 0.0, depth: float = 30.0) -> Buil
 
 @pytest.mark.parametrize(("m1", "m2"), [(1.0, 3.0), (5.0, 0.7), (2.0, 2.0)])
 def test_a_slack_string_snaps_taut(m1: float, m2: float, agree: Callable[..., None]) -> None:
-    """Both fall freely until the slack d = g t² is used up. The impulse along the string is the same on both:
-    m1 v1 − m2 v2 is kept, and after it v1 = −v2, so v1 = v (m2 − m1)/(m1 + m2) upwards with v = g t.
+    """Both loads fall freely for d = g t² = slack, and after the jerk v1 = v (m2 − m1)/(m1 + m2) upwards.
+
+    The impulse along the string is the same on both: m1 v1 − m2 v2 is kept, and v1 = −v2 after it, with v = g t.
     """
     slack = 0.8
     t = sqrt(slack / G)
@@ -42,7 +43,7 @@ def test_a_slack_string_snaps_taut(m1: float, m2: float, agree: Callable[..., No
 
 
 def test_kinetic_energy_lost_to_the_jerk(agree: Callable[..., None]) -> None:
-    """The loss is that of the relative motion, ½ µ u² with the reduced mass µ and the string's rate u (Carnot)."""
+    """The loss is ½ µ u², with the reduced mass µ and the string's rate u (Carnot)."""
     m1, m2 = 1.5, 2.5
     found = motion(loads(m1, m2, 0.5).finish(), 1.0)
     before, after = found.segments[0], found.segments[1]
@@ -52,8 +53,9 @@ def test_kinetic_energy_lost_to_the_jerk(agree: Callable[..., None]) -> None:
 
 
 def test_a_block_outruns_its_string_and_is_caught_again(agree: Callable[..., None]) -> None:
-    """A block is thrown up a smooth slope towards its pulley, a load hangs from the string: it is slack from the
-    start, for it shortens at v, until v t = ½ (g + g sin θ) t²; both then decelerate relative to the string alike.
+    """A block thrown up a smooth slope has a slack string until v t = ½ (g + g sin θ) t².
+
+    A load hangs from the string over a pulley at the top.
     """
     theta, speed, m1, m2 = radians(30.0), 5.0, 2.0, 1.0
     builder = Builder()
@@ -75,8 +77,10 @@ def test_a_block_outruns_its_string_and_is_caught_again(agree: Callable[..., Non
 
 
 def test_rough_block_is_jerked_along_by_a_falling_load(agree: Callable[..., None]) -> None:
-    """The block sticks while the string is slack. A jerk along a level floor has no friction impulse:
-    v = m2 √(2 g d)/(m1 + m2); then a = g (m2 − µ m1)/(m1 + m2), and it stops and sticks if that is negative.
+    """The block sticks while the string is slack, then is jerked to v = m2 √(2 g d)/(m1 + m2).
+
+    A jerk along a level floor has no friction impulse. Then a = g (m2 − µ m1)/(m1 + m2), and the block stops and
+    sticks if that is negative.
     """
     m1, m2, mu, slack = 3.0, 0.5, 0.4, 0.6
     builder = Builder()
@@ -100,7 +104,7 @@ def test_rough_block_is_jerked_along_by_a_falling_load(agree: Callable[..., None
 
 
 def circling() -> Builder:
-    """A ball in fast circles; coarse steps have drifted by 2 µm when it comes to where a pivot is lost."""
+    """Build a ball on a string in fast circles, for which coarse steps cause a drift of 2 µm."""
     builder = Builder(gravity=(0.0, 0.0, -9.572258543531126))
     room = builder.room()
     room.site("peg", at=(0.0, 0.0, 0.0))
@@ -111,14 +115,14 @@ def circling() -> Builder:
 
 
 def test_a_string_stays_taut_where_the_equations_are_solved_in_another_order() -> None:
-    """T ≥ m (v²/l − 5 g) > 0."""
+    """The tension is T ≥ m (v²/l − 5 g) > 0."""
     trace = simulate(circling().finish(), np.array([0.0, 6.19223639]), 1e-8)
     assert {event.kind for event in trace.events} == {"turn"}
 
 
 @pytest.mark.parametrize("time", [1.4, 3.0, 4.8, 5.9])
 def test_a_string_stays_taut_while_others_collide(time: float) -> None:
-    """The same, and two carts that meet far away."""
+    """Two distant carts collide while the ball circles."""
     builder = circling()
     room = builder.room()
     one = room.body("one", 1.0, at=(50.0, 0.0, 0.0)).slide(X, speed=1.0)
@@ -131,7 +135,7 @@ def test_a_string_stays_taut_while_others_collide(time: float) -> None:
 
 
 def test_an_impact_makes_a_taut_string_slack(agree: Callable[..., None]) -> None:
-    """What comes from below with w gives a ball that hangs at rest 2 w/(1 + m/M), upwards."""
+    """A striker M moving up with w gives a hanging ball m the velocity 2 w/(1 + m/M), upwards."""
     builder = Builder()
     room = builder.room()
     room.site("peg", at=(0.0, 0.0, 0.0))
@@ -148,7 +152,7 @@ def test_an_impact_makes_a_taut_string_slack(agree: Callable[..., None]) -> None
 
 
 def test_a_load_reaches_its_pulley(agree: Callable[..., None]) -> None:
-    """The lighter one rises h with a: t = √(2h/a). The event names the two sites that meet."""
+    """The lighter load rises by h with a in t = √(2h/a); the event names the two sites that meet."""
     found = motion(loads(1.0, 2.0, depth=1.5).finish(), 9.0)
     assert found.cut == "reach"
     assert [(event.kind, event.subjects) for event in found.events] == [("reach", ("A.hook", "P.left"))]
@@ -156,9 +160,7 @@ def test_a_load_reaches_its_pulley(agree: Callable[..., None]) -> None:
 
 
 def test_an_unloaded_pulley_in_a_slack_string_ends_the_motion() -> None:
-    """A double Atwood machine with a light lower pulley: one of the lower loads is struck upwards, and then
-    nothing pulls at the pulley.
-    """
+    """In a double Atwood machine with a light lower pulley, a lower load is struck upwards."""
     builder = Builder()
     room = builder.room()
     top = room.pulley("top", radius=0.2)
@@ -178,8 +180,9 @@ def test_an_unloaded_pulley_in_a_slack_string_ends_the_motion() -> None:
 
 
 def test_a_massive_wheel_goes_on_turning_in_a_slack_string(agree: Callable[..., None]) -> None:
-    """One load of an Atwood machine with a heavy wheel is thrown up with v: its part of the string is slack from the
-    start, and the other part turns the wheel with T = m2 (g − a), a = m2 g/(m2 + M/2).
+    """One load of an Atwood machine with a heavy wheel is thrown up, so that its part of the string is slack.
+
+    The other part turns the wheel with T = m2 (g − a), a = m2 g/(m2 + M/2).
     """
     m1, m2, wheel, speed = 1.0, 1.0, 2.0, 3.0
     builder = Builder()

@@ -1,4 +1,4 @@
-"""Elimination on symbols, against NumPy."""
+"""Tests of symbolic elimination, against NumPy."""
 
 import math
 
@@ -13,7 +13,7 @@ from sim2reason.simulation.engines.exact.tape import Tape
 
 
 def systems(seed: int, n: int, rows: int) -> np.ndarray:
-    """M, Jᵀ, F over J, 0, target: (n + rows, n + rows + 1)."""
+    """Return a random system M, Jᵀ, F over J, 0, target of shape (n + rows, n + rows + 1)."""
     rng = np.random.default_rng(seed)
     root, jacobian = rng.normal(size=(n, n)), rng.normal(size=(rows, n)) * (rng.random((rows, n)) < 0.7)
     jacobian[np.arange(rows), np.arange(rows)] += 2.0
@@ -23,7 +23,7 @@ def systems(seed: int, n: int, rows: int) -> np.ndarray:
 
 
 def recorded(matrix: np.ndarray) -> tuple[Tape, list[list[Number]]]:
-    """Every entry that is not zero is t times itself, with t = 1."""
+    """Return a matrix on a tape, each nonzero entry as its multiple of t = 1."""
     tape = Tape(["t"])
     tape.stand([1.0])
     t = tape.inputs["t"]

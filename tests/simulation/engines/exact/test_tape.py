@@ -1,4 +1,4 @@
-"""Arithmetic that is recorded gives what it gives without being recorded."""
+"""Tests that recorded arithmetic has the same results as direct arithmetic."""
 
 import math
 from collections.abc import Callable
@@ -80,7 +80,7 @@ def test_zero_and_one_leave_no_trace(kind: type[Tape]) -> None:
 
 
 def test_numbers_are_no_part_of_the_code(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Mechanisms of one shape share one piece of code."""
+    """Mechanisms of the same structure share compiled code."""
     texts: list[tuple[str, ...]] = []
     compiled = module.compiled
     monkeypatch.setattr(module, "compiled", lambda *a: texts.append(tuple(map(str, a))) or compiled(*a))
@@ -126,7 +126,7 @@ def test_what_has_no_value_at_a_point_is_nan_there(kind: type[Tape]) -> None:
 
 @TAPES
 def test_deep_brackets_become_lines(kind: type[Tape]) -> None:
-    """The parser of Python gives up on a hundred levels of brackets."""
+    """The Python parser fails at a hundred levels of brackets."""
     tape = kind(["t"])
     total: Number = tape.inputs["t"]
     for number in range(300):

@@ -1,4 +1,4 @@
-"""The MuJoCo engine against textbook formulas, written here anew; it promises 1e-6 and keeps about 1e-8."""
+"""Tests of the MuJoCo engine against textbook formulas; its tolerance is 1e-6, its error about 1e-8."""
 
 from math import cos, radians, sin, sqrt
 
@@ -31,7 +31,7 @@ def number(trace: Trace, coordinate: str) -> int:
 
 
 def steady(trace: Trace, coordinate: str, a: float) -> None:
-    """From rest with constant acceleration, as long as the motion is described."""
+    """Assert constant acceleration from rest until the end of the valid motion."""
     held = trace.state.times <= trace.stable_until
     times, i = trace.state.times[held], number(trace, coordinate)
     assert trace.state.a[held, i] == pytest.approx(a, rel=CLOSE, abs=CLOSE)
@@ -52,7 +52,7 @@ def test_atwood(m1: float, m2: float, pulley: float) -> None:
 
 
 def test_the_first_acceleration_is_right() -> None:
-    """Where naive MuJoCo is off by 44 %."""
+    """The accelerations are ± g/5; plain MuJoCo is off by 44 %."""
     assert run(machines.atwood()).state.a[0] == pytest.approx([G / 5, -G / 5], rel=1e-9)
 
 
@@ -68,7 +68,7 @@ def test_movable_pulley(pulley: float) -> None:
 
 
 def test_nested_atwood() -> None:
-    """With massless pulleys the inner pair pulls like the mass 4 m1 m2/(m1 + m2)."""
+    """With massless pulleys the inner pair acts like the mass 4 m1 m2/(m1 + m2)."""
     lone, m1, m2 = 4.0, 1.0, 2.0
     trace = run(machines.nested(lone, m1, m2))
     pair = 4 * m1 * m2 / (m1 + m2)
@@ -128,7 +128,7 @@ def test_block_on_a_movable_wedge() -> None:
 
 
 def test_movable_wedge_with_a_string_over_its_top() -> None:
-    """Horizontal momentum is conserved; along the string, relative to the wedge, one equation is left."""
+    """Horizontal momentum is conserved, which leaves one equation along the string, relative to the wedge."""
     M, m, w, slope = 5.0, 2.0, 1.5, radians(35.0)
     trace = run(machines.wedge(M, m, 35.0, weight=w))
     drive, total = (w - m * sin(slope)) * G, M + m + w
@@ -166,7 +166,7 @@ def test_stacked_blocks_stay_together() -> None:
 
 
 def test_a_slack_string_snaps_taut_without_bounce() -> None:
-    """Thrown up, the left one loosens the string by z_left + z_right = v t − g t², until t = v/g."""
+    """The left load, thrown up, loosens the string by z_left + z_right = v t − g t², until t = v/g."""
     m1, m2, v = 3.0, 2.0, 2.0
     trace = run(machines.atwood(m1, m2, speed=v))
     kinds = [event.kind for event in trace.events if event.kind != "turn"]
@@ -179,7 +179,7 @@ def test_a_slack_string_snaps_taut_without_bounce() -> None:
 
 
 def test_a_start_with_slack() -> None:
-    """Both fall, so 0.3 m of slack lasts until g t² = 0.3 m; then equal masses stop each other for good."""
+    """Both loads fall until g t² = 0.3 m, the slack; then equal masses bring each other to rest."""
     trace = run(machines.atwood(2.0, 2.0, slack=0.3))
     assert [event.kind for event in trace.events] == ["taut"]
     assert trace.events[0].time == pytest.approx(sqrt(0.3 / G), rel=1e-9)
@@ -190,7 +190,7 @@ def test_a_start_with_slack() -> None:
 @pytest.mark.parametrize("e", [1.0, 0.5, 0.0])
 @pytest.mark.parametrize("offset", [0.0, 0.05, -0.19])
 def test_collision(e: float, offset: float) -> None:
-    """An impulse −(1 + e) v·n/(1/m1 + 1/m2) along the line of centres."""
+    """The impulse is −(1 + e) v·n/(1/m1 + 1/m2) along the line of centres."""
     m1, m2, v, distance = 1.0, 2.0, 2.0, 0.2
     trace = run(machines.discs(e, v, offset, m1, m2))
     (event,) = [event for event in trace.events if event.kind != "turn"]
@@ -204,7 +204,7 @@ def test_collision(e: float, offset: float) -> None:
 
 
 def test_a_collision_pulls_at_a_string() -> None:
-    """The cart that is hit is tied to a weight, which goes slack: the two carts collide as if alone."""
+    """The second cart is tied to a weight; its string goes slack, so the carts collide as if free."""
     trace = run(machines.carts(0.5, 0.0, 0.3), np.linspace(0.0, 0.3, 31))
     kinds = [event.kind for event in trace.events]
     assert kinds == ["collision", "slack"]
@@ -219,7 +219,7 @@ def test_a_collision_pulls_at_a_string() -> None:
 
 @pytest.mark.parametrize("eccentricity", [0.9, 0.98, 0.998])
 def test_a_comet_comes_back_after_a_period(eccentricity: float) -> None:
-    """Past its star at as little as a thousandth of where it began, and back, by Kepler's first and third laws."""
+    """The comet passes its star at as little as a thousandth of its initial distance, and returns."""
     trace = run(motions.orbit(-eccentricity).mechanism, np.linspace(0.0, 1.0, 41))
     fast = trace.state.v[0, 1]
     assert trace.state.q[-1] == pytest.approx(np.zeros(2), abs=1e-7)

@@ -1,4 +1,4 @@
-"""Motions of constant acceleration between events, and checks that hold for all motions."""
+"""Tests of motions with constant accelerations between events, and of general checks."""
 
 from math import sqrt
 
@@ -20,7 +20,7 @@ TIMES = np.linspace(0.0, 2.0, 101)
 
 
 def sprung(room: Frame) -> None:
-    """A block on a spring far away, by which the equations of motion of the whole change."""
+    """Add a distant block on a spring, which makes the mechanism's equations of motion non-constant."""
     room.site("wall", (50.0, 0.0, 0.0))
     room.body("sprung", 1.0, at=(49.0, 0.0, 0.0)).slide(X).site("sprung.hook")
     room.spring("spring", "wall", "sprung.hook", stiffness=3.0, length=0.9)
@@ -37,7 +37,7 @@ def test_one_step_leads_from_event_to_event(name: str) -> None:
 
 @pytest.mark.parametrize("overshoot", [1e-6, 1e-3, 0.1])
 def test_a_short_contact_in_a_long_flight_is_found(overshoot: float) -> None:
-    """Thrown up at v, a ball would pass a shelf by a little, and fall again: it meets it at v − √(v² − 2gh)."""
+    """A ball thrown up at v meets a shelf just below its greatest height after (v − √(v² − 2gh))/g."""
     speed = 6.0
     height = speed**2 / (2.0 * G) - overshoot
     builder = Builder()
@@ -50,7 +50,7 @@ def test_a_short_contact_in_a_long_flight_is_found(overshoot: float) -> None:
 
 
 def test_bodies_whose_centres_would_coincide_later_meet() -> None:
-    """Without the collision at 1 − 0.2 = 0.8 s they would be at one place halfway through the step."""
+    """The collision is at 1 − 0.2 = 0.8 s; without it the centres would coincide halfway through the step."""
     builder = Builder()
     room = builder.room()
     runner = room.body("runner", 1.0).rest(X, Z, speed=1.0)
@@ -61,7 +61,7 @@ def test_bodies_whose_centres_would_coincide_later_meet() -> None:
 
 
 def test_of_several_events_in_one_step_the_first_comes_first() -> None:
-    """Three pucks in lanes of their own, 2, 0.5 and 1 m from fixed posts, at 1 m/s."""
+    """Three pucks at 1 m/s in separate lanes start 2, 0.5 and 1 m from fixed posts."""
     builder = Builder()
     room = builder.room()
     for number, start in enumerate((2.0, 0.5, 1.0)):
@@ -74,14 +74,14 @@ def test_of_several_events_in_one_step_the_first_comes_first() -> None:
 
 
 def test_equations_that_change_in_spite_of_their_structure_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Constancy is proven by the code that the exact engine uses too, so that the forces of the end are compared."""
+    """The forces at the end are compared, since the exact engine's code decides on constancy too."""
     monkeypatch.setattr(model, "changing", lambda _: "")
     with pytest.raises(SimulationError, match="a force changes between two events"):
         simulate(motions.orbit(0.5).mechanism, TIMES)
 
 
 def test_a_massless_pulley_leaves_no_drift_where_equations_change() -> None:
-    """Beside a mass of 1 kg its substitute mass made a string drift by 1e-5 m/s."""
+    """The pulley's substitute mass must not make a string drift, as it did by 1e-5 m/s beside a mass of 1 kg."""
     builder = Builder()
     room = builder.room()
     pulley = room.body("pulley", 0.0, at=(0.1, 0.0, -2.0)).slide(Z).site("axle")
@@ -101,7 +101,7 @@ def test_a_massless_pulley_leaves_no_drift_where_equations_change() -> None:
 
 @pytest.mark.parametrize("changes", [False, True])
 def test_a_motion_that_an_impact_ends_as_it_begins_is_recorded(*, changes: bool) -> None:
-    """A ball strikes a block from below and lifts it off its floor, which is the end."""
+    """A ball strikes a block from below and lifts it off its floor, which ends the motion."""
     builder = Builder()
     room = builder.room()
     block = room.body("block", 1.0).rest(X, Z)
@@ -133,7 +133,7 @@ def test_overlap_and_coincidence_are_refused_where_equations_change() -> None:
 
 
 def test_simultaneous_events_come_in_the_order_of_kinds() -> None:
-    """A jerk that slackens another string: both engines record the taut string first."""
+    """Both engines record the collision before the slack string that it causes."""
     mechanism = machines.carts(0.5, 0.0, 0.3)
     kinds = [[event.kind for event in run(mechanism, TIMES).events] for run in (exactly, simulate)]
     assert kinds[0][:2] == kinds[1][:2] == ["collision", "slack"]

@@ -1,4 +1,4 @@
-"""The witness's own integrator, and the curve between its steps."""
+"""Tests of the MuJoCo engine's own integrator and of its interpolation between steps."""
 
 from math import cos, log2, sin
 
@@ -18,7 +18,7 @@ from sim2reason.simulation.engines.mujoco.integration import (
 
 
 def swing(time: float, y: Array) -> Array:
-    """ẍ = −x + sin 2t, from x = 0, ẋ = 0: x = ⅔ sin t − ⅓ sin 2t."""
+    """Return the rates of ẍ = −x + sin 2t; from x = 0, ẋ = 0 the solution is x = ⅔ sin t − ⅓ sin 2t."""
     return np.array([y[1], -y[0] + sin(2.0 * time)])
 
 

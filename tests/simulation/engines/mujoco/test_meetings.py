@@ -1,4 +1,4 @@
-"""Where two points of a line meet, the witness ends the motion as the exact engine does, and is right up to there."""
+"""Tests that the MuJoCo engine ends a motion where two points of a line meet, as the exact engine does."""
 
 from math import acos, hypot, sqrt
 
@@ -11,7 +11,7 @@ from sim2reason.simulation.trace import ENGINES
 
 
 def sprung(x: float, y: float, mass: float, stiffness: float, length: float) -> Mechanism:
-    """A body at rest that a spring draws straight to a nail at (x, y)."""
+    """Build a body at rest that a spring pulls straight to a nail at (x, y)."""
     builder = Builder()
     room = builder.room("it")
     room.body("body", mass).slide(X, name="x").slide(Y, name="y").site("hook")
@@ -32,7 +32,7 @@ def sprung(x: float, y: float, mass: float, stiffness: float, length: float) -> 
 def test_a_body_is_drawn_straight_to_a_nail(
     engine: str, nail: tuple[float, float], spring: tuple[float, float, float], duration: float
 ) -> None:
-    """Harmonic motion, r = ℓ + (d − ℓ) cos ωt from the nail with ω² = k/m, up to where r = 0."""
+    """The distance to the nail is r = ℓ + (d − ℓ) cos ωt with ω² = k/m, until r = 0."""
     mass, stiffness, length = spring
     far, omega = hypot(*nail), sqrt(stiffness / mass)
     meets = acos(-length / (far - length)) / omega

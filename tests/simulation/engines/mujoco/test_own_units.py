@@ -1,4 +1,4 @@
-"""Motions that the library counts in other units of mass and time are the same motions."""
+"""Tests that a change of the MuJoCo model's units of mass and time leaves the motion unchanged."""
 
 import numpy as np
 import pytest
@@ -22,13 +22,13 @@ SCENES = {
 
 
 def of(kind: str) -> Scene:
-    """A scene of one entity."""
+    """Return a scene with one entity."""
     return loads(f"scene: {{entities: [{{name: it, type: {SCENES[kind]}}}]}}")
 
 
 @pytest.mark.parametrize("kind", SCENES)
 def test_a_motion_is_the_same_in_other_units(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Coordinates, rates, accelerations, forces, and when what happens."""
+    """Coordinates, velocities, accelerations, forces and events are the same."""
     held = of(kind)
     plain = simulate(held, engine="mujoco")
 
@@ -52,5 +52,5 @@ def test_a_motion_is_the_same_in_other_units(kind: str, monkeypatch: pytest.Monk
 
 
 def test_ordinary_motions_keep_their_units() -> None:
-    """Units change only where MuJoCo would take a body for massless."""
+    """Units change only for bodies that MuJoCo would regard as massless."""
     assert not any(mujoco.is_tiny(of(kind).mechanism) for kind in SCENES)

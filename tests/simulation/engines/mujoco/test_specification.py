@@ -1,4 +1,4 @@
-"""What the library says is heard, and never written to where the user works."""
+"""Tests that MuJoCo's warnings are reported, and never written to the working directory."""
 
 from pathlib import Path
 
@@ -14,7 +14,7 @@ from sim2reason.simulation.engines.mujoco.specification import collect_warnings,
 
 
 def warn() -> None:
-    """Let the library take a step with a position that is no number."""
+    """Make MuJoCo take a step with a NaN position."""
     spec = mujoco.MjSpec()
     body = spec.worldbody.add_body(mass=1.0, inertia=(1.0, 1.0, 1.0), explicitinertial=True)
     body.add_joint(type=mujoco.mjtJoint.mjJNT_SLIDE)

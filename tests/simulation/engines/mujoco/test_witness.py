@@ -1,4 +1,4 @@
-"""The MuJoCo engine against the exact one, and what it says when it can't go on."""
+"""Tests of the MuJoCo engine against the exact one, and of its reasons for ending a motion."""
 
 import subprocess
 import sys
@@ -48,7 +48,7 @@ def test_engines_agree_far_below_the_tolerance(name: str) -> None:
 @settings(max_examples=150, derandomize=True)
 @given(seed=st.integers(0, 10**6))
 def test_engines_agree_on_random_trains(seed: int) -> None:
-    """Until they part, which ever smaller jerks or a lift may make them do, every sample agrees."""
+    """All samples agree up to the certified end."""
     mechanism = machines.train(np.random.default_rng(seed))
     try:
         recorded = exactly(mechanism, TIMES)
@@ -60,7 +60,7 @@ def test_engines_agree_on_random_trains(seed: int) -> None:
 
 
 def test_a_string_keeps_its_direction_until_its_ends_meet() -> None:
-    """An axle drawn to a pulley: where they all but touch, their places tell no more which way the string pulls."""
+    """An axle is pulled to a pulley; close to it, the ends' positions no longer give the string's direction."""
     mechanism = drawn_shell().mechanism
     recorded, witness = exactly(mechanism, TIMES), simulate(mechanism, TIMES)
     assert recorded.cut == witness.cut == "reach"
@@ -89,7 +89,7 @@ def test_a_massless_body_that_nothing_holds_ends_the_motion() -> None:
 
 
 def test_forces_that_are_not_determined_are_nan() -> None:
-    """A rough block between a wall that holds it by a string and a hand that draws it too weakly."""
+    """A rough block is tied to a wall and pulled by a force less than the limit of friction."""
     builder = Builder()
     room = builder.room()
     room.site("wall", (-1.0, 0.0, 0.0)).site("hand", (1.0, 0.0, 0.0))
@@ -105,7 +105,7 @@ def test_forces_that_are_not_determined_are_nan() -> None:
 
 
 def test_a_block_hit_twice_at_once_is_a_crowd() -> None:
-    """A ball between two walls that come together by bouncing: the last stretch is too fast to tell."""
+    """A ball bounces between two converging walls, until collisions are too frequent."""
     builder = Builder(gravity=(0.0, 0.0, 0.0))
     room = builder.room()
     ball = room.body("ball", 1.0).slide(X, speed=1.0)
@@ -161,7 +161,7 @@ def test_the_library_is_loaded_only_when_something_is_simulated() -> None:
 
 
 def test_a_structure_with_too_many_supports_stays_put() -> None:
-    """Three rough blocks on a slope, tied to each other and to its top: what creeps would part from rest."""
+    """Three rough blocks on a slope are tied to each other and to its top; they must not creep."""
     builder = Builder()
     room = builder.room()
     uphill, out = machines.face(25.0)

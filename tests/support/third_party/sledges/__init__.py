@@ -1,1 +1,1 @@
-"""Sledges: a package of a third party."""
+"""Package of a third party with sledges."""

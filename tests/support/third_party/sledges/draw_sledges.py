@@ -1,4 +1,4 @@
-"""Horses of three strengths."""
+"""Recipe of sledges with horses of three strengths."""
 
 import numpy as np
 
@@ -15,6 +15,6 @@ FORCE = {"easy": Range(5.0, 10.0), "medium": Range(5.0, 50.0), "hard": Range(5.0
 
 @recipe("sledges")
 def draw_sledges(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """A sledge, and a horse whose force may be greater the harder it is."""
+    """Draw a sledge and a horse, whose force may be greater for harder problems."""
     sledge = draw(HorseAndSledge, rng, {"draught": FORCE[difficulty]})
     return Scene(entities=(Named(name="sledge", entity=sledge),))

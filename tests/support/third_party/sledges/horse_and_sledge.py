@@ -1,4 +1,4 @@
-"""A sledge that a horse draws over level snow."""
+"""Entity of a sledge that a horse draws over level snow."""
 
 from typing import Annotated
 
@@ -34,7 +34,7 @@ class HorseAndSledge(Entity):
     )
 
     def build(self, room: Frame) -> None:
-        """A body on level ground, and the horse's force."""
+        """Build a body on level ground and the horse's force."""
         load = room.body("load", self.load.mass).rest(X, Z, self.friction)
         load.force("draught", Push(X, Profile(self.draught)))
         load.site("ring", faces=scale(-1.0, X))

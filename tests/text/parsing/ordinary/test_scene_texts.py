@@ -1,4 +1,4 @@
-"""Scenes in ordinary English: the same scene as the library's own text, or refused with the nearest sentence."""
+"""Tests of scenes in ordinary English: read as the same scene, or refused with the nearest sentence."""
 
 import re
 
@@ -106,7 +106,7 @@ REFUSED = {
 
 @pytest.mark.parametrize("text", UNDERSTOOD)
 def test_an_ordinary_wording_is_the_same_scene(text: str) -> None:
-    """The text is read as the scene that the library's own words tell."""
+    """The text is read as the same scene as the library's own wording."""
     found, wanted = parse_scene(text).scene, parse_scene(UNDERSTOOD[text]).scene
     assert describe(found).text == describe(wanted).text
 
@@ -136,13 +136,13 @@ def test_others_are_refused_with_the_nearest_sentence(text: str) -> None:
     ],
 )
 def test_what_says_more_or_less_is_refused(text: str) -> None:
-    """A word that no sentence of the library has, or a fact that is missing, is never passed over."""
+    """A word that no sentence of the library has, or a missing fact, leads to an error."""
     with pytest.raises(TextError):
         parse_scene(text)
 
 
 def test_the_order_of_bodies_and_ways_matters() -> None:
-    """Left is not taken for right, nor the block above for the one below."""
+    """Left isn't taken for right, nor the block above for the one below."""
     text = "A 2 kg block lies on a smooth horizontal floor. It moves to the {} at 4 m/s."
     assert "to the right along the plane" in describe(parse_scene(text.format("right")).scene).text
     with pytest.raises(TextError, match="is not understood"):  # the library has positive speeds to the right only
@@ -152,7 +152,7 @@ def test_the_order_of_bodies_and_ways_matters() -> None:
 
 
 def test_forms_say_what_the_library_says() -> None:
-    """Forms are all different, and a text is told again in the library's words."""
+    """All forms differ, and a text is rephrased in the library's words."""
     assert len(forms()) == len({form.text for form in forms()})
     told = next(recast(["The block is released from rest.", "A 3.0 kg block lies on a frictionless incline of 30°."]))
     assert told.from_rest

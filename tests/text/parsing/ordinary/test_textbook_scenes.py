@@ -1,4 +1,4 @@
-"""Whole scenes in the words of textbooks: the numbers of the scene that is read, and texts that are refused."""
+"""Tests of whole scenes in the words of textbooks: the numbers read, and texts that are refused."""
 
 from functools import reduce
 from math import log, radians, sin, sqrt
@@ -732,7 +732,7 @@ MISSING = {
 
 @pytest.mark.parametrize("text", UNDERSTOOD)
 def test_a_scene_is_read_with_its_numbers(text: str) -> None:
-    """Numbers are converted to the library's units and stand where the text means them."""
+    """Numbers are converted to the library's units and belong to the fields that the text means."""
     scene = parse_scene(text).scene
     for stated in UNDERSTOOD[text].split():
         path, _, wanted = stated.partition("=")
@@ -747,14 +747,14 @@ def _part(held: object, name: str) -> object:
 
 @pytest.mark.parametrize("text", REFUSED)
 def test_what_says_more_less_or_something_else_is_refused(text: str) -> None:
-    """No word is passed over, no number guessed, and no contradiction settled."""
+    """No word is ignored, no number guessed, and no contradiction resolved."""
     with pytest.raises(TextError):
         parse_scene(text)
 
 
 @pytest.mark.parametrize("text", MISSING)
 def test_a_missing_fact_is_named(text: str) -> None:
-    """The error says what the text does not state."""
+    """The error names the fact that the text doesn't state."""
     with pytest.raises(TextError, match=f"the text does not state .*{MISSING[text]}"):
         parse_scene(text)
 
@@ -782,7 +782,7 @@ def test_a_missing_fact_is_recorded_once() -> None:
 
 
 def test_a_mass_that_is_not_given_is_left_open() -> None:
-    """A ball's mass has no bearing on its flight, and no number is made up for it."""
+    """A ball's mass has no effect on its flight, so no number is invented for it."""
     assert set(parse_scene("A stone is dropped from a height of 20 m.").unknown.values()) == {"m"}
 
 
@@ -851,7 +851,6 @@ ANSWERS = {
 
 @pytest.mark.parametrize("text", ANSWERS)
 def test_answers_about_scenes_agree_with_closed_forms(text: str) -> None:
-    """Questions about the scene that was read have the answers of a textbook."""
     question, wanted = ANSWERS[text]
     scene = parse_scene(text).scene
     found = understood(question, simulate_scene(scene), words_of(describe(scene)))
